@@ -100,48 +100,48 @@
        vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
-       vm_inertia_possible            1 if a body can have this inertia, 0 if not, and for NaN and a null pointer
-       vm_parallel_axes               The inertia about a point at distance d from the mass centre, along the same axes, (40)
+       vm_inertia_possible            Whether a body can have this inertia
+       vm_parallel_axes               Inertia about a point d away from the mass centre, along parallel axes, (40)
 
      mechanics/bodies: bodies in space and in the plane, their momenta and energy, balances across an instant
        vm_momentum                    Momentum M v of a body (1)-(3), N s
        vm_angular_momentum            Angular momentum of a body about the point `about` (7)-(9), N m s
        vm_kinetic_energy              Kinetic energy of a body (93), (97), J
-       vm_balance_between             Balances of momentum, angular momentum and energy between some bodies before and after an instant, (4)-(6), (10)-(12)
+       vm_balance_between             Balance of momentum, angular momentum and energy across an instant
 
      mechanics/bodies2: momentum and energy of bodies in the plane, and such bodies in space
-       vm_angular_momentum2           Angular momentum of a body of the plane about the point (x, y), N m s, anticlockwise
+       vm_angular_momentum2           Angular momentum of a body of the plane about the point (x, y), N m s
        vm_kinetic_energy2             Kinetic energy of a body of the plane, J
-       vm_body_from_body2             A body of the plane as a lamina in the plane z = 0 of space, which moves as it does
+       vm_body_from_body2             A body of the plane as a lamina of space in the plane z = 0
 
      mechanics/jumps: parts separate from a body or are attached to it, in space
        vm_separate                    Separation of a part from a body
        vm_attach                      Attachment of one body to another (plastic impact)
-       vm_separate_all                Separation of n parts at once, n >= 0
-       vm_attach_all                  Attachment of n bodies at once, n >= 0
-       vm_combine_inertia             Inertia of two bodies together, about their common mass centre, (13)-(15), (40)
-       vm_split_inertia               Inertia of what is left of a body without a part, about its own mass centre, (13)-(15), (40)
+       vm_separate_all                Separation of n parts from a body at once
+       vm_attach_all                  Attachment of n bodies to a body at once
+       vm_combine_inertia             Inertia of two bodies together, about their common mass centre
+       vm_split_inertia               Inertia of a body without a part, about the mass centre of what is left
 
      mechanics/jumps2: parts separate from a body or are attached to it, in the plane
-       vm_separate2                   Separation of a part from a body in the plane (35)-(39)
+       vm_separate2                   Separation of a part from a body in the plane
        vm_attach2                     Attachment of one body to another in the plane (plastic impact)
-       vm_separate_all2               Separation of n parts at once in the plane, n >= 0
-       vm_attach_all2                 Attachment of n bodies at once in the plane, n >= 0
+       vm_separate_all2               Separation of n parts from a body at once, in the plane
+       vm_attach_all2                 Attachment of n bodies to a body at once, in the plane
 
      mechanics/relative: motion relative to a moving body, and jumps given in such motions
        vm_to_relative                 Motion of a body relative to the frame that moves rigidly with the body `to`
        vm_to_absolute                 Absolute motion of a body that is given relative to the body `to`
-       vm_to_relative2                Motion of a body of the plane relative to the frame that moves rigidly with the body `to`
-       vm_to_absolute2                Absolute motion of a body of the plane that is given relative to the body `to`
-       vm_separate_relative           Separation in motions relative to the whole, (28)-(31), (42)-(44)
-       vm_attach_relative             Attachment in motions relative to the first body, (28)-(31), (42)-(44)
-       vm_separate_relative2          Separation in the plane, in motions relative to the whole
-       vm_attach_relative2            Attachment in the plane, in motions relative to the first body
+       vm_to_relative2                Motion in the plane relative to the frame that moves rigidly with the body `to`
+       vm_to_absolute2                Absolute motion in the plane of a body that is given relative to the body `to`
+       vm_separate_relative           Separation, where the motions are given relative to the whole
+       vm_attach_relative             Attachment, where the motions are given relative to the first body
+       vm_separate_relative2          Separation in the plane, where the motions are given relative to the whole
+       vm_attach_relative2            Attachment in the plane, where the motions are given relative to the first body
 
      mechanics/inverse: how a part must leave, so that the rest moves as wanted
-       vm_separation_for_rest         Inverse of vm_separate
-       vm_separation_for_rest2        Inverse of vm_separate2
-       vm_separation_for_spin2        Velocity of the part that gives the rest the angular velocity rest_omega (rad/s), in the plane, while the part keeps its own spin (Table 3, 7, asked for v_r)
+       vm_separation_for_rest         How a part must leave, so that the rest moves as wanted
+       vm_separation_for_rest2        How a part must leave in the plane, so that the rest moves as wanted
+       vm_separation_for_spin2        Velocity of a part that leaves the rest with a wanted spin, in the plane
 
      mechanics/jump_energy: the kinetic energy that a jump adds or takes
        vm_energy_gain                 Energy gained at a separation, J
@@ -166,7 +166,7 @@
        vm_broken_rotor_routh          First column of Routh's scheme of the characteristic polynomial
        vm_broken_rotor_is_stable      Whether the steady motion at psi' = Omega is asymptotically stable (82)
        vm_broken_rotor_eigenvalues    Roots re + i im of the characteristic polynomial, 1/s
-       vm_broken_rotor_resonance_radius Radius of the growing orbit t seconds after a start from rest, where Omega = torque/damping is at or above omega, m
+       vm_broken_rotor_resonance_radius Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m
 
      mechanics/generalized_force: generalized forces of forces and moments
        vm_lagrange_add_force          Adds the generalized forces of a force and a moment
@@ -183,11 +183,11 @@
        vm_pendulum_separate           Motion of a pendulum and of the part that is cut off it, (119)-(132)
 
      mechanics/torque_free: exact rotation of a body on which no torque acts
-       vm_torque_free_init            Preparation of the exact torque-free motion of a body that is as given at the time t0 (s)
-       vm_torque_free_init_principal  Preparation from principal moments (kg m^2), where the body's axes are the principal ones, and omega (rad/s) along them, not along the inertial axes
-       vm_torque_free_attitude        Attitude and angular velocity at the time t (s), later than t0 or earlier; *omega is along body axes, rad/s
-       vm_torque_free_at              The body at the time t (s), later than t0 or earlier
-       vm_torque_free_rotation        The body a time t (s) later, in one call
+       vm_torque_free_init            Preparation of the exact torque-free motion of a body
+       vm_torque_free_init_principal  Preparation of the exact torque-free motion from principal moments (kg m^2)
+       vm_torque_free_attitude        Attitude and angular velocity of a torque-free body at the time t (s)
+       vm_torque_free_at              A torque-free body at the time t (s), later than t0 or earlier
+       vm_torque_free_rotation        A torque-free body a time t (s) later, in one call
 
      mechanics/streams: streams of mass: reactive force, moment and torque
        vm_reactive_loads              Reactive force, moment and torque of n streams on a moving body, (156)-(158)
@@ -201,7 +201,7 @@
        vm_flow_start                  Initial state y of a body with streams
        vm_flow_body                   The body that n states y describe, its quaternion with length 1
        vm_flow_mass_left              Mass minus flow.least_mass, kg
-       vm_flow_inertia_left           Event function
+       vm_flow_inertia_left           Least pivot of the inertia minus flow.least_inertia, kg m^2
 
      mechanics/flow2: a body in a plane with streams of mass
        vm_flow2_rhs                   Right-hand side of a body in the plane with streams of mass, (151), (152)
@@ -257,7 +257,7 @@
        vm_osc_jacobi                  Approximation x0 cn(Omega_1 t | m) (297) and its velocity (302), from rest at x0
        vm_osc_approximation_errors    Errors of the approximations by cos and cn, as the fields of vm_osc_errors
 
-     oscillators/laws: laws of mass, stiffness and damping: numbers that depend on time
+     oscillators/laws: laws of mass, stiffness and the like: numbers that depend on time
        vm_law_at                      Value f and rate df/dt of a law at time t (s), which may be negative
        vm_law_linear                  Linear law f = f0 + f1 t (346); a constant where f1 = 0
        vm_law_quadratic               Quadratic law f = f0 + f1 t + f2 t^2
@@ -291,46 +291,46 @@
        vm_vdp_amplitude               Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass
        vm_vdp_limit_cycle             Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s)
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
-       vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass
+       vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
 
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
        vm_jeffcott_power              Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
        vm_jeffcott_polar              Polar coordinates (448) of the disc's centre
-       vm_jeffcott_momentum           Angular momentum of a rotor about the axis, kg m^2/s, with the share of the gyroscopic force
+       vm_jeffcott_momentum           Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s
        vm_jeffcott_rhs                Equation of motion (449), (450) of a rotor, for rk45 or rk87
-       vm_jeffcott_to_averaged        Motion of a rotor, (x, y, x', y'), to forward and backward whirl P, N at time t, (456)-(461)
-       vm_jeffcott_from_averaged      Motion of a rotor, (x, y, x', y'), from forward and backward whirl at time t
+       vm_jeffcott_to_averaged        Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461)
+       vm_jeffcott_from_averaged      Motion (x, y, x', y') of a rotor from forward and backward whirl
        vm_jeffcott_exact_rhs          Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87
        vm_jeffcott_averaged_rhs       Averaged equations of forward and backward whirl, for rk45 or rk87
        vm_jeffcott_frequency          Frequency of circular whirl of radius A, rad/s
-       vm_jeffcott_forward_whirl_rhs  Averaged equations (506), (507) of forward whirl with any nonlinearity, for rk45 or rk87
-       vm_jeffcott_backward_whirl_rhs Averaged equations (506), (507) of backward whirl with any nonlinearity, for rk45 or rk87
-       vm_jeffcott_amplitude          Radius of circular whirl, m, when the mass has changed slowly from mass0, where it was first_A, to mass
+       vm_jeffcott_forward_whirl_rhs  Averaged equations (506), (507) of forward whirl, for rk45 or rk87
+       vm_jeffcott_backward_whirl_rhs Averaged equations (506), (507) of backward whirl, for rk45 or rk87
+       vm_jeffcott_amplitude          Radius of circular whirl, m, after the mass has changed slowly
 
      oscillators/pair: two bodies with a nonlinear connection
        vm_pair_rhs                    Equations of motion (517), (518) of two bodies, for rk45 or rk87
-       vm_pair_to_averaged            Motion of two bodies, y = (x, y, x', y'), to modes (A, psi, q, q') at time t, (520)-(522)
-       vm_pair_from_averaged          Motion of two bodies, y = (x, y, x', y'), from modes (A, psi, q, q') at time t
-       vm_pair_averaged_rhs           Averaged equations of the two modes, for rk45 or rk87, with any slow mass
+       vm_pair_to_averaged            Motion y = (x, y, x', y') of two bodies to modes (A, psi, q, q'), (520)-(522)
+       vm_pair_from_averaged          Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q')
+       vm_pair_averaged_rhs           Averaged equations of the two modes of a pair, for rk45 or rk87
        vm_pair_at                     Motion of two bodies at time t, in closed form for a linear mass
 
      oscillators/forced: harmonic excitation of a strongly nonlinear oscillator
        vm_forced_init                 Prepare an excited oscillator
        vm_forced_rhs                  Equation of motion of an excited oscillator, for rk45 or rk87
        vm_forced_exact_rhs            Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87
-       vm_forced_averaged_rhs         Averaged equations of an excited oscillator near its main resonance nu = w(A), for rk45 or rk87
-       vm_forced_to_averaged          Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta) at time t
-       vm_forced_from_averaged        Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta) at time t
+       vm_forced_averaged_rhs         Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87
+       vm_forced_to_averaged          Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta)
+       vm_forced_from_averaged        Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta)
 
      oscillators/resonance: steady vibrations, resonance curves, passage through resonance
-       vm_forced_steady_states        Steady vibrations of an excited oscillator with all parameters as they are at time t
+       vm_forced_steady_states        Steady vibrations of an excited oscillator
        vm_forced_curve                Steady vibrations of a given amplitude A, m, at any frequency nu > 0
        vm_forced_peak                 Largest amplitude of the amplitude-frequency curve, m
-       vm_forced_passage              Passage through the resonance at time t, by the rates of mass, stiffness and frequency at t
+       vm_forced_passage              Passage through the resonance
 
      oscillators/diagnostics: turning points and zero crossings of any trajectory, envelopes, adiabaticity
        vm_find_samples                Turning points or zero crossings of a trajectory in (t0, t1]
-       vm_find_samples_of_step        Turning points or zero crossings in the last step of an rk45 or rk87; call it after every step
+       vm_find_samples_of_step        Turning points or zero crossings in the last step of an rk45 or rk87
        vm_envelope_error              Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples
        vm_adiabaticity                Adiabaticity q/Om of an oscillator at time t and amplitude A
 
@@ -348,48 +348,51 @@
        vm_scene_body_growing_free     A growing body in space, made of one by vm_scene_body_free
 
      scenes/forces: the forces of effects, as functions of numbers
-       vm_force_spring                The force of a spring
-       vm_force_damper                The force of a linear damper
-       vm_force_van_der_pol           The force of Van der Pol's damper
-       vm_force_motor                 The torque of a motor whose characteristic is a straight line
-       vm_force_harmonic              The force of harmonic excitation
-       vm_force_stream                The reactive force of a stream
-       vm_force_gravity               The weight of a mass
-       vm_force_shaft                 The force of an elastic shaft
-       vm_force_unbalance             The force of a rotating unbalance
-       vm_force_gyroscopic            The gyroscopic force across a velocity in the plane
+       vm_force_spring                The force of a spring, -k x |x|^(alpha-1) (248)
+       vm_force_damper                The force of a linear damper, -damping v
+       vm_force_van_der_pol           The force of Van der Pol's damper, (b - c x^2) v (404)
+       vm_force_motor                 The torque of a motor, stall_torque - kappa omega
+       vm_force_harmonic              The force of harmonic excitation, amplitude cos(frequency t + phase)
+       vm_force_stream                The reactive force of a stream, rate (u - reactive v)
+       vm_force_gravity               The weight of a mass, mass g
+       vm_force_shaft                 The force of an elastic shaft, -k r |r|^(alpha-1), r = (x, y)
+       vm_force_unbalance             The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase)
+       vm_force_gyroscopic            The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx)
 
      scenes/effects: springs, dampers, motors and other forces on a coordinate
-       vm_effect_gravity              Gravity along a coordinate
-       vm_effect_spring               A nonlinear spring
-       vm_effect_linear_spring        A linear spring
-       vm_effect_damper               A linear damper
-       vm_effect_rotational_damper    A damper of the rotation
-       vm_effect_van_der_pol          Van der Pol's damper
-       vm_effect_motor                A motor whose characteristic is a straight line
-       vm_effect_harmonic             Harmonic excitation
+       vm_effect_gravity              Gravity along a coordinate, the force M g
+       vm_effect_spring               A nonlinear spring, the force -k z |z|^(alpha-1), z = x - rest (248)
+       vm_effect_linear_spring        A linear spring, the force -k (x - rest)
+       vm_effect_damper               A linear damper, the force -damping v
+       vm_effect_rotational_damper    A damper of the rotation, the torque -damping omega
+       vm_effect_van_der_pol          Van der Pol's damper, the force (b - c x^2) v (404)
+       vm_effect_motor                A motor, the torque stall_torque - kappa v
+       vm_effect_harmonic             Harmonic excitation, the force amplitude cos(frequency t + phase)
        vm_effect_force_between        A force that the caller's function returns, between two coordinates
        vm_effect_force                A force that the caller's function returns
-       vm_effect_custom               An effect that the caller's function applies, which may depend on the whole state
-       vm_effect_shaft                An elastic shaft
-       vm_effect_unbalance            A rotating unbalance
-       vm_effect_gyroscopic           A gyroscopic force across the velocity
+       vm_effect_custom               An effect that the caller's function applies
+       vm_effect_shaft                An elastic shaft, the force -k r |r|^(alpha-1), r = (x, y)
+       vm_effect_unbalance            A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase)
+       vm_effect_gyroscopic           A gyroscopic force across the velocity, 2 gyro (-vy, vx)
 
      scenes/mass: mass that follows a law, and its reactive force
-       vm_effect_mass_law             A mass law M(t, x, v) that the caller's function returns, with its reactive force
+       vm_effect_mass_law             A mass law M(t, x, v) that the caller's function returns
        vm_effect_mass                 A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force
+
+     scenes/mass_of_time: mass that follows a vm_law, and its reactive force
+       vm_effect_mass_of_time         A mass that follows a vm_law, with its reactive force
 
      scenes/streams: streams of mass into and out of the bodies of a scene
        vm_effect_stream               A stream that crosses at the mass centre, with its reactive force
-       vm_effect_stream_mass          Mass, mass centre and inertia that a stream at a point brings to a growing body
+       vm_effect_stream_mass          Mass, mass centre and inertia that a stream brings to a growing body
        vm_effect_stream_force         Reactive force M' (u - v) of a stream at a point of a growing body (156)
-       vm_effect_stream_moment        Moment d x M' (u - v) of the reactive force of a stream, about the mass centre of a growing body (158)
+       vm_effect_stream_moment        Moment d x M' (u - v) of a stream on a growing body (158)
        vm_effect_stream_torque        Torque M' kappa omega2 - I' omega of a stream on a growing body (157)
        vm_effect_varying              An effect of a stream that varies in time
 
      scenes/band: a band that winds up on a drum or off it
        vm_band_at                     Radius, mass and inertia of the band that is wound up at the angle phi
-       vm_effect_band                 A band that winds up on the drum `body`, a body on an axle, or off it, with its reactive torque
+       vm_effect_band                 A band that winds up on a drum or off it, with its reactive torque
 
      scenes/links: rigid links and cords between bodies
        vm_effect_link                 A rigid link of a given length, or a cord, which can only pull
@@ -399,7 +402,7 @@
        vm_scene_body_at               The motion of a body in the state y
 
      scenes/evaluate: the right-hand side of a scene
-       vm_scene_rhs                   The right-hand side of a scene that has been started, an ode_rhs; ctx is the scene
+       vm_scene_rhs                   The right-hand side of a scene, an ode_rhs
 
      scenes/check: what can be wrong with a scene
        vm_scene_check                 The first thing that is wrong with a scene, or VM_OK
@@ -408,7 +411,7 @@
        vm_scene_start                 Start of a scene at time t
 
      scenes/balance: the budget of momentum, angular momentum and energy of a scene
-       vm_scene_keep_budget           Makes a scene keep a budget of momentum, angular momentum and energy, or, with NULL, no longer
+       vm_scene_keep_budget           Makes a scene keep a budget of momentum, angular momentum and energy
        vm_scene_budget_at             The budget of a scene in the state y at time t
 
      scenes/events: when an event happens, and what it does
@@ -430,7 +433,7 @@
        vm_then_attach                 The event attaches a body to another one, of any motion
 
      scenes/run: runs of a scene with its events and its output
-       vm_scene_run                   Run of a scene from *t to t_end by rk45, with its events and its output */
+       vm_scene_run                   Run of a scene from *t to t_end, with its events and its output */
 #ifndef VARMASS_H
 #define VARMASS_H
 
@@ -1124,8 +1127,8 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
    The functions are internal: sums and products of vectors, norms, rotation matrices, and three or four numbers of a
-   state read as a vector or quaternion. They do not check their arguments. Tests: tests/test_jumps.c and
-   tests/test_torque_free.c use all of them. */
+   state read as a vector or quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
+   tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -1288,14 +1291,8 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Four numbers w, x, y, z of a state as a quaternion, and back */
+/* Four numbers w, x, y, z of a state as a quaternion */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
-
-VM_API void vmi_set_quat(vm_real *y, vm_quat q)
-{
-    y[0] = q.w;
-    vmi_set3(y + 1, vmi_quat_vector(q));
-}
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
@@ -1431,16 +1428,16 @@ VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* 1 if a body can have this inertia, 0 if not, and for NaN and a null pointer. A body's principal moments are not
-   negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace count as
-   rounding errors. Rods and points are bodies. */
+/* Whether a body can have this inertia: 1 if it can, 0 if not, and for NaN and a null pointer. A body's principal
+   moments are not negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace
+   count as rounding errors. Rods and points are bodies. */
 VM_API int vm_inertia_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_finite(inertia) && vmi_inertia_within(inertia, vmi_slack(inertia));
 }
 
-/* The inertia about a point at distance d from the mass centre, along the same axes, (40): own + mass P(d), where
-   own is about the mass centre, kg m^2. With -mass it goes back to the mass centre. NaN for a null pointer; NaN in
+/* Inertia about a point d away from the mass centre, along parallel axes, (40): own + mass P(d), where own is about
+   the mass centre, kg m^2, and d in m. With -mass it goes back to the mass centre. NaN for a null pointer; NaN in
    the arguments gives NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
@@ -1780,8 +1777,8 @@ VM_API int vmi_impulse_finite(const vm_impulse *j)
     return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
 }
 
-/* Of two statuses, VM_OK or errors, the error that comes first in the manual's table: VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, by rising size of the number */
+/* Of two statuses, VM_OK or errors, the one that is returned if both apply: VM_BAD_ARGUMENT before VM_NOT_FINITE
+   before VM_BAD_MASS before VM_BAD_INERTIA, whose numbers fall in this order */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;
@@ -1837,8 +1834,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* VM_OK if all bodies are valid, else the first of their errors in the table; VM_BAD_ARGUMENT for n < 0 and for
-   bodies that are not there */
+/* VM_OK if all bodies are valid, else the error of theirs that vmi_first_error puts first; VM_BAD_ARGUMENT for n < 0
+   and for bodies that are not there */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -1887,11 +1884,11 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_finite(b->momentum) && vmi_vec3_finite(b->angular_momentum);
 }
 
-/* Balances of momentum, angular momentum and energy between some bodies before and after an instant, (4)-(6),
-   (10)-(12). *balance is what the n_after bodies have less what the n_before bodies had and less what the impulse
-   gave, where one acted. Momentum and, about any point, angular momentum are zero if nothing was lost, but for some
-   eps of their scales. There may be any number of bodies on either side, none included. The bodies are not checked.
-   VM_BAD_ARGUMENT: a null pointer, a negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
+/* Balance of momentum, angular momentum and energy across an instant. *balance is what the n_after bodies have less
+   what the n_before bodies had, and less what the impulse gave, where one acted, (4)-(6), (10)-(12). Momentum and,
+   about any point, angular momentum are zero if nothing was lost, but for some eps of their scales. There may be any
+   number of bodies on either side, none included. The bodies are not checked. VM_BAD_ARGUMENT: a null pointer, a
+   negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {
@@ -1918,8 +1915,8 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
 #ifndef VARMASS_MECHANICS_BODIES2_H
 #define VARMASS_MECHANICS_BODIES2_H
 
-/* Angular momentum of a body of the plane about the point (x, y), N m s, anticlockwise. The body is not checked: NaN
-   in it gives NaN, and so does a null pointer. */
+/* Angular momentum of a body of the plane about the point (x, y), N m s. It is positive anticlockwise. The body is
+   not checked: NaN in it gives NaN, and so does a null pointer. */
 VM_API vm_real vm_angular_momentum2(const vm_body2 *body, vm_real x, vm_real y)
 {
     if (!body) return VM_NAN;
@@ -1935,8 +1932,8 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
            2;
 }
 
-/* A body of the plane as a lamina in the plane z = 0 of space, which moves as it does: xx = yy = zz/2, q of length
-   1. The body is not checked. NaN for a null pointer. */
+/* A body of the plane as a lamina of space in the plane z = 0. It has xx = yy = zz/2, q of length 1, and the same
+   motion. The body is not checked. NaN for a null pointer. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -2102,7 +2099,7 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     return frame;
 }
 
-/* The status of what is given for a jump */
+/* VM_OK if the bodies are valid and the impulse is finite, else the error that vmi_first_error puts first */
 VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
@@ -2153,7 +2150,8 @@ VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi
     return left;
 }
 
-/* The jump of a body by n others with sign, and by an impulse */
+/* The jump of a body to which n others are attached (sign = 1) or from which they separate (-1), while an impulse
+   acts */
 VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign,
                     const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2210,7 +2208,7 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts at once, n >= 0: *rest is what remains. Except for rounding errors it is what n calls of
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors it is what n calls of
    vm_separate give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate, and
    VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
@@ -2219,7 +2217,7 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
     return vmi_jump(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies at once, n >= 0: *whole is all of them together. Except for rounding errors it is what n
+/* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors it is what n
    calls of vm_attach give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach, and
    VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
@@ -2257,7 +2255,7 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia of two bodies together, about their common mass centre, (13)-(15), (40). All inertias are along one set of
+/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias are along one set of
    axes, each about its body's own mass centre, kg m^2. d leads from the mass centre of a to that of b, *centre from
    that of a to the common one, m. Accuracy as that of vm_separate. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE,
    VM_BAD_MASS, VM_BAD_INERTIA. */
@@ -2267,7 +2265,7 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of what is left of a body without a part, about its own mass centre, (13)-(15), (40): the way back from
+/* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40), the way back from
    vm_combine_inertia. d leads from the mass centre of the whole to that of the part (SS2), *centre from that of the
    whole to that of the rest (SS1), m. Statuses as those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
@@ -2347,7 +2345,7 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-/* The jump of a body of the plane by n others with sign, and by an impulse */
+/* vmi_jump in the plane */
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
                      const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2374,7 +2372,7 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane (35)-(39): *rest is what remains, the instant after. *part has left
+/* Separation of a part from a body in the plane: *rest is what remains, the instant after, (35)-(39). *part has left
    the whole and moves as given; *external, where not NULL, acted during the instant. Momentum and angular momentum
    of rest and part are those of the whole plus the impulse. rest may be whole or part. Accuracy as that of
    vm_separate.
@@ -2398,18 +2396,18 @@ VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impu
     return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts at once in the plane, n >= 0: *rest is what remains. Except for rounding errors it is what n
-   calls of vm_separate2 give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate2, and
-   VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors it is
+   what n calls of vm_separate2 give. With n = 0 only the impulse acts on the body. Statuses as those of
+   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies at once in the plane, n >= 0: *whole is all of them together. Except for rounding errors it
-   is what n calls of vm_attach2 give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach2,
-   and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors
+   it is what n calls of vm_attach2 give. With n = 0 only the impulse acts on the body. Statuses as those of
+   vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -2424,10 +2422,10 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
+       part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
        part.v.x = part.v.y = part.omega.x = part.omega.y = part.omega.z = 0;
-       part.v.z = 2;                                       // it leaves at 2 m/s, relative to the whole
-       vm_separate_relative(&whole, &part, NULL, &rest);   // so rest moves relative to the whole, too
-       vm_to_absolute(&whole, &rest, &rest);
+       part.v.z = 2;                                     // it leaves at 2 m/s, relative to the whole
+       if (vm_separate_relative(&whole, &part, NULL, &rest) == VM_OK) vm_to_absolute(&whole, &rest, &rest);
 
    Tests: tests/test_relative.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_RELATIVE_H
@@ -2495,8 +2493,8 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion of a body of the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change
-   as in vm_to_relative, all else is copied. Statuses as those of vm_to_relative. */
+/* Motion in the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change as in
+   vm_to_relative, all else is copied. Statuses as those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
@@ -2506,7 +2504,7 @@ VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body
     return vmi_put_body2(&b, absolute->angle, relative);
 }
 
-/* Absolute motion of a body of the plane that is given relative to the body `to`: the way back from vm_to_relative2,
+/* Absolute motion in the plane of a body that is given relative to the body `to`: the way back from vm_to_relative2,
    with its statuses */
 VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body2 *absolute)
 {
@@ -2541,34 +2539,36 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
     return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Separation in motions relative to the whole, (28)-(31), (42)-(44): v and omega of part are relative to the whole,
-   and so are those of *rest. The whole's own v and omega do not matter. Otherwise as vm_separate, statuses included.
-   */
+/* Separation, where the motions are given relative to the whole: (28)-(31), (42)-(44). v and omega of part are
+   relative to the whole, and so are those of *rest. The whole's own v and omega are not read. Otherwise as
+   vm_separate, statuses included. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in motions relative to the first body, (28)-(31), (42)-(44): v and omega of added are relative to body,
-   and so are those of *whole. The own v and omega of body do not matter. Otherwise as vm_attach, statuses included.
-   */
+/* Attachment, where the motions are given relative to the first body: (28)-(31), (42)-(44). v and omega of added are
+   relative to body, and so are those of *whole. The own v and omega of body are not read. Otherwise as vm_attach,
+   statuses included. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
     return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation in the plane, in motions relative to the whole: vx, vy, omega of part are relative to the whole, and so
-   are those of *rest. The whole's own motion does not matter. Otherwise as vm_separate2, statuses included. */
+/* Separation in the plane, where the motions are given relative to the whole: vx, vy, omega of part are relative to
+   the whole, and so are those of *rest. The whole's own motion is not read. Otherwise as vm_separate2, statuses
+   included. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, in motions relative to the first body: vx, vy, omega of added are relative to body, and
-   so are those of *whole. The own motion of body does not matter. Otherwise as vm_attach2, statuses included. */
+/* Attachment in the plane, where the motions are given relative to the first body: vx, vy, omega of added are
+   relative to body, and so are those of *whole. The own motion of body is not read. Otherwise as vm_attach2,
+   statuses included. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
@@ -2643,7 +2643,7 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
     return status;
 }
 
-/* Inverse of vm_separate: how must the part leave, so that the rest moves as wanted? *moving is the part with the
+/* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving is the part with the
    velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and then with the angular velocity that gives it
    *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is asked for, and the part keeps its own motion.
    With *rest_omega = 0 the rest does not turn (Table 2, 5 and 7; Table 4, 2), with *rest_v = 0 too it is at rest
@@ -2720,7 +2720,7 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
     return left ? VM_NULL_AXIS : VM_OK;
 }
 
-/* Inverse of vm_separate2: how must the part leave, so that the rest moves as wanted, in the plane? *moving is the
+/* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving is the
    part with the velocity that gives the rest the velocity rest_v_or_NULL[0], rest_v_or_NULL[1] (m/s, along x and y),
    and then with the angular velocity that gives it *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is
    asked for, and the part keeps its own motion. Statuses as those of vm_separation_for_rest. */
@@ -2749,11 +2749,11 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of the part that gives the rest the angular velocity rest_omega (rad/s), in the plane, while the part
-   keeps its own spin (Table 3, 7, asked for v_r). *moving is the part with, of all such velocities, the one with the
-   least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. The velocity in
-   *part is not read. VM_SINGULAR if SS2 = 0, so that no velocity turns the rest. Other statuses as those of
-   vm_separate2. */
+/* Velocity of a part that leaves the rest with a wanted spin, in the plane. It is (Table 3, 7), asked for v_r: the
+   rest turns with rest_omega (rad/s), and the part keeps its own spin. Of all such velocities, *moving has the one
+   with the least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. The
+   velocity in *part is not read. VM_SINGULAR if SS2 = 0, so that no velocity turns the rest. Other statuses as those
+   of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -2909,7 +2909,7 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* the piece's state, with the same psi */
     vm_real dragging;                      /* v_S2d (52), (61), m/s: speed of S2 before the break */
-    vm_real gamma;                         /* angle of this velocity from SA (52), (60), rad; for v_S in any direction */
+    vm_real gamma;                         /* its angle from SA (52), (60), rad; for v_S in any direction */
     vm_real beta;                          /* angle of S2A from SA, rad [(56) corrected]:
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
     vm_real normal;                        /* N (54), m/s: component of v_S2d along S2A */
@@ -2928,8 +2928,8 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
         !VM_IS_FINITE(r->damping) || !VM_IS_FINITE(r->torque) || !VM_IS_FINITE(r->s))
         return VM_NOT_FINITE;
     if (!(r->mass > 0)) return VM_BAD_MASS;
+    if (!(r->stiffness >= 0)) return VM_BAD_STIFFNESS;
     if (!(r->inertia > 0)) return VM_BAD_INERTIA;
-    if (!(r->stiffness >= 0)) return VM_DOMAIN;
     return VM_OK;
 }
 
@@ -3023,12 +3023,21 @@ VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, z, y);
 }
 
-VM_API int vmi_check_broken_rotor_piece(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p)
+VM_API int vmi_broken_rotor_piece_finite(const vm_broken_rotor_piece *p)
 {
-    if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->inertia) || !VM_IS_FINITE(p->distance) ||
-        !VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->radius) || !VM_IS_FINITE(p->contact))
-        return VM_NOT_FINITE;
+    return VM_IS_FINITE(p->mass) && VM_IS_FINITE(p->inertia) && VM_IS_FINITE(p->distance) &&
+           VM_IS_FINITE(p->alpha) && VM_IS_FINITE(p->radius) && VM_IS_FINITE(p->contact);
+}
+
+/* The status of the numbers that vm_broken_rotor_break_off takes */
+VM_API int vmi_broken_rotor_check_break(const vm_broken_rotor *whole, const vm_real *before,
+                                        const vm_broken_rotor_piece *p)
+{
+    int status = vmi_check_broken_rotor(whole);
+    if (status == VM_NOT_FINITE) return status;
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, before) || !vmi_broken_rotor_piece_finite(p)) return VM_NOT_FINITE;
     if (!(p->mass > 0 && p->mass < whole->mass)) return VM_BAD_MASS;
+    if (status) return status;
     if (!(p->inertia >= 0)) return VM_BAD_INERTIA;
     return VM_OK;
 }
@@ -3101,8 +3110,9 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole at the break. VM_BAD_ARGUMENT, VM_NOT_FINITE; VM_BAD_MASS for a piece whose mass
-   is not in (0, M); VM_BAD_INERTIA for an inertia of the rest that is negative or lost in rounding errors; VM_DOMAIN
-   for a whole with s != 0 and for a piece whose mass centre S2 is at A. */
+   is not in (0, M); VM_BAD_STIFFNESS for a negative stiffness; VM_BAD_INERTIA for an inertia of the rest that is
+   negative or lost in rounding errors; VM_DOMAIN for a whole with s != 0 and for a piece whose mass centre S2 is at
+   A. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {
@@ -3111,11 +3121,9 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
     vm_real sine, cosine, share, T, psi;
     int status;
     if (!whole || !before || !piece || !result) return VM_BAD_ARGUMENT;
-    status = vmi_check_broken_rotor(whole);
-    if (!status && !vmi_all_finite(VM_BROKEN_ROTOR_STATES, before)) status = VM_NOT_FINITE;
-    if (!status) status = vmi_check_broken_rotor_piece(whole, piece);
-    if (!status && whole->s != 0) status = VM_DOMAIN;
+    status = vmi_broken_rotor_check_break(whole, before, piece);
     if (!status) status = vmi_broken_rotor_rest(whole, piece, &b.rest);
+    if (!status && whole->s != 0) status = VM_DOMAIN;
     if (status) return status;
 
     vmi_sincos(piece->alpha, &sine, &cosine);
@@ -3150,7 +3158,7 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
    vm_broken_rotor_rhs.
 
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
-       status = vm_broken_rotor_free_motion(5, &whole, y, y); // y at 5 s
+       status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
    The linearised equations are, with omega, p, k*, M* of vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
@@ -3341,17 +3349,23 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
+/* The status of arguments of the public motions */
+VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
+                                         const vm_real *end)
+{
+    if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
+    return vmi_check_broken_rotor(rotor);
+}
+
 /* The three public motions: all of (69) if coupled = 1, without its last term if coupled = 0 */
-VM_API int vmi_broken_rotor_linearised(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, int coupled,
+VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
     vm_real y[VM_BROKEN_ROTOR_STATES], z[VMI_BROKEN_ROTOR_COUPLED], x0, vx0;
     vmi_broken_rotor_linear a;
     vmi_broken_rotor_swing g;
-    int status;
-    if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
-    status = vmi_check_broken_rotor(rotor);
+    const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
     if (status) return status;
     a = vmi_broken_rotor_reduced(rotor, coupled);
     g = vmi_broken_rotor_swing_at(t, a.omega);
@@ -3376,36 +3390,38 @@ VM_API int vmi_broken_rotor_linearised(vm_real t, const vm_broken_rotor *rotor, 
    For short times, |psi| << 1; any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may
    be start. damping, stiffness and s may be 0. Error: no more than twice what rounding every input, t included, would
    make. All of (69) grows exponentially: VM_NOT_FINITE where it overflows. VM_BAD_ARGUMENT, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (a negative stiffness). */
-VM_API int vm_broken_rotor_linear(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+   VM_BAD_MASS, VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA. */
+VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
-    return vmi_broken_rotor_linearised(t, rotor, start, 1, end);
+    return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
    The dissertation leaves the term -s p^2 omega^2 y out, although it is of the order of the others: for comparison
    with vm_broken_rotor_linear. Error: no more than rounding every input would make. Arguments and errors as there. */
-VM_API int vm_broken_rotor_linear_uncoupled(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
-    return vmi_broken_rotor_linearised(t, rotor, start, 0, end);
+    return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
    Any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may be start. damping and
    stiffness may be 0. Error: no more than rounding every input, t included, would make. VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (s is not 0, or a negative stiffness). */
-VM_API int vm_broken_rotor_free_motion(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA, VM_DOMAIN (s is not 0). */
+VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
-    if (rotor && !VM_IS_FINITE(rotor->s)) return VM_NOT_FINITE;
-    if (rotor && rotor->s != 0) return VM_DOMAIN;
-    return vmi_broken_rotor_linearised(t, rotor, start, 0, end); /* for s = 0 these equations are (46) itself */
+    const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
+    if (status) return status;
+    if (rotor->s != 0) return VM_DOMAIN;
+    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 these equations are (46) itself */
 }
 
 /* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers.
    x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass, which must not be 0. The
    half axes of the orbit are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, which [1] prints wrongly after (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN where the stiffness is not positive. */
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where the stiffness is not positive, VM_BAD_INERTIA.
+   */
 VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
 {
     vm_real w, x, y, vx, vy, c[4];
@@ -3413,7 +3429,7 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
     if (!rotor || !start || !abcd) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
     status = vmi_check_broken_rotor(rotor);
-    if (!status && rotor->stiffness == 0) status = VM_DOMAIN;
+    if (rotor->stiffness == 0 && (!status || status == VM_BAD_INERTIA)) status = VM_BAD_STIFFNESS;
     if (status) return status;
     w = VM_SQRT(rotor->stiffness / rotor->mass);
     x = start[VM_BROKEN_ROTOR_X];
@@ -3501,8 +3517,8 @@ enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ }
    coefficients, highest power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
    with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. (81) is l times this polynomial, and its last term
-   lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_DOMAIN (resonance, a negative stiffness). */
+   lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA, VM_DOMAIN (at resonance). */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -3615,16 +3631,15 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
     return x;
 }
 
-/* Radius of the growing orbit t seconds after a start from rest, where Omega = torque/damping is at or above omega,
-   m.
-   psi' is caught at omega, and the torque that is left goes into the orbit: r = |s|/4 + R, where R(0) = 0 and
-   R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
+/* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
+   Omega = torque/damping (rad/s) must be at or above omega. psi' is caught at omega, and the torque that is left goes
+   into the orbit: r = |s|/4 + R, where R(0) = 0 and R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
    |s|/4 is the next order of the expansion. Neglected are terms of s^2/r and the time of the capture: in Fig. 18 at
    t = 400 the radius is 0.001 of 3.473 too small at resonance and 0.093 of 12.437 too large above it. NaN below
    resonance, for t < 0, damping < 0, omega = 0, a null pointer and a bad rotor.
    R R' = A + B/R has the solution t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
-VM_API vm_real vm_broken_rotor_resonance_radius(vm_real t, const vm_broken_rotor *rotor, vm_real Omega)
+VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
     if (!rotor || vmi_check_broken_rotor(rotor) || !(t >= 0) || !VM_IS_FINITE(t) || !VM_IS_FINITE(Omega))
@@ -3855,11 +3870,11 @@ typedef struct VM_TAG(vm_pendulum_cut) {
 
 VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
 {
+    if (p->axes != VM_AXES_COS_SIN && p->axes != VM_AXES_SIN_COS) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->length) || !VM_IS_FINITE(p->angle) || !VM_IS_FINITE(p->rate) ||
         !VM_IS_FINITE(part))
         return VM_NOT_FINITE;
     if (!(p->mass > 0)) return VM_BAD_MASS;
-    if (p->axes != VM_AXES_COS_SIN && p->axes != VM_AXES_SIN_COS) return VM_DOMAIN;
     if (!(part > 0 && part < p->length)) return VM_DOMAIN;
     return VM_OK;
 }
@@ -3889,8 +3904,8 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
    part is the length l of the part, m, 0 < l < L; Omega (rad/s) is its angular velocity relative to the rod, in the
    sense of phi; (ux, uy) (m/s) is the velocity of its mass centre relative to the rod, in the axes of the pendulum.
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos):
-   this is (125), (132) corrected and simplified by hand, so that no digits cancel. VM_BAD_ARGUMENT, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_DOMAIN (a part that is not shorter than the rod, axes that do not exist). */
+   this is (125), (132) corrected and simplified by hand, so that no digits cancel. VM_BAD_ARGUMENT (axes that
+   do not exist, too), VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN (the part is not shorter than the rod). */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -3995,10 +4010,10 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
    length but 0 */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
-    const vm_vec3 vector = vmi_quat_vector(q);
-    const vm_real longest = vmi_norm_max(vector), size = VM_FABS(q.w);
+    const vm_vec3 xyz = vmi_quat_vector(q);
+    const vm_real longest = vmi_norm_max(xyz), size = VM_FABS(q.w);
     const vm_real power = vmi_power_of_two(longest > size ? longest : size);
-    const vmi_vec3_two v = vmi_vec3_two_over(vector, power);
+    const vmi_vec3_two v = vmi_vec3_two_over(xyz, power);
     const vmi_vec3_two va = vmi_vec3_two_cross(&v, a), vva = vmi_vec3_two_cross(&v, &va);
     const vm_two w = vmi_two(q.w / power, 0);
     const vm_two square = vmi_two_plus(vmi_two_times(w, w), vmi_vec3_two_dot(&v, &v));
@@ -4581,18 +4596,18 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     return VM_OK;
 }
 
-/* Preparation of the exact torque-free motion of a body that is as given at the time t0 (s): one call, then any
-   number of vm_torque_free_at. Where it fails *motion stays as it was. VM_BAD_ARGUMENT: a null pointer.
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA. Accuracy and cost: at vm_torque_free. */
+/* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; afterwards
+   vm_torque_free_at gives it at any time. Accuracy and cost are those at vm_torque_free. VM_BAD_ARGUMENT: a null
+   pointer. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA; then *motion stays as it was. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
     if (!motion || !body) return VM_BAD_ARGUMENT;
     return vmi_torque_free_start(motion, body, 0, t0);
 }
 
-/* Preparation from principal moments (kg m^2), where the body's axes are the principal ones, and omega (rad/s) along
-   them, not along the inertial axes. q is the attitude at t0 (s). The body has mass 1 and rests at the origin.
-   Statuses as those of vm_torque_free_init. */
+/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body's axes are the principal
+   ones, and omega (rad/s) is along them, not along the inertial axes; q is the attitude at t0 (s). The body has mass
+   1 and rests at the origin. Statuses as those of vm_torque_free_init. */
 VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega,
                                          vm_real t0)
 {
@@ -4608,10 +4623,11 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
     return vmi_torque_free_start(motion, &body, 1, t0);
 }
 
-/* Attitude and angular velocity at the time t (s), later than t0 or earlier; *omega is along body axes, rad/s. q is
-   continuous in t and keeps the length that it had at t0 (1, if it was all zero). VM_BAD_ARGUMENT: a null pointer.
-   VM_NOT_FINITE: t or the result is not finite, or t or the turns are beyond 1e290 (float 1e30); then *q and *omega
-   stay as they were. Beyond 1/eps^2 turns the result is finite and has the right angular momentum, but no phase. */
+/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later than t0 or earlier. *omega
+   is along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1, if it was all zero).
+   VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE: t or the result is not finite, or t or the turns are beyond 1e290
+   (float 1e30); then *q and *omega stay as they were. Beyond 1/eps^2 turns the result is finite and has the right
+   angular momentum, but no phase. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     const vm_real largest_factor = VM_MAX / VM_SPLIT; /* products in two words split their factors */
@@ -4631,9 +4647,9 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     return VM_OK;
 }
 
-/* The body at the time t (s), later than t0 or earlier: attitude and omega as vm_torque_free_attitude gives them,
-   but omega along inertial axes, and the mass centre on its straight line. Statuses as those of
-   vm_torque_free_attitude; where it fails *body stays as it was. */
+/* A torque-free body at the time t (s), later than t0 or earlier. Attitude and omega are those of
+   vm_torque_free_attitude, but omega is along inertial axes; the mass centre is on its straight line. Statuses as
+   those of vm_torque_free_attitude; where it fails *body stays as it was. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -4651,8 +4667,8 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     return VM_OK;
 }
 
-/* The body a time t (s) later, in one call: vm_torque_free_init, then vm_torque_free_at, with their statuses. later
-   may be body. */
+/* A torque-free body a time t (s) later, in one call: vm_torque_free_init, then vm_torque_free_at, with their
+   statuses. later may be body. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;
@@ -4885,17 +4901,17 @@ VM_API int vmi_stream_is_valid(const vm_stream *s)
         !vmi_vec3_finite(s->spin))
         return VM_NOT_FINITE;
     status = vmi_gyration_is_valid(&s->gyration);
-    if (status || !s->from) return status;
+    if (!s->from) return status;
     if (!vmi_vec3_finite(s->from->at)) return VM_NOT_FINITE;
-    return vmi_gyration_is_valid(&s->from->gyration);
+    return vmi_first_error(status, vmi_gyration_is_valid(&s->from->gyration));
 }
 
-/* The status of the first of n streams that is not valid, else VM_OK */
+/* The first error of n streams in the table's order, else VM_OK */
 VM_API int vmi_streams_are_valid(int n, const vm_stream *s)
 {
     int k, status = VM_OK;
     if (n < 0 || (n > 0 && !s)) return VM_BAD_ARGUMENT;
-    for (k = 0; !status && k < n; k++) status = vmi_stream_is_valid(s + k);
+    for (k = 0; k < n; k++) status = vmi_first_error(status, vmi_stream_is_valid(s + k));
     return status;
 }
 
@@ -4918,9 +4934,8 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     vm_reactive r;
     int status, k;
     if (!body || !result) return VM_BAD_ARGUMENT;
-    status = vmi_check_body(body);
-    if (!status) status = vmi_streams_are_valid(n, streams);
-    if (!status && !vmi_vec3_finite(centre)) status = VM_NOT_FINITE;
+    status = vmi_first_error(vmi_check_body(body), vmi_streams_are_valid(n, streams));
+    if (!vmi_vec3_finite(centre)) status = vmi_first_error(status, VM_NOT_FINITE);
     for (k = 0; !status && k < n; k++)
         if (streams[k].from) status = VM_STORED_STREAM;
     if (status) return status;
@@ -5271,11 +5286,10 @@ VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 {
     vmi_inertia_ldl factors;
-    int status = vmi_check_body(body);
-    if (!status) status = vmi_streams_are_valid(flow->n, flow->streams);
+    int status = vmi_first_error(vmi_check_body(body), vmi_streams_are_valid(flow->n, flow->streams));
+    if (!vmi_vec3_finite(flow->centre) || !vmi_vec3_finite(flow->force) || !vmi_vec3_finite(flow->moment))
+        status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
-    if (!(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
-        return VM_NOT_FINITE;
     if (!vmi_inertia_factor(&body->inertia, &factors)) return VM_BAD_INERTIA;
     return VM_OK;
 }
@@ -5355,9 +5369,10 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
-/* Event function: the least pivot of the inertia minus flow.least_inertia, kg m^2. The pivot is 0 where the inertia
-   is singular. For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. The triangle inequality is
-   not watched, because the inertia of thin bodies is always close to its limit. NaN for a null pointer. */
+/* Least pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
+   It stops a run before the inertia becomes singular, where the pivot is 0. For vm_flow_rhs and vm_flow_balanced_rhs;
+   the event's ctx is the vm_flow. The triangle inequality is not watched, because the inertia of thin bodies is
+   always close to its limit. NaN for a null pointer. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5794,14 +5809,16 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
      v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
    Within 8 eps of the terms, for every rate, zero included. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS where m0 or
    m0 + rate t is not positive. */
-VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
+VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
 {
     vm_real tau, first, second, difference, given = 0, acceleration, result[2];
     if (!stream || !x || !v || !vmi_stream_motion_is_known(stream->motion)) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(stream->rate) || !VM_IS_FINITE(stream->velocity) || !VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(x0) || !VM_IS_FINITE(v0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(force)) return VM_NOT_FINITE;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
-    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(tau)) return VM_NOT_FINITE;
     if (!(tau > -1)) return VM_BAD_MASS;
     vmi_stream_log_means(tau, &first, &second);
     if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
@@ -5822,6 +5839,13 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
     return VM_OK;
 }
 
+VM_API int vmi_jet_finite(const vm_jet *jet)
+{
+    return VM_IS_FINITE(jet->rate) && VM_IS_FINITE(jet->axial) && VM_IS_FINITE(jet->transverse) &&
+           VM_IS_FINITE(jet->gyration_axial) && VM_IS_FINITE(jet->gyration_transverse) &&
+           VM_IS_FINITE(jet->gyration_out) && VM_IS_FINITE(jet->nozzle);
+}
+
 /* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
    There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
    gyration_axial t the transverse part of omega has the length
@@ -5830,17 +5854,17 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
    tau = rate gyration_transverse t/A0 and L, B of vm_linear_flow: ln(A/A0) = tau L, and the integral is
    t (C0/A0 L - 1 + rate t gyration_axial/A0 B). The error is at most 8 times what an eps in the inputs makes.
    VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA where A or C is not positive. */
-VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 *omega)
+VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
     vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !vmi_vec3_finite(omega0) || !vmi_jet_finite(jet)) return VM_NOT_FINITE;
     if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
     change = jet->rate * t / jet->transverse;
     tau = change * jet->gyration_transverse;
     exponent = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
-    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(exponent) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
-        return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(exponent)) return VM_NOT_FINITE;
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
     share = vmi_exp(exponent * first, 0);
@@ -5867,7 +5891,7 @@ VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 
    rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
-       vm_real angle = vm_drum_angle(1, &drum); // rad, after 1 s on a rigid shaft
+       vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
 
    Tests: tests/test_drum.c, tests/test_drum_shaft.c. */
 #ifndef VARMASS_MECHANICS_DRUM_H
@@ -5947,18 +5971,26 @@ VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_m
     return VM_OK;
 }
 
+VM_API int vmi_drum_finite(const vm_drum *d)
+{
+    return VM_IS_FINITE(d->radius) && VM_IS_FINITE(d->mass) && VM_IS_FINITE(d->inertia) && VM_IS_FINITE(d->band) &&
+           VM_IS_FINITE(d->speed) && VM_IS_FINITE(d->damping) && VM_IS_FINITE(d->stiffness) &&
+           VM_IS_FINITE(d->omega);
+}
+
 /* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
    phi >= 0 in rad.
-   VM_BAD_ARGUMENT (phi < 0, too), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA. */
-VM_API int vm_drum_at(vm_real phi, const vm_drum *d, vm_drum_geometry *g)
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (phi < 0). */
+VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 {
     vm_real s, c;
     vmi_drum_mass m;
     int status;
-    if (!d || !g || phi < 0) return VM_BAD_ARGUMENT;
-    if (!(VM_IS_FINITE(phi) && VM_IS_FINITE(d->radius))) return VM_NOT_FINITE;
+    if (!d || !g) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(phi) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
     if (d->inertia <= 0) return VM_BAD_INERTIA;
+    if (phi < 0) return VM_DOMAIN;
     vmi_sincos(phi / 2, &s, &c);
     status = vmi_drum_mass_at(d, phi, s, &m);
     if (status) return status;
@@ -6066,7 +6098,7 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
    through e = 0 and k1 = 1 - e/(j Omega_b) = 0 and up to the stop, as long as products of the fields do not overflow
    or underflow. NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and where inertia or omega is
    not positive or band is negative. */
-VM_API vm_real vm_drum_rate(vm_real phi, const vm_drum *d)
+VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
     if (!(phi >= 0) || !VM_IS_FINITE(phi) || !vmi_drum_turns(d)) return VM_NAN;
@@ -6078,20 +6110,20 @@ VM_API vm_real vm_drum_rate(vm_real phi, const vm_drum *d)
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
    An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum; the independent variable is phi, and the angular
-   velocity phi'(phi) is that on a rigid shaft (196). VM_BAD_ARGUMENT for a null pointer and where the drum does not
-   get to phi, and the errors of vm_drum_rhs. */
+   velocity phi'(phi) is that on a rigid shaft (196). VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN where the drum
+   does not get to phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
-    const vm_real rate = vm_drum_rate(phi, d), j = d->band * d->radius * d->radius;
+    const vm_real rate = vm_drum_rate(d, phi), j = d->band * d->radius * d->radius;
     const vm_real e = d->band * d->speed * d->radius - d->damping;
     const vm_real slope_x = y[VM_DRUM_SLOPE], slope_y = y[VM_DRUM_SLOPE + 1];
     vm_real acceleration, drag, force_y;
     vmi_drum_mass m;
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
-    if (!(rate > 0)) return VM_BAD_ARGUMENT;
+    if (!(rate > 0)) return VM_DOMAIN;
     acceleration = (e - j * rate) / m.J; /* d phi'/d phi (195): phi'' = acceleration phi' */
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
@@ -6116,7 +6148,7 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
    With x = e phi/(J0 Omega_b), without branches: t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2].
    Accuracy and NaN as for vm_drum_rate; infinity at the stop. */
-VM_API vm_real vm_drum_time(vm_real phi, const vm_drum *d)
+VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
     if (!(phi >= 0) || !VM_IS_FINITE(phi) || !vmi_drum_turns(d)) return VM_NAN;
@@ -6149,7 +6181,7 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
    With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and y = a p = ln(1 + x) the equation of vm_drum_time reads
      p + b f^2 (x - y)/x^2 = 1,   x = e^y - 1,   f = p x/y.
    Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from anywhere. */
-VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
+VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
     const vm_real precise = VM_EPSILON / 8; /* relative error of phi that the last step leaves */
     const int most_steps = 40; /* 8 were the most for 400 000 drums with |a| and b from 1e-20 to 1e20 */
@@ -6182,7 +6214,7 @@ VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
    is here for comparison, vm_drum_angle is better: this form loses all digits next to e = 0, where r comes to the
    branch point of W. x itself leaves the range of numbers next to k1 = 0 (it is 1e-869 for k1 = 1e-3), so ln |x| is
    used. NaN for e = 0 and k1 = 0, and as for vm_drum_rate. */
-VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
+VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
     if (!(t >= 0) || !VM_IS_FINITE(t) || !vmi_drum_turns(d)) return VM_NAN;
@@ -6200,16 +6232,18 @@ VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
 }
 
 /* Coefficients of the elastic shaft in the first approximation, (213), (214).
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_SINGULAR where stiffness or omega is not positive.
-   */
-VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN where omega is not
+   positive. */
+VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
 {
     vm_drum_shaft r;
     vm_real j, drive, mass; /* j/J0, e/(J0 Omega_b), mu/M0 */
     if (!d || !s) return VM_BAD_ARGUMENT;
+    if (!vmi_drum_finite(d)) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
+    if (d->stiffness <= 0) return VM_BAD_STIFFNESS;
     if (d->inertia <= 0) return VM_BAD_INERTIA;
-    if (d->stiffness <= 0 || d->omega <= 0) return VM_SINGULAR;
+    if (d->omega <= 0) return VM_DOMAIN;
     mass = d->band / d->mass;
     j = d->band * d->radius * d->radius / d->inertia;
     drive = vmi_drum_e(d).hi / (d->inertia * d->omega);
@@ -6217,8 +6251,7 @@ VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
     r.delta = (mass + drive - j) / 2;
     r.A = mass + 2 * (drive - j);
     r.shift = mass * d->speed / (d->omega * r.k * r.k);
-    if (!VM_IS_FINITE(d->inertia) || !VM_IS_FINITE(r.k) || !VM_IS_FINITE(r.delta) || !VM_IS_FINITE(r.A) ||
-        !VM_IS_FINITE(r.shift))
+    if (!VM_IS_FINITE(r.k) || !VM_IS_FINITE(r.delta) || !VM_IS_FINITE(r.A) || !VM_IS_FINITE(r.shift))
         return VM_NOT_FINITE;
     *s = r;
     return VM_OK;
@@ -6229,7 +6262,7 @@ VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
    particular is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which gives the
    amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as
    2k/3 phi (1 + m + m^2)/(1 + m), which is right for A = 0, too. NaN where 1 - A phi <= 0 and for a null pointer. */
-VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a, vm_real alpha, vm_real particular)
+VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;
     if (!s) return VM_NAN;
@@ -6521,6 +6554,7 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 {
     vm_real s, c, sine, cosine, result[3]; /* of psi, of theta */
     if (!rates) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
     if (sine == 0) return VM_SINGULAR;
@@ -6880,11 +6914,11 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 }
 
 #endif
-/* oscillators/laws.h - laws of mass, stiffness and damping: numbers that depend on time
+/* oscillators/laws.h - laws of mass, stiffness and the like: numbers that depend on time
 
-   A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha) or the damping (kg/s).
-   It is made by a constructor: linear f0 + f1 t (346), quadratic, exponential, power, the points of a table, or a
-   function of the user. The shortest useful call:
+   A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
+   and the size (N) of a force on it (oscillators/forced.h). A constructor makes it: linear f0 + f1 t (346), quadratic,
+   exponential, power, the points of a table, or a function of the user. The shortest useful call:
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
@@ -6898,9 +6932,9 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 /* A user's law: writes f(t) and its rate df/dt, returns 0, or another number where it fails. f must be smooth. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
-/* The law of a mass, a stiffness or a damping. The constructors vm_law_linear, vm_law_table ... fill it; set nothing
-   by hand but change_time. The law keeps pointers to the arrays of a table and to the function of a user, which must
-   outlive it. On a GPU call the constructor there, for the law also points to functions. */
+/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it; only
+   change_time may be set by hand. The law keeps pointers to the arrays of a table and to the function of a user, which
+   must outlive it. It also points to functions: on a GPU call the constructor on the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
     vm_real f0, f1, f2;       /* arguments of the constructor, in its order; 0 for tables and functions */
@@ -6912,9 +6946,9 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0: unknown */
     /* What the kind of law does; its constructor sets these. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f); /* null: no law */
-    int (*check)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t tells enough */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t is enough */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null: it has none */
-    vm_real (*inverse_integral)(const vm_law *law, vm_real t);             /* null: there is no closed form */
+    vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null: there is no closed form */
 };
 
 /* -- What every kind of law shares -- */
@@ -6929,8 +6963,9 @@ enum { VMI_LAW_ORDERS = 4 };
 VM_API int vmi_law_is_finite(const vm_real *f) { return (f[0] - f[0]) + (f[1] - f[1]) + (f[2] - f[2]) == 0; }
 
 /* f[0] to f[3] at t: the value of the law, which a constructor made, and its first three derivatives.
-   side: 1 or -1; where a derivative jumps at t, it is the one after or the one before t. step: see vm_law_user's
-   section; 0 where f'' is not wanted. f''' is that of a table, else 0, for elsewhere it is as small as f'' changes.
+   side: where a derivative jumps at t, 1 asks for its value after t, -1 for that before t.
+   step: a short time, s, which functions of the user need for f''; 0 where f'' is not wanted.
+   f''' is that of a table, and 0 for all other laws, where it is not needed.
    if_not_positive: the status where f <= 0, VM_BAD_MASS for a mass; VM_OK for numbers that may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real step, vm_real *f)
 {
@@ -6953,7 +6988,7 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
     if (!law->derivatives) return VM_BAD_ARGUMENT;
     status = vmi_law_derivatives(law, if_not_positive, 0, 1, 0, f);
     if (!status) status = vmi_law_derivatives(law, if_not_positive, t, 1, 0, f);
-    if (!status && law->check) status = law->check(law, if_not_positive, t);
+    if (!status && law->validate) status = law->validate(law, if_not_positive, t);
     return status;
 }
 
@@ -7011,7 +7046,7 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
     law.ctx = NULL;
     law.change_time = 0;
     law.derivatives = NULL;
-    law.check = NULL;
+    law.validate = NULL;
     law.exponential_form = NULL;
     law.inverse_integral = NULL;
     return law;
@@ -7059,7 +7094,7 @@ VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side,
 }
 
 /* f must be positive where it is lowest, if that is between 0 and t. */
-VM_API int vmi_law_quadratic_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS], lowest;
     if (!(law->f2 > 0)) return VM_OK;
@@ -7093,7 +7128,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law = vmi_law_of(f0, f1, f2);
     law.derivatives = vmi_law_quadratic_derivatives;
-    law.check = vmi_law_quadratic_check;
+    law.validate = vmi_law_quadratic_validate;
     law.exponential_form = vmi_law_quadratic_form;
     law.inverse_integral = vmi_law_quadratic_inverse_integral;
     return law;
@@ -7130,7 +7165,7 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* VM_BAD_MASS where 1 + f1 t is not positive, which vmi_law_derivatives replaces by the status of a stiffness and so on */
+/* VM_BAD_MASS where 1 + f1 t is not positive; for other numbers than masses vmi_law_derivatives changes the status */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -7231,7 +7266,7 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
 }
 
 /* The whole table, whatever t is: values finite and positive, times rising */
-VM_API int vmi_law_table_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     int i;
     (void)t;
@@ -7253,7 +7288,7 @@ VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
     law.time = time;
     law.value = value;
     law.derivatives = vmi_law_table_derivatives;
-    law.check = vmi_law_table_check;
+    law.validate = vmi_law_table_validate;
     return law;
 }
 
@@ -7288,7 +7323,7 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
 }
 
 /* change_time must be a time, and at most 2^20 of them may lie between 0 and t, so that every call ends. */
-VM_API int vmi_law_user_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     const vm_real most_changes = VM_C(1048576.);
     (void)if_not_positive;
@@ -7310,7 +7345,7 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
     law.function = function;
     law.ctx = ctx;
     law.derivatives = vmi_law_user_derivatives;
-    law.check = vmi_law_user_check;
+    law.validate = vmi_law_user_validate;
     return law;
 }
 
@@ -7329,7 +7364,7 @@ VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
    The equation of motion, with mass m(t), stiffness k(t), damping b and a further small force F, is
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = F(t, x, x'),   x(0) and x'(0) given.
    Without F three numbers decide on x(t), all by the Ateb phase psi, whose rate is Om:
-     q = k'/k + (2 reactive - 1) m'/m + 2 b/m, the rate at which the laws and the damping change the motion, 1/s,
+     q = k'/k + (2 reactive - 1) m'/m + 2 b/m, the rate at which m, k and b change the motion, 1/s,
      h, which stands for q' in averaging to second order, 1/s^2,
      q/Om, which must be small for all routes that average.
    The plan holds what has to be computed only once for a problem. The motion from a problem or a plan is in
@@ -7371,7 +7406,7 @@ typedef struct VM_TAG(vm_osc_motion) {
     vm_real amplitude; /* A, m; of the first four routes without its ripple within a period */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax(A), from all causes */
     int route;         /* VM_ROUTE_... that was taken */
-    long evals;        /* evaluations of right-hand sides; 0 of the laws */
+    long evals;        /* evaluations of right-hand sides; 0 where none were integrated */
 } vm_osc_motion;
 
 /* What is computed only once for a problem, by vm_osc_plan_init. To be read, not changed. It points to the problem's
@@ -7487,7 +7522,7 @@ VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
     if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
 }
 
-/* The constants of the second-order law that follow from the start: rho = (A/mean A)^((alpha+3)/2), whose ripple
+/* The constants of the second-order solution that follow from the start: rho = (A/mean A)^((alpha+3)/2), whose ripple
    depends on Om at the mean amplitude, which depends on rho; and the mean phase minus the phase */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
@@ -7908,7 +7943,7 @@ typedef struct VM_TAG(vmi_osc_walk) {
     vm_real ln_A;                    /* change of ln of the mean amplitude by jumps of q' */
     vm_real kicks;                   /* sum of the sizes of these changes */
     vm_real kick2, kick3;            /* sums of squares of the jumps of h/Om^2, and of (q h + h')/Om^3 */
-    vm_real shortest;                /* shortest panel that the laws took, s */
+    vm_real shortest;                /* shortest panel that the laws of m and k took, s */
     vm_real error;                   /* of integral.phase, s */
 } vmi_osc_walk;
 
@@ -8108,19 +8143,17 @@ VM_API int vmi_osc_walk_to(vmi_osc_walk *w, const vm_osc_plan *p, vm_real t)
 }
 
 #endif
-/* oscillators/mean_laws.h - laws of first and second order for the mean motion, and estimates of their errors
+/* oscillators/mean_motion.h - averaged motion of first and second order without a force, and estimates of its error
 
-   Without a force F the averaged equations of an oscillator with slow laws are solved by integrals: the amplitude
-   follows the adiabatic law (325), (344), (367), (389), the phase is the integral of Om, (310), (329), (370).
-   vmi_osc_first_order is that solution for one of the three waves, error q/Om; vmi_osc_second_order adds the ripple
-   within a period and the second order of the mean phase, error (q/Om)^2.
-       vmi_osc_mean mean;
-       vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ATEB);
-       int status = vmi_osc_mean_at(&plan, t, &mean);
-       if (!status) status = vmi_osc_second_order(&plan, &w, &mean, &motion);
-   Tests: tests/test_averaging.c, tests/test_routes.c. */
-#ifndef VARMASS_OSCILLATORS_MEAN_LAWS_H
-#define VARMASS_OSCILLATORS_MEAN_LAWS_H
+   Without a force F the averaged equations of an oscillator with slow laws of mass and stiffness are solved by
+   integrals: the amplitude follows the adiabatic law (325), (344), (367), (389), the phase is the integral of Om,
+   (310), (329), (370). vmi_osc_first_order is that solution for one of the three waves, error q/Om;
+   vmi_osc_second_order adds the ripple within a period and the second order of the mean phase, error (q/Om)^2.
+   vmi_osc_mean mean; vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ATEB); int status = vmi_osc_mean_at(&plan, t,
+   &mean); if (!status) status = vmi_osc_second_order(&plan, &w, &mean, &motion); Tests: tests/test_averaging.c,
+   tests/test_routes.c. */
+#ifndef VARMASS_OSCILLATORS_MEAN_MOTION_H
+#define VARMASS_OSCILLATORS_MEAN_MOTION_H
 
 /* -- The mean motion at t -- */
 typedef struct VM_TAG(vmi_osc_mean) {
@@ -8129,17 +8162,18 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real fourth;             /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi, epsilon = q/Om */
     vm_real ln_A, ratio;        /* ln(A/A0) and Om/Om0 by the adiabatic law */
     vm_real kick2, kick3;       /* of the points of tables, see vmi_osc_walk */
-    vm_real fast;               /* bound of what the laws' fastest changes add to ln of the action */
+    vm_real fast;               /* bound of the change of ln of the action by the fastest changes of m and k */
     vm_real phase_error;        /* error of the phase by that of integral.phase */
 } vmi_osc_mean;
 
 /* A bound of the change of ln J, J the action, that the adiabatic law leaves out. The law ignores
    (ln J)' = epsilon w(psi), per radian of phase, with w = (1 - (n+2)/n sa^2)/2, n = alpha + 1, whose mean is 0. The
    change is at most the integral of |epsilon w|. After i integrations by parts it is at most the integral of the ith
-   derivative of epsilon times the ith integral of w; the terms at the ends are in the laws. The smallest of these
-   bounds is taken: one with a high i for slow laws, the first for a change in less than a period. At points of tables
-   the derivatives jump. The laws contain the effect (a kick) of the jumps of the first derivative, and kick3 that of
-   the next. Where the first bounds are the smallest, the kicks in the laws are wrong, so these bounds include them. */
+   derivative of epsilon times the ith integral of w; the solution has the terms at the ends. The smallest of these
+   bounds is taken: one with a high i where m and k change slowly, the first where they change in less than a period.
+   At points of tables the derivatives jump. The solution contains the effect (a kick) of the jumps of the first
+   derivative, and kick3 that of the next. Where the first bounds are the smallest, the kicks of the solution are
+   wrong, so these bounds include them. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
 {
     const vm_real n = p->problem.alpha + 1, turn = p->pi / (2 * VM_PI);
@@ -8158,7 +8192,7 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
     return least;
 }
 
-/* The mean motion by a walk along the laws; mean->now is given. */
+/* The mean motion by a walk along the laws of m and k; mean->now is given. */
 VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
 {
     const vm_osc_problem *o = &p->problem;
@@ -8178,8 +8212,8 @@ VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     return VM_OK;
 }
 
-/* The mean motion where both laws are exponentials in one u. epsilon then is a power or an exponential, too, so that
-   its fastest change is at 0 or at t, which the errors of the laws include. */
+/* The mean motion where m and k are exponentials in one u. epsilon then is a power or an exponential, too, so that
+   its fastest change is at 0 or at t, which the estimates below include. */
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
 {
     const vm_real u = t * vmi_log_ratio(p->base * t), q = p->q;
@@ -8218,16 +8252,16 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->integral.phase)) + mean->phase_error;
 }
 
-/* What the laws miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t, and the
-   roughness of tables */
+/* What both solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t,
+   and the roughness of tables */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real g = VM_FABS(p->gamma * p->Om * mean->integral.phase);
     return (1 + g) * mean->fast + VM_C(0.2) * (VM_SQRT(mean->kick2) + g * VM_SQRT(mean->kick3));
 }
 
-/* The error of first order, to first order in q/Om: the law leaves out ln rho and the shift of the start, the ripple
-   of a period, and the second order of the mean phase. The phase multiplies ln rho by gamma Om t. */
+/* The error of first order, to first order in q/Om: the solution leaves out ln rho and the shift of the start, the
+   ripple of a period, and the second order of the mean phase. The phase multiplies ln rho by gamma Om t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real n = p->problem.alpha + 1, e = VM_FABS(mean->now.q) / (p->Om * mean->ratio), M = p->mean_ca2;
@@ -8239,7 +8273,7 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return phase + amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* The error of second order: the law leaves out ripples of second order at the start and at t, the third order of
+/* The error of second order: the solution leaves out ripples of second order at the start and at t, the third order of
    ln rho, which the phase multiplies, and the fourth order of the mean phase. The factors fit what
    tests/test_routes.c finds. */
 VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
@@ -8253,7 +8287,7 @@ VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *me
            VM_C(0.1) * mean->fourth + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* -- The laws -- */
+/* -- The solutions -- */
 
 /* The motion of amplitude A where Om is the rate of the Ateb phase, so that vmax = 2 A Om/(alpha+1); c and s are those
    of the wave. Evaluations are set to 0. VM_NOT_FINITE leaves *motion untouched. */
@@ -8315,9 +8349,10 @@ VM_API int vmi_osc_second_order(const vm_osc_plan *p, int route, const vmi_osc_w
 
 /* -- Averaged equations with a force -- */
 
-/* Means over a period of F s and F c at amplitude A and V = speed vmax. On each quarter 20 points of Gauss' rule go as
-   far as the velocity changes its sign like tanh psi, and 20 are in the root of the distance from x = 0, where powers
-   of it that are not whole may occur. */
+/* Means over a period of F s and F c at amplitude A and V = speed vmax. Every quarter of the period is cut in two. Up
+   to the cut, where for large alpha the velocity goes like tanh psi, Gauss' rule takes 20 points in psi. From there
+   to x = 0 it takes 20 points in the root of the distance from x = 0, since F may hold fractional powers of that
+   distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -8654,7 +8689,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int route;        /* VM_ROUTE_... of the method */
     vmi_osc_wave wave;
     int side;         /* 1 forward, -1 backward in time */
-    int status;       /* of the laws, where they stopped the run */
+    int status;       /* of a law of m or k that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, as a part of the way to the next stop */
     vm_real law_step; /* longest step, s, in which no law of a function changes unseen, for VMI_OSC_LONGEST */
@@ -8740,7 +8775,7 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
 /* -- One run -- */
 
 /* The period at the run's time, s, by the amplitude in y, or for the direct equations by the adiabatic law without
-   damping; NaN where the laws fail */
+   damping; NaN where a law of m or k fails */
 VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 {
     const vm_osc_plan *p = c->plan;
@@ -8878,7 +8913,7 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 }
 
 /* The longest step, s, in which no law that is a function changes unseen: a part of the shortest panel in the walk
-   along the laws. A jump of a law would make it 0, so it is at least a fixed part of the run. */
+   along the laws. A jump of the law would make it 0, so it is at least a fixed part of the run. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -8899,7 +8934,7 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     return VM_OK;
 }
 
-/* A loose run and a strict one, with half the longest step. Where the laws stopped one, c->status says so. */
+/* A loose run and a strict one, with half the longest step. Where a law of m or k stopped one, c->status says so. */
 VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, vm_real longest, vm_osc_motion *loose,
                             vm_osc_motion *strict)
 {
@@ -9018,25 +9053,25 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 
 /* -- Which route for what, and what the estimate of the error covers --
 
-   Cost. Without a force F the first four routes are laws in closed form: one or two sa, ca and the integrals of the
-   laws of mass and stiffness, whatever t and the tolerance are. The other routes integrate from 0 to t and work to
-   the tolerance: each runs twice, the second time more strictly, and the difference of the two gives the error. By
-   the default tolerance that takes 400 (variation), 700 (rk87) or 2200 (rk45) evaluations a period for alpha = 3.
-   With F the averaged equations of the first three routes are integrated, too, and the second-order law does not
-   exist.
+   Cost. Without a force F the first four routes are averaged solutions in closed form: one or two sa, ca and the
+   integrals of the laws of mass and stiffness, whatever t and the tolerance are. The other routes integrate from 0
+   to t and work to the tolerance: each runs twice, the second time more strictly, and the difference of the two
+   gives the error. By the default tolerance that takes 400 (variation), 700 (rk87) or 2200 (rk45) evaluations a
+   period for alpha = 3. With F the averaged equations of the first three routes are integrated, too, and the
+   second-order law does not exist.
 
-   Choice. vm_osc_within takes the first of the four laws that is within the tolerance. Where none is, or F is
-   given, it integrates: by rk87 for odd alpha without F, where it is two to four times as fast, else by the
-   variation of constants.
+   Choice. vm_osc_within takes the first of these four that is within the tolerance. Where none is, or F is given,
+   it integrates: by rk87 for odd alpha without F, where it is two to four times as fast, else by the variation of
+   constants.
 
-   What the estimate covers. Of the laws: what the law leaves out, and the fastest changes of mass and stiffness
-   between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from point to point. A
-   change within a period makes the estimate large; vm_osc_within then integrates, in steps of at most a quarter of
-   the shortest panel. Of averaged equations with F: the error of their integration, of averaging, and of cos and cn
-   in place of the Ateb functions. Averaging leaves out the ripple within a period, its effect on phase and
-   amplitude at the start, its square, and a force that changes within a period, as in a resonance. For this
-   estimate F is called over a period at the start and at eight later times: a force that acts only for a short time
-   between these is not seen.
+   What the estimate covers. Of averaged solutions: what the solution leaves out, and the fastest changes of mass
+   and stiffness between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from
+   point to point. A change within a period makes the estimate large; vm_osc_within then integrates, in steps of at
+   most a quarter of the shortest panel. Of averaged equations with F: the error of their integration, of averaging,
+   and of cos and cn in place of the Ateb functions. Averaging leaves out the ripple within a period, its effect on
+   phase and amplitude at the start, its square, and a force that changes within a period, as in a resonance. For
+   this estimate F is called over a period at the start and at eight later times: a force that acts only for a short
+   time between these is not seen.
 
    How good the estimate is. Random problems (tests/test_routes.c) have alpha in [0, 8], q from 3e-3 to 0.1 and end
    at t = 3/q; some of them change only in a part of the run, or have tables with a step. The true error is below 3
@@ -9049,34 +9084,34 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 
 /* -- The table of routes -- */
 
-/* A route: without a force by its law, if it has one, else by its method of integration */
+/* The solution of averaged equations without a force at t, where the mean motion has come to *mean */
+typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
+                                vm_osc_motion *motion);
+
+/* A route: without a force by its solution in closed form, if it has one, else by its method of integration */
 typedef struct VM_TAG(vmi_osc_route) {
     const char *name;
-    int (*law)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
-               vm_osc_motion *motion); /* solution of the averaged equations without a force; null: it has none */
-    vmi_osc_method method;             /* with rhs null: it cannot be integrated */
+    vmi_osc_solution solution; /* null: it has none */
+    vmi_osc_method method;     /* with rhs null: it cannot be integrated */
 } vmi_osc_route;
 
-/* The entry of a law, whose equations with a force, by rk45, are averaged ones; rhs null: there are none */
-VM_API vmi_osc_route vmi_osc_route_of_law(const char *name,
-                                          int (*law)(const vm_osc_plan *, int, const vmi_osc_wave *,
-                                                     const vmi_osc_mean *, vm_osc_motion *),
-                                          ode_rhs rhs)
+/* The entry of an averaged solution, whose equations with a force, by rk45, are rhs; null: there are none */
+VM_API vmi_osc_route vmi_osc_route_averaged(const char *name, vmi_osc_solution solution, ode_rhs rhs)
 {
     vmi_osc_route route;
     route.name = name;
-    route.law = law;
+    route.solution = solution;
     route.method = vmi_osc_method_rk45(rhs);
     route.method.averaged = 1;
     return route;
 }
 
 /* The entry of a route that always integrates */
-VM_API vmi_osc_route vmi_osc_route_of_method(const char *name, vmi_osc_method method, int direct)
+VM_API vmi_osc_route vmi_osc_route_integrated(const char *name, vmi_osc_method method, int direct)
 {
     vmi_osc_route route;
     route.name = name;
-    route.law = NULL;
+    route.solution = NULL;
     route.method = method;
     route.method.direct = direct;
     return route;
@@ -9089,14 +9124,14 @@ VM_API vmi_osc_route vmi_osc_route_of(int route)
     const vmi_osc_method rk45_direct = vmi_osc_method_rk45(vmi_osc_direct_rhs);
     const vmi_osc_method rk87_direct = vmi_osc_method_rk87(vmi_osc_direct_rhs);
     switch (route) {
-    case VM_ROUTE_TRIG: return vmi_osc_route_of_law("trigonometric", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_JACOBI: return vmi_osc_route_of_law("Jacobi", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_ATEB: return vmi_osc_route_of_law("Ateb, first order", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_SECOND: return vmi_osc_route_of_law("second-order law", vmi_osc_second_order, NULL);
-    case VM_ROUTE_VARIATION: return vmi_osc_route_of_method("variation of constants, rk45", variation, 0);
-    case VM_ROUTE_RK45: return vmi_osc_route_of_method("direct, rk45", rk45_direct, 1);
-    case VM_ROUTE_RK87: return vmi_osc_route_of_method("direct, rk87", rk87_direct, 1);
-    default: return vmi_osc_route_of_law("unknown route", NULL, NULL);
+    case VM_ROUTE_TRIG: return vmi_osc_route_averaged("trigonometric", vmi_osc_first_order, vmi_osc_averaged_rhs);
+    case VM_ROUTE_JACOBI: return vmi_osc_route_averaged("Jacobi", vmi_osc_first_order, vmi_osc_averaged_rhs);
+    case VM_ROUTE_ATEB: return vmi_osc_route_averaged("Ateb, first order", vmi_osc_first_order, vmi_osc_averaged_rhs);
+    case VM_ROUTE_SECOND: return vmi_osc_route_averaged("second-order law", vmi_osc_second_order, NULL);
+    case VM_ROUTE_VARIATION: return vmi_osc_route_integrated("variation of constants, rk45", variation, 0);
+    case VM_ROUTE_RK45: return vmi_osc_route_integrated("direct, rk45", rk45_direct, 1);
+    case VM_ROUTE_RK87: return vmi_osc_route_integrated("direct, rk87", rk87_direct, 1);
+    default: return vmi_osc_route_averaged("unknown route", NULL, NULL);
     }
 }
 
@@ -9151,24 +9186,24 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
     entry = vmi_osc_route_of(route);
     if (p->problem.force && !entry.method.rhs) return VM_NO_LAW;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
-    if (p->problem.force || !entry.law) return vmi_osc_integrate(p, route, &entry.method, t, tolerance, motion);
+    if (p->problem.force || !entry.solution) return vmi_osc_integrate(p, route, &entry.method, t, tolerance, motion);
     status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     w = vmi_osc_wave_of(p, route);
-    return entry.law(p, route, &w, &mean, motion);
+    return entry.solution(p, route, &w, &mean, motion);
 }
 
 /* -- The cheapest route -- */
 
-/* The route that integrates where no law is good enough: rk87 only for odd alpha, where the elastic force has all
-   derivatives at x = 0, so that rk87 holds its order, and where F, which may have none, is missing */
+/* The route that integrates where no averaged solution is good enough: rk87 only for odd alpha, where the elastic
+   force has all derivatives at x = 0, so that rk87 holds its order, and where F, which may have none, is missing */
 VM_API int vmi_osc_integrator(const vm_osc_problem *o)
 {
     const vm_real half = (o->alpha - 1) / 2;
     return !o->force && half == VM_FLOOR(half) ? VM_ROUTE_RK87 : VM_ROUTE_VARIATION;
 }
 
-/* Motion at any time t (s) by integration, as vm_osc_plan_within does where no law is good enough */
+/* Motion at any time t (s) by integration, as vm_osc_plan_within does where no averaged solution is good enough */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const int route = vmi_osc_integrator(&p->problem);
@@ -9259,12 +9294,13 @@ VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real r
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
 }
 
-/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
-   (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)), (325), (344), (367), (389) corrected. All three averaging methods
-   give it, if the sign of (335) is mended. Pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass;
-   reactive, r, 1 where mass that joins or leaves is at rest, so that there is the full reactive force, 0 where it has
-   the body's own velocity, as what leaks out; alpha >= 0. To first order in m' and the damping; the rounding error is
-   some eps. NaN outside the domain and for infinite arguments. Time: a power and an exponential. */
+/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly:
+     A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)),   (325), (344), (367), (389) corrected.
+   All three averaging methods give it, if the sign of (335) is mended. Pure numbers: mass_ratio = m/m0 > 0; decay,
+   the integral of damping/mass; reactive, r, 1 where mass that joins or leaves is at rest, so that there is the full
+   reactive force, 0 where it has the body's own velocity, as what leaks out; alpha >= 0. To first order in m' and the
+   damping; the rounding error is some eps. NaN outside the domain and for infinite arguments. Time: a power and an
+   exponential. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
@@ -9288,8 +9324,8 @@ typedef struct VM_TAG(vmi_linear_mass) {
     vm_real integral;    /* of dt/m from 0 to t, s/kg; smooth through rate = 0 */
 } vmi_linear_mass;
 
-/* The linear mass that a law is, between 0 and t: closed forms need it. VM_NO_LAW where the law is not linear, that is
-   not f0 exp(rate u) with rate = base. VM_BAD_MASS where a mass is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+/* The linear mass that a law is, between 0 and t: closed forms need it. VM_NO_LAW where the law is not linear, that
+   is not f0 exp(rate u) with rate = base. VM_BAD_MASS where a mass is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;
@@ -9431,9 +9467,8 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* The averaged Van der Pol term and reactive force: a1 m A'/A at amplitude A, N s/m (410). Its zero is the amplitude
-   of the limit cycle; the closed form of vm_vdp_amplitude solves A' = A (p - s A^2)/(a1 m), of which it is the
-   bracket. */
+/* a1 m A'/A at amplitude A, N s/m: the averages of Van der Pol's term and of the reactive force (410). It is 0 on the
+   limit cycle; vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
 VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 {
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
@@ -9496,7 +9531,7 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
    y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where no constructor made the
-   mass, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
+   mass, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN for t outside a table; these statuses stop the run. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -9510,10 +9545,10 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass. y = (A, psi): mean
-   amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x| = A. vdp points to a vm_vdp that is
-   prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times of m/feed, psi by the first power
-   (method VM_VDP_ATEB). The errors are those of vm_vdp_rhs. */
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
+   Any slow mass is allowed. y = (A, psi): mean amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x|
+   = A. vdp points to a vm_vdp that is prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times
+   of m/feed, psi by the first power (method VM_VDP_ATEB). The statuses are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -9575,10 +9610,10 @@ typedef struct VM_TAG(vm_jeffcott) {
 
 /* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
 enum {
-    VMI_WHIRL_P = 0,   /* and 1: forward whirl P */
-    VMI_WHIRL_N = 2,   /* and 3: backward whirl N */
-    VMI_WHIRL_PHI = 4, /* fast phase */
-    VMI_WHIRL_SIZE = 5
+    VMI_JEFFCOTT_P = 0,   /* and 1: forward whirl P */
+    VMI_JEFFCOTT_N = 2,   /* and 3: backward whirl N */
+    VMI_JEFFCOTT_PHI = 4, /* fast phase */
+    VMI_JEFFCOTT_SIZE = 5
 };
 
 /* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness.
@@ -9602,7 +9637,7 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about the axis, kg m^2/s, with the share of the gyroscopic force.
+/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s.
    It is Im(conj z m z') - g |z|^2, which stays constant where r = 1, u = 0 and F_z = 0. v is z'. NaN for a null
    pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
@@ -9633,9 +9668,9 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
     return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
 }
 
-/* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
-   y = (x, y, x', y'), m and m/s; rotor points to a vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no
-   mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS; these statuses stop the run. */
+/* Equation of motion (449), (450) of a rotor, for rk45 or rk87. y = (x, y, x', y'), m and m/s; rotor points to a
+   vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_DOMAIN for t outside a table of the mass; these statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -9678,8 +9713,8 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
     return VM_OK;
 }
 
-/* Motion of a rotor, (x, y, x', y'), to forward and backward whirl P, N at time t, (456)-(461).
-   Both are circular motions of the frequency omega = sqrt(F_e'(0)/m),
+/* Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461).
+   The whirls P and N are circular motions of the frequency omega = sqrt(F_e'(0)/m),
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase to start with, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
@@ -9692,31 +9727,31 @@ VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_rea
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
     vmi_jeffcott_state now;
     vm_complex turned, P, N;
-    vm_real found[VMI_WHIRL_SIZE];
+    vm_real found[VMI_JEFFCOTT_SIZE];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
     N = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_sub(z, turned)), vmi_c_conjugate(back));
-    found[VMI_WHIRL_P] = P.re;
-    found[VMI_WHIRL_P + 1] = P.im;
-    found[VMI_WHIRL_N] = N.re;
-    found[VMI_WHIRL_N + 1] = N.im;
-    found[VMI_WHIRL_PHI] = phi;
-    return vmi_copy_if_finite(VMI_WHIRL_SIZE, found, y);
+    found[VMI_JEFFCOTT_P] = P.re;
+    found[VMI_JEFFCOTT_P + 1] = P.im;
+    found[VMI_JEFFCOTT_N] = N.re;
+    found[VMI_JEFFCOTT_N + 1] = N.im;
+    found[VMI_JEFFCOTT_PHI] = phi;
+    return vmi_copy_if_finite(VMI_JEFFCOTT_SIZE, found, y);
 }
 
 /* z and z' from the whirls in y, where turn = e^(i phi) */
 VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
 {
-    const vm_complex P = vmi_c_times(vmi_complex(y[VMI_WHIRL_P], y[VMI_WHIRL_P + 1]), turn);
-    const vm_complex N = vmi_c_times(vmi_complex(y[VMI_WHIRL_N], y[VMI_WHIRL_N + 1]), vmi_c_conjugate(turn));
+    const vm_complex P = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_P], y[VMI_JEFFCOTT_P + 1]), turn);
+    const vm_complex N = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_N], y[VMI_JEFFCOTT_N + 1]), vmi_c_conjugate(turn));
     *z = vmi_c_add(P, N);
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Motion of a rotor, (x, y, x', y'), from forward and backward whirl at time t.
-   The inverse of vm_jeffcott_to_averaged: y = (Re P, Im P, Re N, Im N, phi). The same errors. motion may be y. */
+/* Motion (x, y, x', y') of a rotor from forward and backward whirl. The inverse of vm_jeffcott_to_averaged: y = (Re
+   P, Im P, Re N, Im N, phi). The statuses are the same. motion may be y. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!r || !y || !motion) return VM_BAD_ARGUMENT;
@@ -9725,7 +9760,7 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     vm_real joined[4];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
-    vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_WHIRL_PHI]), now.omega, &z, &v);
+    vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_JEFFCOTT_PHI]), now.omega, &z, &v);
     joined[0] = z.re;
     joined[1] = z.im;
     joined[2] = v.re;
@@ -9770,15 +9805,15 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
     int j;
     if (status) return status;
     for (j = 0; j < nodes; j++) {
-        vmi_jeffcott_rates(r, t, &now, y, y[VMI_WHIRL_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
+        vmi_jeffcott_rates(r, t, &now, y, y[VMI_JEFFCOTT_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
         P = vmi_c_add(P, dP);
         N = vmi_c_add(N, dN);
     }
-    dydt[VMI_WHIRL_P] = P.re * share;
-    dydt[VMI_WHIRL_P + 1] = P.im * share;
-    dydt[VMI_WHIRL_N] = N.re * share;
-    dydt[VMI_WHIRL_N + 1] = N.im * share;
-    dydt[VMI_WHIRL_PHI] = now.omega;
+    dydt[VMI_JEFFCOTT_P] = P.re * share;
+    dydt[VMI_JEFFCOTT_P + 1] = P.im * share;
+    dydt[VMI_JEFFCOTT_N] = N.re * share;
+    dydt[VMI_JEFFCOTT_N + 1] = N.im * share;
+    dydt[VMI_JEFFCOTT_PHI] = now.omega;
     return VM_OK;
 }
 
@@ -9796,7 +9831,7 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
    vm_jeffcott_exact_rhs, averaged over the fast phase phi while P and N stay. The average over psi1 and psi2
    separately, (474)-(477), is wrong unless the force turns with z, since forward and backward whirl are in 1:1
    resonance. The error is of the order of the perturbation (F_z, u, g, F_e'(rho) - F_e'(0), m') over times of its
-   inverse. State and errors are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
+   inverse. State and statuses are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -9818,10 +9853,10 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
     return direction * speed;
 }
 
-/* Frequency of circular whirl of radius A, rad/s: the solution W of m W^2 - 2 g W = F_e(A)/A.
-   Forward whirl, W > 0, for sense >= 0, backward whirl, W < 0, for sense < 0. A >= 0 in m, mass > 0 in kg. Within some
-   8 eps and the error of the stiffness. NaN for null pointers, a rotor without stiffness, and arguments outside the
-   domain. The remark after (516), corrected. */
+/* Frequency of circular whirl of radius A, rad/s: the solution W of m W^2 - 2 g W = F_e(A)/A. Forward whirl, W > 0,
+   for sense >= 0, backward whirl, W < 0, for sense < 0. A >= 0 in m, mass > 0 in kg. Within some 8 eps and the error
+   of the stiffness. NaN for null pointers, a rotor without stiffness, and arguments outside the domain. The remark
+   after (516), corrected. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -9868,12 +9903,12 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
     return VM_OK;
 }
 
-/* Averaged equations (506), (507) of forward whirl with any nonlinearity, for rk45 or rk87.
-   The motion is nearly circular: z = A e^(i psi), z' = i W z with W = vm_jeffcott_frequency. y = (A, psi), m and rad;
-   rotor points to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase
-   accumulates this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of
-   order 1 for others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the
-   circle. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
+/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
+   nearly circular: z = A e^(i psi), z' = i W z with W = vm_jeffcott_frequency. y = (A, psi), m and rad; rotor points
+   to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase accumulates
+   this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of order 1 for
+   others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the circle.
+   VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
    VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Time: `nodes` forces. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -9881,7 +9916,7 @@ VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *d
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations (506), (507) of backward whirl with any nonlinearity, for rk45 or rk87.
+/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87.
    As vm_jeffcott_forward_whirl_rhs, with W < 0. */
 VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -9938,12 +9973,13 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
     }
 }
 
-/* Radius of circular whirl, m, when the mass has changed slowly from mass0, where it was first_A, to mass.
-   Without F_z and u. For r = 1 A^4 (g^2 + m F_e'(A)) stays constant, which is the square of A^2 (m W - g); for g = 0
-   A^4 F_e'(A) m^(2r-1) does (509). For F_e = k rho^alpha and g = 0 the radius is first_A vm_osc_amplitude_law(
-   mass/mass0, 0, r, alpha). Within some 12 eps. NaN for g != 0 with r != 1, where the whole course of the mass matters;
-   where no radius is found on the way from first_A; for null pointers, a rotor without stiffness, and a radius or
-   masses that are not positive and finite. Time: some 10 to 20 evaluations of the stiffness. */
+/* Radius of circular whirl, m, after the mass has changed slowly. The radius was first_A when the mass was mass0; the
+   mass is now `mass`. Without F_z and u. What stays constant (509) is
+     A^4 (g^2 + m F_e'(A)) for r = 1, the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
+   For F_e = k rho^alpha and g = 0 the radius changes as vm_osc_amplitude_law says, with mass/mass0 and decay 0.
+   Within some 12 eps. NaN for g != 0 with r != 1, where the whole course of the mass matters; where no radius is
+   found on the way from first_A; for null pointers, a rotor without stiffness, and a radius or masses that are not
+   positive and finite. Time: some 10 evaluations of the stiffness. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -10018,10 +10054,9 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
     return VM_OK;
 }
 
-/* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
-   y = (x, y, x', y'), m and m/s; pair points to a vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor
-   made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0; these statuses stop the
-   run. */
+/* Equations of motion (517), (518) of two bodies, for rk45 or rk87. y = (x, y, x', y'), m and m/s; pair points to a
+   vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0 or t is outside a table; these statuses stop the run. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -10082,7 +10117,7 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
     return vmi_copy_if_finite(4, joined, y);
 }
 
-/* Motion of two bodies, y = (x, y, x', y'), to modes (A, psi, q, q') at time t, (520)-(522).
+/* Motion y = (x, y, x', y') of two bodies to modes (A, psi, q, q'), (520)-(522).
    q = x + y drifts; p = y - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the
    amplitude within a period is taken out of A, so that any initial velocities are allowed. VM_BAD_ARGUMENT for null
    pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha
@@ -10097,8 +10132,8 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
     return vmi_pair_split(p, mass, rate, y, modes);
 }
 
-/* Motion of two bodies, y = (x, y, x', y'), from modes (A, psi, q, q') at time t.
-   The inverse of vm_pair_to_averaged, with the same errors. y may be modes. */
+/* Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q').
+   The inverse of vm_pair_to_averaged, with the same statuses. y may be modes. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -10108,9 +10143,9 @@ VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *mod
     return vmi_pair_join(p, mass, rate, modes, y);
 }
 
-/* Averaged equations of the two modes, for rk45 or rk87, with any slow mass.
-   modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The error is of the order of m'/(m Om)
-   over times of m/m'. The statuses are those of vm_pair_rhs. */
+/* Averaged equations of the two modes of a pair, for rk45 or rk87. Any slow mass is allowed. modes = (A, psi, q, q'),
+   see vm_pair_to_averaged; pair points to a vm_pair. The error is of the order of m'/(m Om) over times of m/m'. The
+   statuses are those of vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
@@ -10177,8 +10212,8 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y
 enum { VMI_FORCED_HARMONICS = 5 };
 
 /* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again where
-   alpha has changed. The other fields may change without. Constructors make the laws, of a constant
-   vm_law_linear(value, 0). */
+   alpha has changed. The other fields may change without a new call. Constructors make the laws;
+   a constant is vm_law_linear(value, 0). */
 typedef struct VM_TAG(vm_forced) {
     vm_real alpha;     /* exponent of the spring, >= 0 */
     vm_real damping;   /* b, kg/s; > 0 takes energy out */
@@ -10288,7 +10323,8 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
    vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive; these statuses stop the run. */
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive or t is outside a table; these
+   statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -10306,9 +10342,8 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
     return VM_OK;
 }
 
-/* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
-   y = (A, psi, theta) with x = A ca(psi); singular at A = 0. Nothing is neglected. forced and errors are those of
-   vm_forced_rhs. */
+/* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87. y = (A, psi, theta) with x = A
+   ca(psi); singular at A = 0. Nothing is neglected. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -10328,10 +10363,11 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Averaged equations of an excited oscillator near its main resonance nu = w(A), for rk45 or rk87.
-   y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force; start and
-   end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over times of
-   their inverses, larger away from the resonance. forced and errors are those of vm_forced_rhs. */
+/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87. The main resonance is nu =
+   w(A). y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force;
+   start and end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over
+   times of their inverses, larger away from the resonance. The argument forced and the statuses are those of
+   vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -10370,9 +10406,9 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta) at time t. The ripple of the amplitude
-   within a period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The
-   statuses are those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
+/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta). The ripple of the amplitude within a
+   period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The statuses are
+   those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -10394,9 +10430,9 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     return VM_OK;
 }
 
-/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta) at time t.
-   The inverse of vm_forced_to_averaged: the ripple is put back. The same errors, and VM_DOMAIN for A <= 0. motion may
-   be y. */
+/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta). The inverse of
+   vm_forced_to_averaged: the ripple is put back. The statuses are the same, VM_DOMAIN also for A <= 0. motion may be
+   y. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
@@ -10530,11 +10566,11 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
     return found;
 }
 
-/* Steady vibrations of an excited oscillator with all parameters as they are at time t.
-   Writes at most three to steady, the smallest amplitude first, and returns their number, 0 where the force is 0, or a
-   negative status. Amplitudes within some 100 eps of the averaged equations' solutions. For the response at each
-   frequency let nu run. Solutions far from w(A) = nu are formal, since the averaged equations hold near the resonance.
-   The negative statuses are those of vm_forced_rhs. */
+/* Steady vibrations of an excited oscillator: amplitudes, phases, stability. All parameters are as they are at time
+   t. Writes at most three to steady, the smallest amplitude first, and returns their number, 0 where the force is 0,
+   or a negative status. Amplitudes within some 100 eps of the averaged equations' solutions. For the response at each
+   frequency let nu run. Solutions far from w(A) = nu are formal, since the averaged equations hold near the
+   resonance. The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
@@ -10557,9 +10593,9 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 }
 
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
-   Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their number,
-   0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A is not
-   positive and finite. Results that overflow are NaN. */
+   Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their
+   number, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A
+   is not positive and finite. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -10596,12 +10632,12 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* Passage through the resonance at time t, by the rates of mass, stiffness and frequency at t.
-   amplitude, m, is used for alpha = 1 only, where the backbone is at one frequency for all amplitudes. On the backbone
-   delta'' = -(gamma push/A) sin(delta) - nu D, as for a pendulum under a torque, with gamma = (alpha - 1)/2 and D the
-   relative drift of w - nu; drift_ratio is this torque over the pendulum's largest. The statuses are those of
-   vm_forced_rhs, VM_DOMAIN also where the force is 0 or the amplitude is not positive and finite; then *passage is left
-   as it was. */
+/* Passage through the resonance: whether a slow drift leads to capture. It depends on the rates of mass, stiffness
+   and frequency at time t. amplitude, m, is used for alpha = 1 only, where the backbone is at one frequency for all
+   amplitudes. On the backbone delta'' = -(gamma push/A) sin(delta) - nu D, as for a pendulum under a torque, with
+   gamma = (alpha - 1)/2 and D the relative drift of w - nu; drift_ratio is this torque over the pendulum's largest.
+   The statuses are those of vm_forced_rhs, VM_DOMAIN also where the force is 0 or the amplitude is not positive and
+   finite; then *passage is left as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;
@@ -10672,13 +10708,12 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
     return s->v;
 }
 
-/* Turning points or zero crossings of a trajectory in (t0, t1].
-   kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The trajectory is evaluated every `step`, or a little less, and each
-   change of sign located to an eps of t. step should be a small part of a period; it is negative where t1 < t0. The
-   first `room` of them are written to samples, in the order of time. Returns the number of all, which may be larger
-   than room, or a negative status: VM_BAD_ARGUMENT for null pointers or an unknown kind, VM_NOT_FINITE for a step of 0
-   or of the wrong sign, for more than 2e9 steps, or where the trajectory is not finite; what was found until then
-   stands in samples. */
+/* Turning points or zero crossings of a trajectory in (t0, t1]. kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The
+   trajectory is evaluated every `step`, or a little less, and each change of sign located to an eps of t. step should
+   be a small part of a period; it is negative where t1 < t0. The first `room` of them are written to samples, in the
+   order of time. Returns the number of all, which may be larger than room, or a negative status: VM_BAD_ARGUMENT for
+   null pointers or an unknown kind, VM_NOT_FINITE for a step of 0 or of the wrong sign, for more than 2e9 steps, or
+   where the trajectory is not finite; what was found until then stands in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -10732,10 +10767,9 @@ VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
     *v = m->buffer[m->v];
 }
 
-/* Turning points or zero crossings in the last step of an rk45 or rk87; call it after every step.
-   x and v are the indices of position and velocity in the state; buffer has room for a state. kind, room, samples and
-   the result are those of vm_find_samples. VM_BAD_ARGUMENT also for indices outside the state; 0 before the first
-   step. */
+/* Turning points or zero crossings in the last step of an rk45 or rk87. Call it after every step. x and v are the
+   indices of position and velocity in the state; buffer has room for a state. kind, room, samples and the result are
+   those of vm_find_samples. VM_BAD_ARGUMENT also for indices outside the state; 0 before the first step. */
 VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *samples)
 {
     const vm_real parts = 4; /* of the step, each of which is searched for a change of sign */
@@ -11613,8 +11647,8 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 #ifndef VARMASS_SCENES_FORCES_H
 #define VARMASS_SCENES_FORCES_H
 
-/* The force of a spring: -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN below. The exponents 1, 2 and 3 take
-   no power. */
+/* The force of a spring, -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN
+   below. The exponents 1, 2 and 3 take no power. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
@@ -11623,29 +11657,30 @@ VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
     return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
 }
 
-/* The force of a linear damper: -damping v. damping in N s/m takes energy out if it is positive. */
+/* The force of a linear damper, -damping v. damping in N s/m takes energy out if it is positive. */
 VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping * v; }
 
-/* The force of Van der Pol's damper: (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
+/* The force of Van der Pol's damper, (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
    takes it out at large amplitudes. */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c)
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
+
+/* The torque of a motor, stall_torque - kappa omega. Its characteristic is a straight line; stall_torque in N m is the
+   torque at rest, kappa in N m s. */
+VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real stall_torque, vm_real kappa)
 {
-    return vmi_van_der_pol_feed(b, c, x) * v;
+    return stall_torque - kappa * omega;
 }
 
-/* The torque of a motor whose characteristic is a straight line: torque - kappa omega. torque in N m is that at rest,
-   kappa in N m s. */
-VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real torque, vm_real kappa) { return torque - kappa * omega; }
-
-/* The force of harmonic excitation: force cos(frequency t + phase). frequency in rad/s, phase in rad. */
-VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real force, vm_real frequency, vm_real phase)
+/* The force of harmonic excitation, amplitude cos(frequency t + phase). amplitude in N, frequency in rad/s, phase in
+   rad. */
+VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real frequency, vm_real phase)
 {
     vm_real s, c;
     vmi_sincos(frequency * t + phase, &s, &c);
-    return force * c;
+    return amplitude * c;
 }
 
-/* The reactive force of a stream: rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
+/* The reactive force of a stream, rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
    the velocity of its mass is u + (1 - reactive) v: for reactive = 1 the absolute velocity u, for reactive = 0 the
    velocity u relative to the body. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
@@ -11653,12 +11688,13 @@ VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real re
     return rate * (u - reactive * v);
 }
 
-/* The weight of a mass: mass g. It points along the coordinate, so that g is negative where the coordinate points up.
+/* The weight of a mass, mass g. It points along the coordinate, so that g is negative where the coordinate points up.
    mass in kg, g in m/s^2. */
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
-/* The force of an elastic shaft: -k r |r|^(alpha-1) towards the origin of its plane, r = (x, y) in m. The components go
-   to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN below. */
+/* The force of an elastic shaft, -k r |r|^(alpha-1), r = (x, y). It points to the origin of the plane; r in m. The
+   components go to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN
+   below. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -11667,7 +11703,7 @@ VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm
     *fy = f * y;
 }
 
-/* The force of a rotating unbalance: m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
+/* The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
    frequency in rad/s. The components go to *fx and *fy; nothing happens if one of these pointers is NULL. */
 VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
@@ -11680,14 +11716,14 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force across a velocity in the plane: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
    equation has the term 2 i gyro z'. It does no work. The components go to *fx and *fy; nothing happens if one of these
    pointers is NULL. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -vmi_gyroscopic_coupling(gyro) * vy;
-    *fy = vmi_gyroscopic_coupling(gyro) * vx;
+    *fx = -2 * gyro * vy;
+    *fy = 2 * gyro * vx;
 }
 
 #endif
@@ -11757,7 +11793,7 @@ VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, v
     e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[VMI_GRAVITY_G]);
 }
 
-/* Gravity along a coordinate: the force M g, with the mass M of the body now. g in m/s^2 is -9.81 where the coordinate
+/* Gravity along a coordinate, the force M g. M is the mass of the body now. g in m/s^2 is -9.81 where the coordinate
    points up. Not on an axle (VM_BAD_MOTION), nor on the angle of a body in the plane (VM_NOT_ON_ANGLE). */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 {
@@ -11780,7 +11816,7 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
 
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
-/* A nonlinear spring: the force -k z |z|^(alpha-1) (248), z = x - rest. k in N/m^alpha may have either sign; rest is in
+/* A nonlinear spring, the force -k z |z|^(alpha-1), z = x - rest (248). k in N/m^alpha may have either sign; rest is in
    m or rad. VM_DOMAIN for alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
@@ -11801,7 +11837,7 @@ VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real
     vmi_effect_act(e, -e->p[VMI_SPRING_STIFFNESS] * extension);
 }
 
-/* A linear spring: the force -k (x - rest). k in N/m may have either sign; rest is in m or rad. Unlike vm_effect_spring
+/* A linear spring, the force -k (x - rest). k in N/m may have either sign; rest is in m or rad. Unlike vm_effect_spring
    it links no power. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
@@ -11821,7 +11857,7 @@ VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* A linear damper: the force -damping v. damping in N s/m takes energy out if it is positive. */
+/* A linear damper, the force -damping v. damping in N s/m takes energy out if it is positive. */
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
     vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
@@ -11837,7 +11873,7 @@ VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
 
-/* A damper of the rotation: the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
+/* A damper of the rotation, the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
    on an axle, in the plane, or free. */
 VM_API vm_effect vm_effect_rotational_damper(int body, vm_real damping)
 {
@@ -11857,7 +11893,7 @@ VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *
     vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
-/* Van der Pol's damper: the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
+/* Van der Pol's damper, the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
    it out at large amplitudes. */
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
 {
@@ -11867,41 +11903,41 @@ VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_r
     return e;
 }
 
-enum { VMI_MOTOR_TORQUE, VMI_MOTOR_KAPPA };
+enum { VMI_MOTOR_STALL_TORQUE, VMI_MOTOR_KAPPA };
 
 VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_TORQUE], e->p[VMI_MOTOR_KAPPA]));
+    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_STALL_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
-/* A motor whose characteristic is a straight line: the torque torque - kappa v. torque in N m is that at rest, kappa is
-   in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
-VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real torque, vm_real kappa)
+/* A motor, the torque stall_torque - kappa v. Its characteristic is a straight line; stall_torque in N m is the torque
+   at rest, kappa is in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
+VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real stall_torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
-    e.p[VMI_MOTOR_TORQUE] = torque;
+    e.p[VMI_MOTOR_STALL_TORQUE] = stall_torque;
     e.p[VMI_MOTOR_KAPPA] = kappa;
     return e;
 }
 
-enum { VMI_HARMONIC_FORCE, VMI_HARMONIC_FREQUENCY, VMI_HARMONIC_PHASE };
+enum { VMI_HARMONIC_AMPLITUDE, VMI_HARMONIC_FREQUENCY, VMI_HARMONIC_PHASE };
 
 VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_real frequency = e->p[VMI_HARMONIC_FREQUENCY], phase = e->p[VMI_HARMONIC_PHASE];
     (void)y;
     (void)s;
-    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_FORCE], frequency, phase));
+    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_AMPLITUDE], frequency, phase));
 }
 
-/* Harmonic excitation: the force force cos(frequency t + phase). force in N (N m on an angle), frequency in rad/s,
-   phase in rad. */
-VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase)
+/* Harmonic excitation, the force amplitude cos(frequency t + phase). amplitude in N (N m on an angle), frequency in
+   rad/s, phase in rad. */
+VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real amplitude, vm_real frequency, vm_real phase)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_harmonic);
-    e.p[VMI_HARMONIC_FORCE] = force;
+    e.p[VMI_HARMONIC_AMPLITUDE] = amplitude;
     e.p[VMI_HARMONIC_FREQUENCY] = frequency;
     e.p[VMI_HARMONIC_PHASE] = phase;
     return e;
@@ -11933,7 +11969,7 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
     return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
-/* An effect that the caller's function applies, which may depend on the whole state.
+/* An effect that the caller's function applies. It may depend on the whole state.
    apply adds to effect->load->force[coordinate]; where the mass is a state, to effect->load->mass_rate; where it is
    neither a state nor given by a law, to effect->load->mass.
    apply may read effect->load->mass; y[effect->x] and y[effect->v], position and velocity of coordinate 0; the state of
@@ -11962,8 +11998,8 @@ VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_
     e->load->force[1] += fy;
 }
 
-/* An elastic shaft: the force -k r |r|^(alpha-1) towards the origin, r = (x, y). k in N/m^alpha; VM_DOMAIN for
-   alpha < 0. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
+/* An elastic shaft, the force -k r |r|^(alpha-1), r = (x, y). k in N/m^alpha; VM_DOMAIN for alpha < 0. For a body in
+   the plane, or a point, on whose coordinates 0 and 1 it acts. */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_shaft);
@@ -11987,7 +12023,7 @@ VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y,
     e->load->force[1] += fy;
 }
 
-/* A rotating unbalance: the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m, frequency = Omega
+/* A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m, frequency = Omega
    in rad/s, phase in rad. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
 {
@@ -12011,9 +12047,8 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
-   equation has the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does
-   no work. */
+/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation has
+   the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
@@ -12086,9 +12121,9 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass law M(t, x, v) that the caller's function returns, with its reactive force. The velocity of the mass that
-   joins or leaves is u + (1 - reactive) v (see above). VM_BAD_ARGUMENT at the start where law is NULL. A run ends with
-   VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
+/* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
+   the mass that joins or leaves is u + (1 - reactive) v. VM_BAD_ARGUMENT at the start where law is NULL. A run ends
+   with VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {
@@ -12142,6 +12177,45 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
     e.p[VMI_MASS_COEFFICIENT] = c;
     if (kind != VM_MASS_OF_T) e.motions = VMI_SINGLE;
     e.order = VMI_ORDER_MASS_LAW;
+    return e;
+}
+
+#endif
+/* scenes/mass_of_time.h - mass that follows a vm_law, and its reactive force
+
+   A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table, or
+   a function. Here it is the mass of a body of a scene, of any motion. mass.h explains u and reactive, and what a
+   switch does; a law that depends on position or velocity is vm_effect_mass_law.
+
+       vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
+       vm_effect leak = vm_effect_mass_of_time(0, &mass, zero, 0);     // what leaves keeps the velocity of body 0
+
+   Tests: tests/test_scene_mass.c. */
+#ifndef VARMASS_SCENES_MASS_OF_TIME_H
+#define VARMASS_SCENES_MASS_OF_TIME_H
+
+/* A law that fails at t sets the status of the scene, so that a step that leads there is refused */
+VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vm_mass_now now = {0, 0, 0, 0};
+    const int status = vm_law_at((const vm_law *)e->ctx, t, &now.mass, &now.by_t);
+    if (status) s->status = status;
+    else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
+}
+
+/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the one with
+   which the body was made does not count. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law
+   stays the caller's and must stay where it is. VM_BAD_ARGUMENT at the start where law is NULL. A run ends where the
+   law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where that fails. */
+VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
+{
+    vm_effect e = vmi_effect(body, 0, law ? vmi_apply_mass_of_time : NULL);
+    e.p[VMI_MASS_U] = u.x;
+    e.p[VMI_MASS_U + 1] = u.y;
+    e.p[VMI_MASS_U + 2] = u.z;
+    e.p[VMI_MASS_REACTIVE] = reactive;
+    e.order = VMI_ORDER_MASS_LAW;
+    e.ctx = (void *)law;
     return e;
 }
 
@@ -12287,11 +12361,11 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Mass, mass centre and inertia that a stream at a point brings to a growing body. The stream stays the caller's: where
-   an event changes it, the run goes on with the change. Its points are in body axes from where the mass centre was at
-   the start. The budget's `mixing` is right where the stream's mass, force, moment and torque are all listed.
-   At the start VM_BAD_ARGUMENT for a NULL pointer or an unknown motion, VM_STORED_STREAM for a stream with a store,
-   VM_DOES_NOT_GROW for a body that is not a growing one. */
+/* Mass, mass centre and inertia that a stream brings to a growing body. The stream stays the caller's: where an event
+   changes it, the run goes on with the change. Its points are in body axes from where the mass centre was at the start.
+   The budget's `mixing` is right where the stream's mass, force, moment and torque are all listed. At the start
+   VM_BAD_ARGUMENT for a NULL pointer or an unknown motion, VM_STORED_STREAM for a stream with a store, VM_DOES_NOT_GROW
+   for a body that is not a growing one. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -12304,8 +12378,8 @@ VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
     return vmi_effect_crossing(body, stream, vmi_apply_stream_force);
 }
 
-/* Moment d x M' (u - v) of the reactive force of a stream, about the mass centre of a growing body (158). Conditions
-   and errors are those of vm_effect_stream_mass. */
+/* Moment d x M' (u - v) of a stream on a growing body (158). It is that of the reactive force about the mass centre.
+   Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_moment);
@@ -12369,8 +12443,8 @@ typedef struct VM_TAG(vm_band_now) {
 } vm_band_now;
 
 /* The band in layers. line = rho b h. Mass and inertia are line times the integrals of the radius and its cube over
-   phi; over n complete layers these are sums of R + i h and its cube, i < n. The sums of i, i^2 and i^3 are sum1,
-   sum2 and sum1^2. */
+   phi; over n complete layers these are sums of R + i h and its cube, i < n. The sums of i, i^2 and i^3 are sum1, sum2
+   and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -12459,9 +12533,9 @@ VM_API int vmi_band_check(const vm_effect *e)
     return vmi_band_is_valid(&band) ? VM_OK : VM_DOMAIN;
 }
 
-/* A band that winds up on the drum `body`, a body on an axle, or off it, with its reactive torque. It is the mass law
-   of the body. At the start VM_BAD_ARGUMENT where band is NULL, VM_DOMAIN where its radius is not positive or a size is
-   negative. */
+/* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle, and the band is
+   its mass law. At the start VM_BAD_ARGUMENT where band is NULL, VM_DOMAIN where its radius is not positive or a size
+   is negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
     vm_effect e = vmi_effect(body, 0, band ? vmi_apply_band : NULL);
@@ -12760,9 +12834,10 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
     if (before) s->status = before;
 }
 
-/* The right-hand side of a scene that has been started, an ode_rhs; ctx is the scene. It returns 0, or VM_BAD_ARGUMENT
-   for a NULL pointer. Where a body cannot be accelerated (its mass or inertia is not positive, for one) or an effect
-   cannot act, scene.status says why and all derivatives are NaN, so that an integrator tries a shorter step. */
+/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. It returns 0, or
+   VM_BAD_ARGUMENT for a NULL pointer. Where a body cannot be accelerated (its mass or inertia is not positive, for one)
+   or an effect cannot act, scene.status says why and all derivatives are NaN, so that an integrator tries a shorter
+   step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
@@ -13199,9 +13274,9 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy, or, with NULL, no longer. To be called before
-   vm_scene_start; the state then has VM_BUDGET numbers more. *budget_or_NULL must stay where it is; the scene keeps in
-   it what was there at the start. A budget may be given up between two runs, but not begun. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be called
+   before vm_scene_start; the state then has VM_BUDGET numbers more. *budget_or_NULL must stay where it is; the scene
+   keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -13215,8 +13290,7 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 
 /* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
    are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
-   bodies.
-   VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
+   bodies. VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
@@ -13886,9 +13960,10 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
     return VM_OK;
 }
 
-/* Run of a scene from *t to t_end by rk45, with its events and its output. The scene must have been started, and
-   t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of rk45; their
-   events are not used. *t and y become the time and the state at which the run ended. Returns VM_OK at t_end,
+/* Run of a scene from *t to t_end, with its events and its output. rk45 integrates it. The scene must have been
+   started, and t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of
+   rk45; their events are not used. *t and y become the time and the state at which the run ended. Returns VM_OK at
+   t_end,
    VM_STOPPED before it, or
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS

@@ -40,7 +40,7 @@ static int printed_rhs(double t, const double *y, double *dydt, void *ctx)
     const double R = d->radius, mu = d->band, c = d->stiffness, flow = mu * y[5], half = y[2] / 2;
     double slope, offset, cx, cy;
     vm_drum_geometry g;
-    int status = vm_drum_at(y[2], d, &g);
+    int status = vm_drum_at(d, y[2], &g);
     (void)t;
     if (status) return status;
     offset = g.offset;
@@ -101,8 +101,8 @@ static void rigid_shaft(FILE *file)
         if (advance(rigid_rhs, &d, 2, 0, 2, y) < 0) puts("integration failed");
         printf("%6.1f  ", drives[i]);
         column(y[0]);
-        column(vm_drum_angle(2, &d));
-        column(vm_drum_angle_lambert(2, &d));
+        column(vm_drum_angle(&d, 2));
+        column(vm_drum_angle_lambert(&d, 2));
         column((-k1 * w - 1) * 3 / drives[i]);
         column(drives[i] < 0 ? vm_drum_stop(&d) : VM_INFINITY);
         puts(i == 1 ? "(e is 5.6e-17, rounded)" : "");
@@ -111,7 +111,7 @@ static void rigid_shaft(FILE *file)
         fprintf(file, "%g", phi);
         for (i = 0; i < DRIVES; i++) {
             const vm_drum d = rigid(drives[i]);
-            fprintf(file, ",%.10g,%.10g,%.10g", vm_drum_rate(phi, &d), vm_drum_time(phi, &d),
+            fprintf(file, ",%.10g,%.10g,%.10g", vm_drum_rate(&d, phi), vm_drum_time(&d, phi),
                     printed_time(&d, phi));
         }
         fprintf(file, "\n");
@@ -143,12 +143,12 @@ static void deflection(FILE *file)
     const double D_J0 = 0.05 / 2.7, delta = (2 * mu_M0 - j_J0 - D_J0) / 2, A = 3 * mu_M0 - 2 * j_J0 - D_J0;
     double z[4] = {0, 0, 0, 0}, phi, worst = 0, worst_printed = 0;
     vm_drum_shaft s;
-    if (vm_drum_shaft_init(&d, &s)) return;
-    z[1] = vm_drum_deflection(0, &s, a0, alpha0, s.shift);
-    z[3] = (vm_drum_deflection(h, &s, a0, alpha0, s.shift) - vm_drum_deflection(-h, &s, a0, alpha0, s.shift)) /
+    if (vm_drum_shaft_init(&s, &d)) return;
+    z[1] = vm_drum_deflection(&s, 0, a0, alpha0, s.shift);
+    z[3] = (vm_drum_deflection(&s, h, a0, alpha0, s.shift) - vm_drum_deflection(&s, -h, a0, alpha0, s.shift)) /
            (2 * h);
     for (phi = 0; phi < 6.28; phi += 0.02) {
-        const double m = sqrt(1 - A * phi), closed = vm_drum_deflection(phi, &s, a0, alpha0, s.shift);
+        const double m = sqrt(1 - A * phi), closed = vm_drum_deflection(&s, phi, a0, alpha0, s.shift);
         const double printed = a0 / sqrt(m) * exp(-delta * phi) * cos(k * m + alpha0) + R / (k * k) * mu_M0;
         worst = fmax(worst, fabs(closed - z[1]));
         worst_printed = fmax(worst_printed, fabs(printed - z[1]));

@@ -23,7 +23,7 @@ static void start_state(vm_real *y)
     vm_real at[6];
     double turn, c, s;
     int i;
-    vm_broken_rotor_free_motion(break_time, &whole, first, at);
+    vm_broken_rotor_free_motion(&whole, break_time, first, at);
     turn = alpha - atan2(at[4], at[3]);
     c = cos(turn);
     s = sin(turn);
@@ -50,7 +50,7 @@ static void free_motion(const vm_real *start, const char *prefix)
     vm_broken_rotor_orbit(&whole, start, abcd);
     for (i = 0; i <= 200; i++) {
         double t = i * break_time / 40;
-        vm_broken_rotor_free_motion(t, &whole, start, y);
+        vm_broken_rotor_free_motion(&whole, t, start, y);
         if (file) fprintf(file, "%g,%g,%g,%g,%g\n", t, y[0], y[1], hypot(y[3], y[4]), printed_speed(abcd, w, t));
         if (i == 40)
             printf("  speed of S at the break       printed %8.5f   true %8.5f m/s\n", printed_speed(abcd, w, t),
@@ -144,8 +144,8 @@ static void transient(const vm_broken_rotor_break *b, const char *prefix)
     for (i = 0; i <= 150; i++) {
         double t = 0.02 * i;
         rk45_solve(&s, t);
-        vm_broken_rotor_linear(t, &rotor, b->state, coupled);
-        vm_broken_rotor_linear_uncoupled(t, &rotor, b->state, closed);
+        vm_broken_rotor_linear(&rotor, t, b->state, coupled);
+        vm_broken_rotor_linear_uncoupled(&rotor, t, b->state, closed);
         if (file)
             fprintf(file, "%g,%g,%g,%g,%g,%g,%g,%g,%g\n", t, s.y[1], s.y[5], coupled[1], coupled[5], closed[1],
                     closed[5], printed_73(&rotor, b->state, t), printed_74(&rotor, t));
@@ -175,12 +175,12 @@ static void fig18(const char *prefix)
         for (k = 0; k < 3; k++) rk45_solve(&s[k], t);
         if (file)
             fprintf(file, "%g,%g,%g,%g,%g,%g\n", t, hypot(s[0].y[0], s[0].y[1]), hypot(s[1].y[0], s[1].y[1]),
-                    hypot(s[2].y[0], s[2].y[1]), vm_broken_rotor_resonance_radius(t, &r[1], 1), vm_broken_rotor_resonance_radius(t, &r[2], 2.5));
+                    hypot(s[2].y[0], s[2].y[1]), vm_broken_rotor_resonance_radius(&r[1], t, 1), vm_broken_rotor_resonance_radius(&r[2], t, 2.5));
     }
     csv_close(file);
     puts("Fig. 18, k* = 1, at t = 400:");
     for (k = 0; k < 3; k++) {
-        double law = k ? vm_broken_rotor_resonance_radius(400, &r[k], Omega[k]) : vm_broken_rotor_steady_radius(&r[k], Omega[k]);
+        double law = k ? vm_broken_rotor_resonance_radius(&r[k], 400, Omega[k]) : vm_broken_rotor_steady_radius(&r[k], Omega[k]);
         printf("  Omega = %5.3f   r by rk45 %9.5f   %s %9.5f", Omega[k], hypot(s[k].y[0], s[k].y[1]),
                k ? "law of growth" : "r_SS (77)    ", law);
         if (k == 0) printf("   printed %.5f", printed[0]);
@@ -198,7 +198,7 @@ int main(int argc, char **argv)
     puts("A rotor loses a piece, (46)-(82): M = 5 kg, m = 0.8 kg, SS2 = 0.6 m, Omega_b = 1.5 rad/s");
     start_state(start);
     free_motion(start, prefix);
-    vm_broken_rotor_free_motion(break_time, &whole, start, y);
+    vm_broken_rotor_free_motion(&whole, break_time, start, y);
     status = vm_broken_rotor_break_off(&whole, y, &piece, &b);
     if (status) {
         puts(vm_strerror(status));

@@ -12,90 +12,101 @@
            return 0;
        }
 
-   WHAT THEY ARE
-     v = sa(1, alpha, s) and u = ca(alpha, 1, s) solve v' = u|u|^(alpha-1), u' = -2 v/(alpha + 1), v(0) = 0,
-     u(0) = 1 (275). So v^2 + |u|^(alpha+1) = 1 (279), and v^2 is an inverse incomplete beta function of s:
-     s = (1/2) B_(v^2)(1/2, 1/(alpha+1)) for 0 <= s <= Pi_alpha/2.
-     alpha = 1 gives sin and cos; alpha = 3 gives ca = cn(s/sqrt 2 | 1/2) and sa = sqrt 2 sn dn; alpha = 0 gives
-     sa a triangular wave and ca arcs of parabolas; for alpha to infinity sa tends to tanh s, on the scale of the
-     period to a square wave. In terms of the generalised sine, with p = (alpha+1)/alpha:
-     sa(1, alpha, s) = sin_(p,2)(s), ca(alpha, 1, s) = sin_(2,alpha+1)((Pi_alpha - 2 s)/(alpha+1)).
-
    CONVENTIONS
-     The variable comes first, then the real parameter alpha >= 0. Names and arguments are the dissertation's [1]:
-     sa here is always sa(1, alpha, .), ca always ca(alpha, 1, .), the pair that makes up x and x' of one
-     oscillator, x = A ca, x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa. All arguments are pure numbers.
+     The variable comes first, then the parameter alpha, any real number >= 0; results come last. All arguments are
+     pure numbers. Names are those of the dissertation [1]: sa always means sa(1, alpha, s), and ca always means
+     ca(alpha, 1, s). Both have the period 2 Pi_alpha. An oscillator m x'' + k x|x|^(alpha-1) = 0 with amplitude A
+     moves by x = A ca and x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa, where omega = sqrt(k/m).
+
+   WHAT THE FUNCTIONS ARE
+     v = sa and u = ca solve v' = u|u|^(alpha-1), u' = -2 v/(alpha+1) with v(0) = 0 and u(0) = 1 (275). So
+     v^2 + |u|^(alpha+1) = 1 (279), and in the first quarter, 0 <= s <= Pi_alpha/2, v^2 is an inverse incomplete beta
+     function of s: s = (1/2) B_(v^2)(1/2, 1/(alpha+1)).
+     alpha = 0              sa is a triangular wave, ca consists of arcs of parabolas
+     alpha = 1              sa = sin, ca = cos
+     alpha = 3              sa = sqrt(2) sn dn and ca = cn of the argument s/sqrt(2) and the parameter 1/2
+     alpha to infinity      sa tends to tanh s, and on the scale of the period to a square wave
+     In terms of the generalised sine, with p = (alpha+1)/alpha,
+     sa = sin_(p,2)(s) and ca = sin_(2,alpha+1)((Pi_alpha - 2s)/(alpha+1)).
+
+   WHAT TO CALL
+     ateb_saca             sa and ca for one s and one alpha; ateb_sa and ateb_ca return one of them
+     ateb_pi               Pi_alpha, half the period
+     ateb_plan_init        where alpha stays: the plan is prepared once; then ateb_plan_saca, or ateb_plan_saca_array
+                           for many s. ateb_plan_init_to makes a shorter and quicker plan of less accuracy. A plan is
+                           plain data and may be a constant in flash; examples/ateb_plan prints one. On AVR copy it
+                           from there to RAM, by memcpy_P, before it is used.
+     ateb_phase            s from sa and ca, as atan2 gives an angle
+     ateb_mean             the mean of |sa|^p |ca|^q over a period (316)
+     ateb_integral_...     integrals from 0 to s
+     ateb_saca_nm          sa(n, m, s) and ca(m, n, s) with any two indices
+     ateb_beta...          beta function, incomplete beta function and its inverse
 
    ERRORS
-     alpha < 0, NaN and infinite arguments give NaN, as do parameters of beta functions that are not positive and
-     probabilities outside [0, 1]. Making a plan for such an alpha returns -1 and leaves the plan as it was. Nothing
-     else can fail. No allocation, no state; errno says nothing.
+     alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
+     outside 1e-4 to 1e5, and whatever else lies outside the domain that the comment of a function gives. A plan
+     refuses a bad alpha with -1 and stays as it was. Nothing else can fail. No allocation, no state; errno says
+     nothing.
+
+   METHOD
+     s is reduced to the first quarter by Pi_alpha, which comes from a table of polynomials, or, where s is large or
+     close to a zero, from one polynomial in two or three words. There the incomplete beta function is inverted: an
+     approximation of sa is taken as exact, its s is computed by a continued fraction of 12 levels (float 6) and one
+     power, and Taylor's series leads to the given s. A plan has polynomials for two parts of a quarter: Taylor series
+     from (275), economised to the accuracy that is wanted.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double (tests run both)
-     VM_API               linkage of the functions, default static inline
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
-                          and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
-     VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN   the functions of the C library that are used; they are exact, so that
-                          results are the same everywhere where products and sums are not contracted
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where no bound below holds
+     VM_USE_FLOAT         float instead of double; the tests run both
+     VM_API               linkage of every function, default static inline
+     VM_INLINE            linkage of the functions that are fast only if they are inlined; VM_API makes smaller code
+                          with the same results
+     VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
+                          the functions of the C library that are used; define all four or none.
+                          They are exact, so that results are the same on every machine where the compiler does not
+                          contract products and sums
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
+                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
+                          take no RAM
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where none of the bounds below holds
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
-     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
-     vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
+     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
+     below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
 
-   METHOD
-     Pi_alpha - (alpha + 1) from a table of polynomials, to 2^-66 (float 2^-36), or, where s is large or near to a
-     zero, Pi_alpha from one polynomial in two or three words. Below s = 0.55, and at the same distance from every
-     zero of sa, an approximation of sa is taken as exact and its s found; beyond it one of (1 - sa)/2, whose phase
-     is compared in logarithms. From there Taylor's series leads to s. So one inversion of the incomplete beta
-     function takes a continued fraction of 12 levels (float 6) and a power, (1 - sa^2)^(1/(alpha+1)), near the zeros
-     of ca three logarithms instead. What does not wait for Pi_alpha is made beside it.
-     A plan holds polynomials for two parts of a quarter, series from (275) economised to the accuracy that is wanted.
-
-   ACCURACY, measured (make test, points, scan), inputs taken as exact
-     sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
-                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 2.8 ulp. From one s to the next sa
-                  and ca step back by 2 ulp at most, by more than 1 in 20 of a million; sa^2 + |ca|^(alpha+1) - 1 is
-                  within 1.2 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
-     the zeros    lie where Pi_alpha in three words puts them, to a relative error of 2^-125 (float 2^-58), for alpha
-                  beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
-                  comes on top of the relative error; it is felt where s is within an ulp of the zero.
-     Pi_alpha     <= 1 ulp, 0.5 found.
-     plan         <= 2 ulp, 1.93 found (float 1.97), for all of these s and alpha to 1e6; or the accuracy that was
-                  asked for
-     phase        within 4 ulp and what an ulp of sa and of ca moves it
+   ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
+     sa, ca                 absolute error <= 4 eps for |s| <= 1e9 (float 1e4), relative error <= 8 ulp for
+                            |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. sa and ca are monotone
+                            between their extremes apart from 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to within
+                            1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
+     the zeros              of sa and ca are right to a relative error of 2^-125 (float 2^-58); for alpha above 5e8
+                            (float 2e4) and for plans, of 2^-102 (float 2^-44). This error, times |s| and the slope,
+                            comes on top of the others. It is felt only where s is within an ulp of a zero.
+     Pi_alpha               <= 1 ulp
+     by a plan              <= 2 ulp for these s and alpha up to 1e6, or the absolute error that the plan was made for
+     phase                  <= 4 ulp and what one ulp of sa and of ca moves it
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
-     beta_inc     <= 30 ulp, typically 2, of p and of q
-     beta_inc_inv <= 16 ulp of x and of y, and what an ulp of the smaller of p and q moves them, 3 found typically
-     sa(n, m), ca(m, n)     <= 8 ulp, 2.2 found, but for an error of phase of 2^-102 |s| (float 2^-44)
-     integrals    some 10 ulp
+     beta_inc               <= 30 ulp of p and of q
+     beta_inc_inv           <= 16 ulp of x and of y, and what one ulp of the smaller of p and q moves them
+     sa(n, m), ca(m, n)     <= 8 ulp, apart from an error of the phase of 2^-102 |s| (float 2^-44 |s|)
+     integrals              some 10 ulp
 
-   COST, in units of the C library's sin (float: sinf) for |s| < 10, gcc 12 on two Xeons and an EPYC, where sin takes
-   7 to 9 ns and has fused multiply-adds whatever the flags; make bench shows it by alpha, docs/cost.md one of the runs
-                                              -O2         -O3 -march=native, contracted   float, -O2
-     Pi_alpha                                 1.2 to 1.7  0.9 to 1.2    1.1           2.2 to 2.4
-     sa+ca, any alpha, Pi_alpha included      8 to 14     7.5 to 12.5   8.3 to 11     15 to 24
-       for |s| < 1/2, times of sin there      7.5         6.4
-       the same for |s| > 128 Pi_alpha        27
-       on a zero of sa or ca, to an ulp       250
-     plan, alpha = 0, 1/2, 1, ..., 7          1.2 to 3.2  1 to 2.8      1 to 1.9      2.4 to 4.8
-       to 1e-4                                1.1 to 2.3  0.9 to 2.1    1 to 1.5      2.2 to 4.3
-       in arrays (with -fno-math-errno)       the same    0.23 to 1.1   0.6 to 0.8    the same
-     plan, any other alpha                    3.3 to 7.2  3 to 5.6      2.6 to 4      5.1 to 9.2
-     ateb_plan is 552 bytes (float 184), made in 15 us; stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while it is made.
-     ateb_phase 10 x sin, ateb_beta 0.7 us, ateb_beta_inc 1 us, its inverse 8 us, 35 us where a and b are some 1e4,
-     ateb_saca_nm 19 us.
+   COST
+     docs/cost.md has the times, docs/counts.md the instructions of each function. The direct call takes some ten
+     sines, a plan two to seven, in arrays one. An ateb_plan has 552 bytes (float 184). The largest stack frame is
+     below 2 kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (277) are its, in
          corrected form where they are misprinted: (278), (280) mix up the indices and a sign, (279) lacks the bars.
      [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
-     [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.8(iii) (quadratic transformations).
+     [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.7 (continued fractions), 15.8(iii) (quadratic
+         transformations).
      [4] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
      [5] C. Lanczos, Applied Analysis, Prentice-Hall 1956: economisation of power series.
      [6] A. R. Didonato, A. H. Morris, Algorithm 708, ACM Trans. Math. Softw. 18 (1992) 360-373.

@@ -13,63 +13,77 @@
        }
 
    CONVENTIONS
-     The second argument is the parameter m = k^2, not the modulus k: jacobi_K(0.25) is K for k = 1/2 (Boost and
-     C++17 take k, GSL's Kcomp too, GSL's elljac, SciPy and Mathematica m). Any m <= 1 is allowed, negative ones
-     included. m1 = 1 - m is the complementary parameter, k' = sqrt(m1) the complementary modulus; the forms with
-     suffix _m1 take or return m1 where m would have lost its digits (m towards 1).
-     The period of sn and cn is 4 K(m), that of dn 2 K(m). All arguments are pure numbers.
+     The variable comes first, then the parameter; results come last. The parameter is m = k^2, not the modulus k:
+     jacobi_K(0.25) is K for k = 1/2. SciPy, Mathematica and GSL's elljac take m too; Boost, C++17 and GSL's Kcomp
+     take k. Any m <= 1 is allowed, negative ones included. The complementary parameter is m1 = 1 - m, the
+     complementary modulus k' = sqrt(m1). The functions with the suffix _m1 take or return m1, which keeps its digits
+     where m is close to 1. sn and cn have the period 4 K(m), dn has 2 K(m). All arguments are pure numbers.
 
    WHAT TO CALL
-     jacobi_sncndn        the three functions for one u and one m; twelve quotients and the amplitude singly
-     jacobi_plan_init     where m stays: the plan is prepared once, then jacobi_plan_sncndn, or .._array for many u.
-                          A plan is plain data and may be a constant in flash; examples/jacobi_plan prints one. On
-                          AVR copy it from there to RAM, by memcpy_P, before it is used.
-     jacobi_solve_kpK     m from k'K(k^2), jacobi_solve_K m from K
+     jacobi_sncndn        sn, cn and dn for one u and one m; the twelve quotients and the amplitude have functions of
+                          their own
+     jacobi_K, jacobi_E   complete elliptic integrals
+     jacobi_plan_init     where m stays: the plan is prepared once; then jacobi_plan_sncndn, or
+                          jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
+                          examples/jacobi_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
+                          used.
+     jacobi_solve_kpK     m from k'K(k^2); jacobi_solve_K returns m from K
+     jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
      jacobi_agm_...       the same functions by the arithmetic-geometric mean, with its steps counted
 
    ERRORS
-     m > 1, m1 < 0, c < 0, NaN and infinite arguments give NaN; m = 1 gives the limits: K infinite, E = 1,
-     sn = tanh, cn = dn = sech, at u = +-infinity too. A quotient at a pole is infinite. A plan refuses a bad m
-     with -1 and stays as it was. Nothing else can fail. No allocation, no state; errno says nothing.
+     m > 1, m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give NaN. m = 1 gives the limits:
+     K is infinite, E = 1, sn = tanh and cn = dn = 1/cosh, at u = +-infinity too. A quotient at a pole is infinite. A
+     plan refuses a bad m with -1 and stays as it was. Nothing else can fail. No allocation, no state; errno says
+     nothing.
 
    METHOD
-     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) by its Laurent series and two duplications [1, 5], which need
-     neither K nor roots but one; u beyond about K/2 is reduced before, with the quarter period in as many words as
-     its distance from a zero asks for: two steps of the AGM and a series, the AGM in two words, in three. Far from 0
-     for m near 1 or below -20 theta functions of an imaginary phase [1], with the nome of 1 - m or 1/(1 - m), which
-     is then at most 0.003. A plan has polynomials in u^2 in place of the series. Nothing cancels, at m = 1 neither.
+     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) comes from its Laurent series, and two duplications [1, 5] lead
+     to u; this needs no K and one square root. A u beyond about K/2 is reduced before, by the quarter period in as
+     many words as the distance of u from a zero asks for: from two steps of the AGM and a series, or from the AGM in
+     two or three words. Far from 0, for m near 1 or below -20, theta functions of an imaginary phase serve [1], with
+     the nome of 1 - m or 1/(1 - m), which is then at most 0.003. A plan has polynomials in u^2 in place of the
+     series. No digits cancel, not even at m = 1.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double (tests run both)
-     VM_API, VM_INLINE    linkage of the functions, default static inline (forced where loops must vectorise)
-     VM_SQRT, VM_FLOOR .. the functions of the C library that are used (all of them, if any)
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
-                          and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where no bound below holds
-   On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
-   below nor symmetry to the bit hold: -fexcess-precision=standard, or -msse2 -mfpmath=sse, mends it.
+     VM_USE_FLOAT         float instead of double; the tests run both
+     VM_API               linkage of every function, default static inline
+     VM_INLINE            linkage of the functions that are fast only if they are inlined; VM_API makes smaller code
+                          with the same results
+     VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
+                          the functions of the C library that are used; define all four or none.
+                          They are exact, so that results are the same on every machine where the compiler does not
+                          contract products and sums
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
+                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
+                          take no RAM
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where none of the bounds below holds
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
-     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
-     vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
+     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
+     below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
 
-   ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md, cost.md), inputs taken as exact
-     sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and 2^40 K (float 1e4, 2^17 K); from K/eps on u
-                  holds no phase, and sn = 0, cn = dn = 1. Relative error <= 8 ulp for |u| <= 100 K, at and
-                  next to the zeros too (float: but for u within 1/2000 ulp of one, where K's words end at 2^-55). A
-                  plan is as accurate.
-     others       K and E <= 2 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients and am 8 ulp;
-                  solvers: m and m1 within 4 ulp and what one ulp of c moves them.
-     Time         in units of the C library's sin in a row of independent calls (in a chain, where each waits for the
-                  one before), gcc -O2, without fused multiply-adds: K 1.3 (1.5), E 1.5 (1.4); sn+cn+dn for |u| < K/2
-                  2.5 to 2.8 (2), for |u| < 2K 6.3 to 6.9 (3.6), to 1e9 13 to 15 (6); by a plan 2.5 (1.6), for
-                  m > 0.955 and m < -21.5 5.2 (3.1); in an array 0.6, or there 1.1, by gcc -O3 -march=native, 1.2
-                  or 5.7 by -O2; solve_kpK 4.4 to 43; preparing a plan about 180.
-     Size         a plan has 304 bytes (float 112); the largest stack frame is about 1 kB.
+   ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
+     sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative
+                  error <= 8 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
+                  within 1/2000 ulp of a zero). A plan is as accurate. From |u| = K/eps on, u contains no phase: then
+                  sn = 0 and cn = dn = 1.
+     K, E         <= 2 ulp
+     k'K          <= 4 ulp
+     means        <= 8 ulp
+     quotients    <= 8 ulp, the amplitude too
+     solvers      m and m1 within 4 ulp and what one ulp of c moves them
+
+   COST
+     docs/cost.md has the times, docs/counts.md the instructions of each function. K takes one or two sines, sn, cn
+     and dn together three to seven for |u| < 2K, by a plan two to five, in arrays one or less. A jacobi_plan has 304
+     bytes (float 112). The largest stack frame is about 1 kB.
 
    REFERENCES
      [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.

@@ -146,6 +146,7 @@
 #include "scenes/forces.h"
 #include "scenes/effects.h"
 #include "scenes/mass.h"
+#include "scenes/mass_of_time.h"
 #include "scenes/streams.h"
 #include "scenes/band.h"
 #include "scenes/links.h"

@@ -163,12 +163,12 @@ static void null_rotor(void)
     piece.alpha = R(0.1);
     STATUS(3, vm_broken_rotor_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_broken_rotor, &rotor)));
     STATUS(3, vm_broken_rotor_polar_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_broken_rotor, &rotor)));
-    STATUS(3, vm_broken_rotor_free_motion(1, IN(0, vm_broken_rotor, &round), IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_broken_rotor_free_motion(IN(0, vm_broken_rotor, &round), 1, IN(1, vm_real, y), X(2, vm_real)));
     STATUS(3, vm_broken_rotor_orbit(IN(0, vm_broken_rotor, &round), IN(1, vm_real, y), X(2, vm_real)));
     STATUS(4, vm_broken_rotor_break_off(IN(0, vm_broken_rotor, &round), IN(1, vm_real, y), IN(2, vm_broken_rotor_piece, &piece),
                                  X(3, vm_broken_rotor_break)));
-    STATUS(3, vm_broken_rotor_linear(1, IN(0, vm_broken_rotor, &bent), IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(3, vm_broken_rotor_linear_uncoupled(1, IN(0, vm_broken_rotor, &bent), IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_broken_rotor_linear(IN(0, vm_broken_rotor, &bent), 1, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_broken_rotor_linear_uncoupled(IN(0, vm_broken_rotor, &bent), 1, IN(1, vm_real, y), X(2, vm_real)));
     STATUS(2, vm_broken_rotor_to_polar(IN(0, vm_real, y), X(1, vm_real)));
     STATUS(2, vm_broken_rotor_from_polar(IN(0, vm_real, y), X(1, vm_real)));
     NUMBER(1, vm_broken_rotor_steady_radius(IN(0, vm_broken_rotor, &bent), 1));
@@ -176,7 +176,7 @@ static void null_rotor(void)
     STATUS(3, vm_broken_rotor_eigenvalues(IN(0, vm_broken_rotor, &bent), 1, X(1, vm_real), X(2, vm_real)));
     STATUS(2, vm_broken_rotor_routh(IN(0, vm_broken_rotor, &bent), 1, X(1, vm_real)));
     ANSWER(1, vm_broken_rotor_is_stable(IN(0, vm_broken_rotor, &bent), 1));
-    NUMBER(1, vm_broken_rotor_resonance_radius(1, IN(0, vm_broken_rotor, &bent), 3));
+    NUMBER(1, vm_broken_rotor_resonance_radius(IN(0, vm_broken_rotor, &bent), 1, 3));
 }
 
 static void null_lagrange(void)
@@ -264,8 +264,8 @@ static void null_streams(void)
     CHECK(vm_translation_rhs(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
     CHECK(vm_flow1_rhs(0, y, null_output[0], &flow1) == VM_BAD_ARGUMENT);
     CHECK(vm_flow2_rhs(0, y, null_output[0], &flow2) == VM_BAD_ARGUMENT);
-    STATUS(3, vm_linear_flow(1, 0, 1, 2, 0, IN(0, vm_stream1, &line), X(1, vm_real), X(2, vm_real)));
-    STATUS(2, vm_jet_damping(1, IN(0, vm_jet, &jet), zero, X(1, vm_vec3)));
+    STATUS(3, vm_linear_flow(IN(0, vm_stream1, &line), 1, 0, 1, 2, 0, X(1, vm_real), X(2, vm_real)));
+    STATUS(2, vm_jet_damping(IN(0, vm_jet, &jet), 1, zero, X(1, vm_vec3)));
 }
 
 static void null_drum(void)
@@ -273,18 +273,18 @@ static void null_drum(void)
     static const vm_real y[6] = {R(0.1), 0, 0, 0, R(0.2), 1};
     vm_drum d = {R(0.3), 20, R(0.9), R(0.45), R(0.9), R(0.05), 2000, 3};
     vm_drum_shaft shaft;
-    STATUS(2, vm_drum_at(1, IN(0, vm_drum, &d), X(1, vm_drum_geometry)));
+    STATUS(2, vm_drum_at(IN(0, vm_drum, &d), 1, X(1, vm_drum_geometry)));
     STATUS(3, vm_drum_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
     STATUS(3, vm_drum_rhs_reduced(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
     STATUS(3, vm_drum_rhs_angle(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
-    NUMBER(1, vm_drum_rate(1, IN(0, vm_drum, &d)));
-    NUMBER(1, vm_drum_time(1, IN(0, vm_drum, &d)));
-    NUMBER(1, vm_drum_angle(1, IN(0, vm_drum, &d)));
+    NUMBER(1, vm_drum_rate(IN(0, vm_drum, &d), 1));
+    NUMBER(1, vm_drum_time(IN(0, vm_drum, &d), 1));
+    NUMBER(1, vm_drum_angle(IN(0, vm_drum, &d), 1));
     NUMBER(1, vm_drum_stop(IN(0, vm_drum, &d)));
-    NUMBER(1, vm_drum_angle_lambert(R(0.1), IN(0, vm_drum, &d)));
-    STATUS(2, vm_drum_shaft_init(IN(0, vm_drum, &d), IO(1, vm_drum_shaft, &shaft)));
-    CHECK(vm_drum_shaft_init(&d, &shaft) == VM_OK);
-    NUMBER(1, vm_drum_deflection(1, IN(0, vm_drum_shaft, &shaft), 1, 0, 0));
+    NUMBER(1, vm_drum_angle_lambert(IN(0, vm_drum, &d), R(0.1)));
+    STATUS(2, vm_drum_shaft_init(IO(1, vm_drum_shaft, &shaft), IN(0, vm_drum, &d)));
+    CHECK(vm_drum_shaft_init(&shaft, &d) == VM_OK);
+    NUMBER(1, vm_drum_deflection(IN(0, vm_drum_shaft, &shaft), 1, 1, 0, 0));
     ANSWER(1, vm_drum_shaft_valid(IN(0, vm_drum_shaft, &shaft)));
 }
 
@@ -521,6 +521,7 @@ static void null_parts_of_scenes(void)
 {
     const vm_vec3 zero = {0, 0, 0};
     const vm_band band = {R(0.5), R(0.01), R(0.1), 7, 0, 1, 0};
+    const vm_law growth = vm_law_linear(2, 1);
     vm_body body = a_body(2), part;
     vm_stream stream;
     vm_effect mass;
@@ -536,6 +537,7 @@ static void null_parts_of_scenes(void)
     STATUS(1, effect_in_scene(vm_effect_custom(0, VM_GROUND, CALLBACK(0, null_apply), NULL)));
     STATUS(1, effect_in_scene(vm_effect_link(2, VM_GROUND, CALLBACK(0, null_point), NULL, 1, 0, 1)));
     STATUS(1, effect_in_scene(vm_effect_mass_law(0, CALLBACK(0, null_mass), NULL, zero, 1)));
+    STATUS(1, effect_in_scene(vm_effect_mass_of_time(0, IN(0, vm_law, &growth), zero, 1)));
     STATUS(1, effect_in_scene(vm_effect_stream_mass(4, IN(0, vm_stream, &stream))));
     STATUS(1, effect_in_scene(vm_effect_stream_force(4, IN(0, vm_stream, &stream))));
     STATUS(1, effect_in_scene(vm_effect_stream_moment(4, IN(0, vm_stream, &stream))));

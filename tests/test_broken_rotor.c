@@ -25,7 +25,7 @@ static void test_case_C1(void)
     vm_real start[6], end[6], abcd[4];
     double A, B, C, D;
     set_state(start, 0.3, -0.2, 0, 0.5, 0.4, 0);
-    CHECK(vm_broken_rotor_orbit(&r, start, abcd) == VM_OK && vm_broken_rotor_free_motion(R(t), &r, start, end) == VM_OK);
+    CHECK(vm_broken_rotor_orbit(&r, start, abcd) == VM_OK && vm_broken_rotor_free_motion(&r, R(t), start, end) == VM_OK);
     check_case("A0 (51)", "C1", abcd[0], 0.2676470588235294117647, 1, 1);
     check_case("B0 (51)", "C1", abcd[1], -0.2470588235294117647059, 1, 1);
     check_case("C0 (51)", "C1", abcd[2], 0.03235294117647058823529, 1, 1);
@@ -61,10 +61,10 @@ static void test_free_motion(void)
         if (i % 5 == 3) r.torque = 0;
         random_state(start, 1, 1);
         memcpy(z, start, sizeof z);
-        CHECK(vm_broken_rotor_free_motion(R(t), &r, start, y) == VM_OK && integrate(vm_broken_rotor_rhs, &r, z, t) >= 0);
+        CHECK(vm_broken_rotor_free_motion(&r, R(t), start, y) == VM_OK && integrate(vm_broken_rotor_rhs, &r, z, t) >= 0);
         check_error("(46)", "integrated", "tol", state_error(y, z), 10, i, t);
         if (!(r.damping > R(0.3) * r.inertia) || r.torque == 0) continue;
-        CHECK(vm_broken_rotor_free_motion(400 * r.inertia / r.damping, &r, start, y) == VM_OK);
+        CHECK(vm_broken_rotor_free_motion(&r, 400 * r.inertia / r.damping, start, y) == VM_OK);
         final = (double)(r.torque / r.damping);
         check_case("Omega_b (47)", "free", y[5], final, fabs(final), 4);
     }
@@ -447,7 +447,7 @@ static const struct {
 #include "data/rotor_linear.h"
 };
 
-typedef int linear_motion(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end);
+typedef int linear_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end);
 
 /* The coupled form is all of (69). The uncoupled one is (70)-(72), without the last term of (69). */
 static linear_motion *linear_form(int coupled)
@@ -470,7 +470,7 @@ static void test_linear_reference(void)
         set_state(y, p[0], p[1], p[2], p[3], p[4], p[5]);
         for (k = 0; k < 6; k++)
             beyond_range = beyond_range || linear_cases[i].condition[k] > 0.01 * (double)VM_MAX;
-        status = linear_form(coupled)(R(t), &r, y, y);
+        status = linear_form(coupled)(&r, R(t), y, y);
         if (beyond_range) continue;
         CHECK(status == VM_OK);
         for (k = 0; k < 6; k++) {
@@ -501,10 +501,10 @@ static void check_through_zero(int which, int side, int coupled)
     int i;
     set_state(start, 0.1, -0.05, 0.15, 0.07, 0.11, 0.4);
     set_parameter(&zero, which, 0);
-    CHECK(linear_form(coupled)(3, &zero, start, z) == VM_OK);
+    CHECK(linear_form(coupled)(&zero, 3, start, z) == VM_OK);
     for (size = 1e-3; size > eps * eps; size /= 10) {
         set_parameter(&r, which, side * size);
-        CHECK(linear_form(coupled)(3, &r, start, y) == VM_OK);
+        CHECK(linear_form(coupled)(&r, 3, start, y) == VM_OK);
         for (i = 0; i < 6; i++)
             check_error(names[which], "through zero", "shift", fabs((double)(y[i] - z[i])) / (size + 4 * eps), 8,
                         side * size, coupled);
@@ -547,7 +547,7 @@ static void test_case_C4(void)
     const vm_broken_rotor r = rotor_of(1.69, 0.2, 1, 0.35, 0.35 * 0.9);
     vm_real start[6], y[6];
     start_C4(start);
-    CHECK(vm_broken_rotor_linear_uncoupled(2, &r, start, y) == VM_OK);
+    CHECK(vm_broken_rotor_linear_uncoupled(&r, 2, start, y) == VM_OK);
     check_case("x (70)", "C4", y[0], -0.4293088598356822497793, 1, 2);
     check_case("y (71)", "C4", y[1], -0.1248708354566459698133, 1, 2);
     check_case("psi' (72)", "C4", y[5], 0.6517073481042952426476, 1, 2);
@@ -568,7 +568,7 @@ static void test_linear_motion(void)
         p[4] = p[3] * Omega;
         r = rotor_of(p[0], p[1], p[2], p[3], p[4]);
         t = uniform(0.1, 5);
-        CHECK(vm_broken_rotor_linear_uncoupled(R(t), &r, start, y) == VM_OK);
+        CHECK(vm_broken_rotor_linear_uncoupled(&r, R(t), start, y) == VM_OK);
         printed_linear(p, C4_start, Omega, t, &x, &y_71, &rate);
         check_case("x (70)", "printed", y[0], x, 1 + p[1], 4);
         check_case("y (71)", "printed", y[1], y_71, 10 / p[3], 4);
@@ -577,7 +577,7 @@ static void test_linear_motion(void)
             p[5] = coupled;
             memcpy(z, start, sizeof z);
             CHECK(integrate(rhs_69, p, z, t) >= 0);
-            CHECK(linear_form(coupled)(R(t), &r, start, y) == VM_OK);
+            CHECK(linear_form(coupled)(&r, R(t), start, y) == VM_OK);
             check_error("(69)", coupled ? "coupled" : "uncoupled", "tol",
                         state_error(y, z) / (1 + fabs((double)z[1])), 4, t, i);
         }
@@ -592,16 +592,16 @@ static void test_linear_range(void)
     vm_real start[6], y[6], z[6];
     double error;
     set_state(start, 0, 0, 0.5, 0, 0, 0);
-    CHECK(vm_broken_rotor_linear_uncoupled(3, &r, start, y) == VM_OK && vm_broken_rotor_linear(3, &r, start, z) == VM_OK);
+    CHECK(vm_broken_rotor_linear_uncoupled(&r, 3, start, y) == VM_OK && vm_broken_rotor_linear(&r, 3, start, z) == VM_OK);
     ERRATUM("(71),(72)",
             fabs((double)(y[1] - z[1]) - 0.14764) < 1e-4 && fabs((double)(y[5] - z[5]) + 1.20598) < 1e-4,
             check_holds("(69)"));
     memcpy(z, start, sizeof z);
-    CHECK(vm_broken_rotor_linear(R(0.5), &r, start, y) == VM_OK && integrate(vm_broken_rotor_rhs, &r, z, 0.5) >= 0);
+    CHECK(vm_broken_rotor_linear(&r, R(0.5), start, y) == VM_OK && integrate(vm_broken_rotor_rhs, &r, z, 0.5) >= 0);
     error = fabs((double)(y[0] - z[0]));
     CHECK(error < 0.01 && error > 0.001);
     memcpy(z, start, sizeof z);
-    CHECK(vm_broken_rotor_linear(3, &r, start, y) == VM_OK && integrate(vm_broken_rotor_rhs, &r, z, 3) >= 0);
+    CHECK(vm_broken_rotor_linear(&r, 3, start, y) == VM_OK && integrate(vm_broken_rotor_rhs, &r, z, 3) >= 0);
     CHECK(fabs((double)(y[0] - z[0])) > 0.1);
 }
 
@@ -643,11 +643,11 @@ static void check_rotor_refused(const vm_broken_rotor *r, int expected)
     memset(&b, 1, sizeof b);
     memset(&b_kept, 1, sizeof b_kept);
     good_start(start);
-    CHECK(vm_broken_rotor_free_motion(1, r, start, y) == expected && vm_broken_rotor_linear(1, r, start, y) == expected);
-    CHECK(vm_broken_rotor_linear_uncoupled(1, r, start, y) == expected && vm_broken_rotor_orbit(r, start, y) == expected);
+    CHECK(vm_broken_rotor_free_motion(r, 1, start, y) == expected && vm_broken_rotor_linear(r, 1, start, y) == expected);
+    CHECK(vm_broken_rotor_linear_uncoupled(r, 1, start, y) == expected && vm_broken_rotor_orbit(r, start, y) == expected);
     CHECK(vm_broken_rotor_characteristic(r, 1, y) == expected && vm_broken_rotor_routh(r, 1, y) == expected);
     CHECK(vm_broken_rotor_eigenvalues(r, 1, y, y) == expected && vm_broken_rotor_is_stable(r, 0) == 0);
-    CHECK(isnan(vm_broken_rotor_steady_radius(r, 1)) && isnan(vm_broken_rotor_resonance_radius(1, r, 9)));
+    CHECK(isnan(vm_broken_rotor_steady_radius(r, 1)) && isnan(vm_broken_rotor_resonance_radius(r, 1, 9)));
     CHECK(vm_broken_rotor_break_off(r, start, &good_piece, &b) == expected);
     CHECK(memcmp(y, kept, sizeof y) == 0 && memcmp(&b, &b_kept, sizeof b) == 0);
 }
@@ -655,7 +655,7 @@ static void check_rotor_refused(const vm_broken_rotor *r, int expected)
 static void test_bad_rotors(void)
 {
     const int expected[] = {VM_NOT_FINITE, VM_NOT_FINITE, VM_NOT_FINITE, VM_NOT_FINITE, VM_NOT_FINITE,
-                            VM_NOT_FINITE, VM_BAD_MASS,   VM_BAD_INERTIA, VM_DOMAIN};
+                            VM_NOT_FINITE, VM_BAD_MASS,   VM_BAD_INERTIA, VM_BAD_STIFFNESS};
     vm_broken_rotor bad[9];
     int i;
     for (i = 0; i < 9; i++) bad[i] = good_rotor;
@@ -711,16 +711,16 @@ static void test_domain(void)
     vm_broken_rotor_break b;
     good_start(start);
     r.s = 1;
-    CHECK(vm_broken_rotor_break_off(&r, start, &good_piece, &b) == VM_DOMAIN && vm_broken_rotor_free_motion(1, &r, start, y) == VM_DOMAIN);
+    CHECK(vm_broken_rotor_break_off(&r, start, &good_piece, &b) == VM_DOMAIN && vm_broken_rotor_free_motion(&r, 1, start, y) == VM_DOMAIN);
     r.s = VM_INFINITY;
-    CHECK(vm_broken_rotor_free_motion(1, &r, start, y) == VM_NOT_FINITE);
+    CHECK(vm_broken_rotor_free_motion(&r, 1, start, y) == VM_NOT_FINITE);
     r.s = 0;
     r.stiffness = 0;
-    CHECK(vm_broken_rotor_orbit(&r, start, y) == VM_DOMAIN);
+    CHECK(vm_broken_rotor_orbit(&r, start, y) == VM_BAD_STIFFNESS);
     r.s = 1;
     r.stiffness = 1;
     r.inertia = R(1e-3); /* the motion grows as exp(21 t) */
-    CHECK(vm_broken_rotor_linear(1000, &r, start, y) == VM_NOT_FINITE);
+    CHECK(vm_broken_rotor_linear(&r, 1000, start, y) == VM_NOT_FINITE);
     CHECK(memcmp(y, kept, sizeof y) == 0);
 }
 
@@ -730,10 +730,10 @@ static void test_bad_arguments(void)
     const vm_real kept[6] = {7, 7, 7, 7, 7, 7};
     vm_real start[6], y[6] = {7, 7, 7, 7, 7, 7};
     good_start(start);
-    CHECK(vm_broken_rotor_free_motion(VM_NAN, good, start, y) == VM_NOT_FINITE);
-    CHECK(vm_broken_rotor_free_motion(1, NULL, start, y) == VM_BAD_ARGUMENT);
-    CHECK(vm_broken_rotor_free_motion(1, good, NULL, y) == VM_BAD_ARGUMENT);
-    CHECK(vm_broken_rotor_free_motion(1, good, start, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_free_motion(good, VM_NAN, start, y) == VM_NOT_FINITE);
+    CHECK(vm_broken_rotor_free_motion(NULL, 1, start, y) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_free_motion(good, 1, NULL, y) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_free_motion(good, 1, start, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_broken_rotor_orbit(NULL, start, y) == VM_BAD_ARGUMENT && vm_broken_rotor_orbit(good, NULL, y) == VM_BAD_ARGUMENT);
     CHECK(vm_broken_rotor_characteristic(good, VM_NAN, y) == VM_NOT_FINITE);
     CHECK(vm_broken_rotor_characteristic(NULL, 1, y) == VM_BAD_ARGUMENT);
@@ -741,7 +741,7 @@ static void test_bad_arguments(void)
     CHECK(vm_broken_rotor_eigenvalues(good, 1, y, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_broken_rotor_to_polar(NULL, y) == VM_BAD_ARGUMENT && vm_broken_rotor_from_polar(y, NULL) == VM_BAD_ARGUMENT);
     start[3] = VM_NAN;
-    CHECK(vm_broken_rotor_free_motion(1, good, start, y) == VM_NOT_FINITE && vm_broken_rotor_orbit(good, start, y) == VM_NOT_FINITE);
+    CHECK(vm_broken_rotor_free_motion(good, 1, start, y) == VM_NOT_FINITE && vm_broken_rotor_orbit(good, start, y) == VM_NOT_FINITE);
     CHECK(vm_broken_rotor_to_polar(start, y) == VM_NOT_FINITE && vm_broken_rotor_from_polar(start, y) == VM_NOT_FINITE);
     CHECK(memcmp(y, kept, sizeof y) == 0);
     CHECK(strcmp(vm_strerror(VM_DOMAIN), vm_strerror(-99)) != 0);
@@ -797,16 +797,16 @@ static int check_hostile_motion(const vm_broken_rotor *r, const vm_real *start, 
     vm_real y[OUTPUTS];
     int good = 0;
     memcpy(y, untouched, sizeof y);
-    good += check_outcome(vm_broken_rotor_free_motion(t, r, start, y), y, 6);
-    good += check_outcome(vm_broken_rotor_linear(t, r, start, y), y, 6);
-    good += check_outcome(vm_broken_rotor_linear_uncoupled(t, r, start, y), y, 6);
+    good += check_outcome(vm_broken_rotor_free_motion(r, t, start, y), y, 6);
+    good += check_outcome(vm_broken_rotor_linear(r, t, start, y), y, 6);
+    good += check_outcome(vm_broken_rotor_linear_uncoupled(r, t, start, y), y, 6);
     good += check_outcome(vm_broken_rotor_orbit(r, start, y), y, 4);
     good += check_outcome(vm_broken_rotor_to_polar(start, y), y, 6);
     good += check_outcome(vm_broken_rotor_from_polar(start, y), y, 6);
     good += check_outcome(vm_broken_rotor_characteristic(r, Omega, y), y, 6);
     good += check_outcome(vm_broken_rotor_routh(r, Omega, y), y, 6);
     good += check_outcome(vm_broken_rotor_eigenvalues(r, Omega, y, y + 5), y, 10);
-    CHECK(!(vm_broken_rotor_resonance_radius(t, r, Omega) < 0));
+    CHECK(!(vm_broken_rotor_resonance_radius(r, t, Omega) < 0));
     return good;
 }
 

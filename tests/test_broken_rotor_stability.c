@@ -133,7 +133,7 @@ static void test_exact_criterion(void)
                     Omega, mass);
         r.stiffness = above;
         CHECK(vm_broken_rotor_is_stable(&r, R(Omega)) && vm_broken_rotor_is_stable(&r, R(-Omega)) && vm_broken_rotor_steady_radius(&r, R(Omega)) > 0);
-        CHECK(isnan(vm_broken_rotor_resonance_radius(1, &r, R(Omega))));
+        CHECK(isnan(vm_broken_rotor_resonance_radius(&r, 1, R(Omega))));
     }
 }
 
@@ -486,7 +486,7 @@ static void test_fig18(void)
     CHECK(fabs(radius_at(2.5, 1, 400) - 12.437359) < slack && fabs(root_law(400) - 12.247449) < 1e-6);
     for (i = 0; i < 3; i++) {
         const vm_broken_rotor r = fig18_rotor(at[i]);
-        const double growth = (double)vm_broken_rotor_resonance_radius(400, &r, R(at[i])), radius = radius_at(at[i], 1, 400);
+        const double growth = (double)vm_broken_rotor_resonance_radius(&r, 400, R(at[i])), radius = radius_at(at[i], 1, 400);
         CHECK(fabs(growth - radius) < 2e-3);
         CHECK(fabs(cube_law(1, 400) - radius) > 0.1);
     }
@@ -496,9 +496,9 @@ static void test_fig18(void)
 static void check_growth_law(const vm_broken_rotor *r, double Omega, double t)
 {
     const double A = (double)(R(Omega) - 1) / 8, B = 0.5 / 16, h = is_float ? 0.02 : 1e-4;
-    const double low = (double)vm_broken_rotor_resonance_radius(R(t * (1 - h)), r, R(Omega)) - 0.125;
-    const double high = (double)vm_broken_rotor_resonance_radius(R(t * (1 + h)), r, R(Omega)) - 0.125;
-    const double at = (double)vm_broken_rotor_resonance_radius(R(t), r, R(Omega)) - 0.125, slope = (high - low) / (2 * h * t);
+    const double low = (double)vm_broken_rotor_resonance_radius(r, R(t * (1 - h)), R(Omega)) - 0.125;
+    const double high = (double)vm_broken_rotor_resonance_radius(r, R(t * (1 + h)), R(Omega)) - 0.125;
+    const double at = (double)vm_broken_rotor_resonance_radius(r, R(t), R(Omega)) - 0.125, slope = (high - low) / (2 * h * t);
     check_error("R R' = A + B/R", "growth", "h^2", fabs(at * slope / (A + B / at) - 1) / (h * h), 1, Omega, t);
 }
 
@@ -508,14 +508,14 @@ static void test_growth(void)
     double Omega, t;
     for (Omega = 1; Omega < 1e3; Omega = 1 + (Omega - 1 + eps) * 3)
         for (t = 0.01; t < 1e9; t *= 10) check_growth_law(&r, Omega, t);
-    CHECK(fabs((double)vm_broken_rotor_resonance_radius(400, &r, 1) - 0.125 - cube_law(1, 400)) < 8 * eps * 4);
-    CHECK(fabs(((double)vm_broken_rotor_resonance_radius(R(1e8), &r, R(2.5)) - 0.125) / root_law(1e8) - 1) < 1e-4);
-    CHECK((double)vm_broken_rotor_resonance_radius(0, &r, R(2.5)) == 0.125);
+    CHECK(fabs((double)vm_broken_rotor_resonance_radius(&r, 400, 1) - 0.125 - cube_law(1, 400)) < 8 * eps * 4);
+    CHECK(fabs(((double)vm_broken_rotor_resonance_radius(&r, R(1e8), R(2.5)) - 0.125) / root_law(1e8) - 1) < 1e-4);
+    CHECK((double)vm_broken_rotor_resonance_radius(&r, 0, R(2.5)) == 0.125);
     r.s = 0;
-    CHECK(fabs((double)vm_broken_rotor_resonance_radius(400, &r, R(2.5)) / root_law(400) - 1) < 4 * eps);
-    CHECK(isnan(vm_broken_rotor_resonance_radius(400, &r, R(0.5))) && isnan(vm_broken_rotor_resonance_radius(-1, &r, 2)));
+    CHECK(fabs((double)vm_broken_rotor_resonance_radius(&r, 400, R(2.5)) / root_law(400) - 1) < 4 * eps);
+    CHECK(isnan(vm_broken_rotor_resonance_radius(&r, 400, R(0.5))) && isnan(vm_broken_rotor_resonance_radius(&r, -1, 2)));
     r.damping = 0;
-    CHECK(vm_broken_rotor_resonance_radius(400, &r, R(2.5)) == 0);
+    CHECK(vm_broken_rotor_resonance_radius(&r, 400, R(2.5)) == 0);
 }
 
 int main(void)

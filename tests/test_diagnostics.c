@@ -79,7 +79,8 @@ static void test_bad_input(void)
     CHECK(vm_find_samples(cosine_motion, NULL, 0, 0, 1, -1, 0, NULL) == VM_NOT_FINITE);
     CHECK(vm_find_samples(cosine_motion, NULL, 0, 0, VM_INFINITY, 1, 0, NULL) == VM_NOT_FINITE);
     CHECK(vm_find_samples(cosine_motion, NULL, 0, 0, 1, VM_NAN, 0, NULL) == VM_NOT_FINITE);
-    CHECK(vm_find_samples_of_step(NULL, 0, 1, 0, y, 0, NULL) == VM_BAD_ARGUMENT);
+        CHECK(vm_find_samples_of_step(NULL, 0, 1, 0, y, 0, NULL) == VM_BAD_ARGUMENT);
+
 }
 
 /* (1 + 0.1 t)^-exponent, where ctx points to the exponent */
@@ -87,6 +88,17 @@ static vm_real power_law(vm_real t, void *ctx)
 {
     const vm_real exponent = *(const vm_real *)ctx;
     return vmi_pow_checked(1 + VM_C(0.1) * t, -exponent);
+}
+
+/* A sample that is no number is not lost where others follow it. */
+static void test_envelope_of_no_number(void)
+{
+    vm_sample samples[2] = {{0, VM_NAN, 0}, {1, 1, 0}};
+    vm_real exponent = 1;
+    CHECK(is_nan(vm_envelope_error(VM_TURNING_POINTS, 2, samples, power_law, &exponent)));
+    samples[0].x = 1;
+    CHECK(vm_envelope_error(VM_TURNING_POINTS, 2, samples, power_law, &exponent) > 0);
+    CHECK(is_nan(vm_envelope_error(VM_TURNING_POINTS, -1, samples, power_law, &exponent)));
 }
 
 /* Example 1 (398): the reference motion E1, and the errors of the envelopes (399) and (400) */
@@ -156,6 +168,7 @@ int main(void)
     test_zero_crossings();
     test_points_of_a_run();
     test_bad_input();
+    test_envelope_of_no_number();
     test_envelopes();
     test_adiabaticity();
     return check_finish("diagnostics");

@@ -32,7 +32,7 @@ static void test_geometry(void)
     const double printed_offset = 0.0372729, phi = 2.1, mu = 0.45, M = 20.945;
     double sum[3], x, y;
     vm_drum_geometry g;
-    CHECK(vm_drum_at(R(phi), &d, &g) == VM_OK);
+    CHECK(vm_drum_at(&d, R(phi), &g) == VM_OK);
     close_to("mu (181)", "F1", (double)vm_drum_band(R(0.3), R(0.002), R(0.5), R(1500)), mu, mu);
     close_to("M (180), (182)", "F1", (double)g.mass, M, M);
     close_to("SS' (184)", "F1", (double)g.arc_centre, 0.2478352073125762555375, 0.25);
@@ -48,9 +48,9 @@ static void test_geometry(void)
     CHECK(fabs(1.1 + sum[2] - M * (x * x + y * y) - (double)g.inertia) < 1e-6);
     CHECK(fabs(2 * mu / M * sin(phi / 2) - printed_offset) < 1e-7); /* (185) is printed without the factor R */
     ERRATUM("(185)", printed_offset > 3.3 * hypot(x, y), check_holds("SS1 (185)"));
-    CHECK(vm_drum_at(R(0.5), &d, &g) == VM_OK);
+    CHECK(vm_drum_at(&d, R(0.5), &g) == VM_OK);
     close_to("SS' (184)", "phi = 1/2", (double)g.arc_centre, 1.2 * sin(0.25), 0.3);
-    CHECK(vm_drum_at(0, &d, &g) == VM_OK && g.offset == 0 && g.arc_centre == d.radius && g.inertia == d.inertia);
+    CHECK(vm_drum_at(&d, 0, &g) == VM_OK && g.offset == 0 && g.arc_centre == d.radius && g.inertia == d.inertia);
 }
 
 static void test_geometry_refusals(void)
@@ -71,9 +71,9 @@ static void test_geometry_refusals(void)
     bad[4].mass = VM_NAN;
     bad[5].inertia = VM_INFINITY;
     bad[6].radius = VM_NAN;
-    for (i = 0; i < 7; i++) CHECK(vm_drum_at(1, &bad[i], &g) == expected[i] && memcmp(&g, &kept, sizeof g) == 0);
-    CHECK(vm_drum_at(-1, &d, &g) == VM_BAD_ARGUMENT && vm_drum_at(VM_NAN, &d, &g) == VM_NOT_FINITE);
-    CHECK(vm_drum_at(1, NULL, &g) == VM_BAD_ARGUMENT && vm_drum_at(1, &d, NULL) == VM_BAD_ARGUMENT);
+    for (i = 0; i < 7; i++) CHECK(vm_drum_at(&bad[i], 1, &g) == expected[i] && memcmp(&g, &kept, sizeof g) == 0);
+    CHECK(vm_drum_at(&d, -1, &g) == VM_DOMAIN && vm_drum_at(&d, VM_NAN, &g) == VM_NOT_FINITE);
+    CHECK(vm_drum_at(NULL, 1, &g) == VM_BAD_ARGUMENT && vm_drum_at(&d, 1, NULL) == VM_BAD_ARGUMENT);
     CHECK(memcmp(&g, &kept, sizeof g) == 0);
 }
 
@@ -84,8 +84,8 @@ static void test_geometry_extremes(void)
     const vm_drum light = drum_of(1, tiny, tiny, tiny, 0, 0, 1, 1);
     const vm_real least = VM_MIN * VM_EPSILON;
     vm_drum_geometry g;
-    CHECK(vm_drum_at(least, &light, &g) == VM_OK && g.arc_centre == 1);
-    CHECK(vm_drum_at(1, &light, &g) == VM_OK);
+    CHECK(vm_drum_at(&light, least, &g) == VM_OK && g.arc_centre == 1);
+    CHECK(vm_drum_at(&light, 1, &g) == VM_OK);
     close_to("J_S1 (188)", "tiny", (double)g.inertia / tiny, 2 - 2 * s * s, 1.5);
 }
 
@@ -220,7 +220,7 @@ static void test_spring_torque(void)
     const double x = 0.02, y = -0.015, c = 500, want = -0.1387224504627258177371;
     vm_drum_geometry g;
     double rx, ry, torque, printed;
-    CHECK(vm_drum_at(R(2.1), &d, &g) == VM_OK);
+    CHECK(vm_drum_at(&d, R(2.1), &g) == VM_OK);
     rx = (double)g.offset * cos(1.05);
     ry = (double)g.offset * sin(1.05); /* S1 - S */
     torque = -rx * -c * (y - ry) + ry * -c * (x - rx);
@@ -364,11 +364,11 @@ static void test_rigid_table(void)
                             rows[i].omega);
         if (!representable(rows[i].radius) || !representable(rows[i].inertia) || !representable(phi)) continue;
         check_error("rate (196)", rows[i].region, "ulp",
-                    ERROR_ULP(vm_drum_rate(R(phi), &d), rows[i].rate, rows[i].rate_low), 1.2, phi, t);
+                    ERROR_ULP(vm_drum_rate(&d, R(phi)), rows[i].rate, rows[i].rate_low), 1.2, phi, t);
         check_error("time (197)", rows[i].region, "ulp",
-                    ERROR_ULP(vm_drum_time(R(phi), &d), rows[i].time, rows[i].time_low), 3, phi, t);
+                    ERROR_ULP(vm_drum_time(&d, R(phi)), rows[i].time, rows[i].time_low), 3, phi, t);
         check_error("angle (198)-(207)", rows[i].region, "ulp",
-                    ERROR_ULP(vm_drum_angle(R(t), &d), rows[i].angle, rows[i].angle_low), 2, t, phi);
+                    ERROR_ULP(vm_drum_angle(&d, R(t)), rows[i].angle, rows[i].angle_low), 2, t, phi);
         if (rows[i].stop > 0)
             check_error("stop", rows[i].region, "ulp", ERROR_ULP(vm_drum_stop(&d), rows[i].stop, rows[i].stop_low),
                         1, rows[i].stop, 0);
@@ -394,7 +394,7 @@ static void check_lambert_form(double e, double t, double phi)
     CHECK(fabs(w - (-log(r) - f1 / k1)) < 1e-14 * 4);            /* (200) for the w of (205) */
     CHECK(fabs(w * exp(w) / (-exp(-f1 / k1) / k1) - 1) < 1e-13); /* (202) with (203) corrected */
     check_error("Lambert (198)-(206)", "F3", "eps",
-                fabs((double)vm_drum_angle_lambert(R(t), &d) / phi - 1) / eps, 60, e, t);
+                fabs((double)vm_drum_angle_lambert(&d, R(t)) / phi - 1) / eps, 60, e, t);
 }
 
 static void test_rigid_cases(void)
@@ -414,9 +414,9 @@ static void test_rigid_cases(void)
     for (i = 0; i < sizeof cases / sizeof *cases; i++) {
         const double t = cases[i].t, phi = cases[i].phi;
         const vm_drum d = f3_drum(cases[i].e);
-        close_to("angle (206)", "F3", (double)vm_drum_angle(R(t), &d), phi, phi);
-        close_to("rate (196)", "F3", (double)vm_drum_rate(R(phi), &d), cases[i].rate, 3);
-        close_to("time (197)", "F3", (double)vm_drum_time(R(phi), &d), t, t);
+        close_to("angle (206)", "F3", (double)vm_drum_angle(&d, R(t)), phi, phi);
+        close_to("rate (196)", "F3", (double)vm_drum_rate(&d, R(phi)), cases[i].rate, 3);
+        close_to("time (197)", "F3", (double)vm_drum_time(&d, R(phi)), t, t);
         check_lambert_form(cases[i].e, t, phi);
     }
 }
@@ -435,7 +435,7 @@ static void test_printed_lambert_form(void)
 static void test_uniform_rotation(void)
 {
     const vm_drum d = drum_of(0.3, 1, 0.02, 0.45, 0.9375, 0, 1, 3.125);
-    check_error("angle (207)", "", "ulp", fabs((double)vm_drum_angle(R(1.7), &d) - 3.125 * (double)R(1.7)) / ULP(5.),
+    check_error("angle (207)", "", "ulp", fabs((double)vm_drum_angle(&d, R(1.7)) - 3.125 * (double)R(1.7)) / ULP(5.),
                 2, 1.7, 0);
 }
 
@@ -451,13 +451,13 @@ static void test_rigid_motion(void)
         double phi, rate, slope;
         CHECK(integrate(rigid_rhs, &d, 2, 0, 1.5, y) == 0);
         phi = (double)y[0];
-        rate = (double)vm_drum_rate(R(phi), &d);
-        check_error("angle (194)", "integrated", "", fabs((double)vm_drum_angle(R(1.5), &d) / phi - 1), INTEGRATED,
+        rate = (double)vm_drum_rate(&d, R(phi));
+        check_error("angle (194)", "integrated", "", fabs((double)vm_drum_angle(&d, R(1.5)) / phi - 1), INTEGRATED,
                     e, 0);
         check_error("rate (194)", "integrated", "", fabs(rate / (double)y[1] - 1), INTEGRATED, e, 0);
-        check_error("time (194)", "integrated", "", fabs((double)vm_drum_time(y[0], &d) / 1.5 - 1), INTEGRATED, e,
+        check_error("time (194)", "integrated", "", fabs((double)vm_drum_time(&d, y[0]) / 1.5 - 1), INTEGRATED, e,
                     0);
-        slope = (double)(vm_drum_rate(R(phi + h), &d) - vm_drum_rate(R(phi - h), &d)) / (2 * h);
+        slope = (double)(vm_drum_rate(&d, R(phi + h)) - vm_drum_rate(&d, R(phi - h))) / (2 * h);
         CHECK(fabs((1 + 0.2 * phi) * slope + 0.2 * rate - e) < (is_float ? 1e-4 : 1e-8)); /* (195) */
         if (fabs(e - 0.6) > 0.01) CHECK((rate < 3) == (e < 0.6));
     }
@@ -490,21 +490,21 @@ static void test_rigid_round_trip(void)
         vm_real phi = R(pow(10, uniform(-4, 3))), back, t;
         double drive, x;
         if (phi >= stop) phi = stop * R(uniform(0.001, 0.999));
-        t = vm_drum_time(phi, &d);
-        back = vm_drum_angle(t, &d);
+        t = vm_drum_time(&d, phi);
+        back = vm_drum_angle(&d, t);
         drive = (double)(d.band * d.speed * d.radius) - (double)d.damping;
         x = drive * (double)phi / (double)(d.inertia * d.omega);
         check_error("phi(t(phi))", "", "eps", fabs((double)(back / phi) - 1) / eps / (1 + log1p(fmax(x, 0))), 2,
                     (double)phi, (double)t);
-        CHECK(vm_drum_angle(t * R(1.001), &d) > back || back >= stop * R(0.999));
-        CHECK(vm_drum_angle(t * R(1e9), &d) <= stop);
+        CHECK(vm_drum_angle(&d, t * R(1.001)) > back || back >= stop * R(0.999));
+        CHECK(vm_drum_angle(&d, t * R(1e9)) <= stop);
     }
 }
 
 /* The error of the dissertation's route by Lambert's W, in eps */
 static double error_of_route(const vm_drum *d, double t)
 {
-    return fabs((double)(vm_drum_angle_lambert(R(t), d) / vm_drum_angle(R(t), d)) - 1) / eps;
+    return fabs((double)(vm_drum_angle_lambert(d, R(t)) / vm_drum_angle(d, R(t))) - 1) / eps;
 }
 
 /* The route by Lambert's W loses its digits towards e = 0. Towards k1 = 0 it does not (in float it is NaN where k1 is
@@ -533,11 +533,11 @@ static void test_lambert_route(void)
 static void test_lambert_route_at_zero(void)
 {
     vm_drum d = drum_of(1, 1, 1, 0.25, 4, 0, 1, 4);
-    CHECK(isnan(vm_drum_angle_lambert(1, &d)) && vm_drum_angle(1, &d) == 4);
+    CHECK(isnan(vm_drum_angle_lambert(&d, 1)) && vm_drum_angle(&d, 1) == 4);
     d.speed = 0;
-    CHECK(isnan(vm_drum_angle_lambert(1, &d)));
+    CHECK(isnan(vm_drum_angle_lambert(&d, 1)));
     check_error("angle (206)", "e = 0 and k1 = 0", "eps",
-                fabs((double)vm_drum_angle(1, &d) - 4 * (sqrt(1 + 2.) - 1)) / 4 / eps, 2, 0, 0);
+                fabs((double)vm_drum_angle(&d, 1) - 4 * (sqrt(1 + 2.) - 1)) / 4 / eps, 2, 0, 0);
 }
 
 /* k1 = 1e-3 and f1 = 2.006: the argument of W, exp(-f1/k1)/k1 = 1e-868, underflows to 0, where W_-1 is infinite. From
@@ -555,21 +555,21 @@ static void test_rigid_domain(void)
 {
     const vm_drum good = f3_drum(-0.4);
     const vm_real stop = vm_drum_stop(&good);
-    CHECK(vm_drum_angle(0, &good) == 0 && vm_drum_time(0, &good) == 0 && vm_drum_rate(0, &good) == 3);
-    CHECK(vm_drum_rate(stop, &good) >= 0 || isnan(vm_drum_rate(stop, &good)));
-    CHECK(isnan(vm_drum_rate(stop * R(1.001), &good)));
-    CHECK(isnan(vm_drum_time(stop * R(1.001), &good)));
-    CHECK(vm_drum_time(stop * R(0.999), &good) > 10 && vm_drum_angle(VM_MAX * R(1e-12), &good) <= stop);
-    CHECK(isnan(vm_drum_rate(-1, &good)));
-    CHECK(isnan(vm_drum_time(-1, &good)));
-    CHECK(isnan(vm_drum_angle(-1, &good)));
-    CHECK(isnan(vm_drum_angle(VM_INFINITY, &good)));
-    CHECK(isnan(vm_drum_angle(VM_NAN, &good)));
-    CHECK(isnan(vm_drum_time(VM_INFINITY, &good)));
-    CHECK(isnan(vm_drum_angle_lambert(-1, &good)));
-    CHECK(isnan(vm_drum_angle_lambert(VM_INFINITY, &good)));
-    CHECK(isnan(vm_drum_rate(1, NULL)) && isnan(vm_drum_time(1, NULL)) && isnan(vm_drum_angle(1, NULL)) &&
-          isnan(vm_drum_stop(NULL)) && isnan(vm_drum_angle_lambert(1, NULL)));
+    CHECK(vm_drum_angle(&good, 0) == 0 && vm_drum_time(&good, 0) == 0 && vm_drum_rate(&good, 0) == 3);
+    CHECK(vm_drum_rate(&good, stop) >= 0 || isnan(vm_drum_rate(&good, stop)));
+    CHECK(isnan(vm_drum_rate(&good, stop * R(1.001))));
+    CHECK(isnan(vm_drum_time(&good, stop * R(1.001))));
+    CHECK(vm_drum_time(&good, stop * R(0.999)) > 10 && vm_drum_angle(&good, VM_MAX * R(1e-12)) <= stop);
+    CHECK(isnan(vm_drum_rate(&good, -1)));
+    CHECK(isnan(vm_drum_time(&good, -1)));
+    CHECK(isnan(vm_drum_angle(&good, -1)));
+    CHECK(isnan(vm_drum_angle(&good, VM_INFINITY)));
+    CHECK(isnan(vm_drum_angle(&good, VM_NAN)));
+    CHECK(isnan(vm_drum_time(&good, VM_INFINITY)));
+    CHECK(isnan(vm_drum_angle_lambert(&good, -1)));
+    CHECK(isnan(vm_drum_angle_lambert(&good, VM_INFINITY)));
+    CHECK(isnan(vm_drum_rate(NULL, 1)) && isnan(vm_drum_time(NULL, 1)) && isnan(vm_drum_angle(NULL, 1)) &&
+          isnan(vm_drum_stop(NULL)) && isnan(vm_drum_angle_lambert(NULL, 1)));
 }
 
 /* A parameter that is 0, negative or not finite makes NaN; band and speed may be 0, and speed may be negative. */
@@ -581,19 +581,19 @@ static void test_rigid_parameters(void)
     for (i = 0; i < 4; i++) {
         vm_drum d = driven;
         d.inertia = bad_values[i];
-        CHECK(isnan(vm_drum_angle(1, &d)) && isnan(vm_drum_stop(&d)));
+        CHECK(isnan(vm_drum_angle(&d, 1)) && isnan(vm_drum_stop(&d)));
         d = driven;
         d.omega = bad_values[i];
-        CHECK(isnan(vm_drum_time(1, &d)) && isnan(vm_drum_rate(1, &d)));
-        CHECK(isnan(vm_drum_angle_lambert(1, &d)));
+        CHECK(isnan(vm_drum_time(&d, 1)) && isnan(vm_drum_rate(&d, 1)));
+        CHECK(isnan(vm_drum_angle_lambert(&d, 1)));
         d = driven;
         d.band = bad_values[i];
-        if (bad_values[i] != 0) CHECK(isnan(vm_drum_angle(1, &d)));
+        if (bad_values[i] != 0) CHECK(isnan(vm_drum_angle(&d, 1)));
         d = driven;
         d.speed = bad_values[i];
         if (VM_IS_FINITE(bad_values[i])) continue;
-        CHECK(isnan(vm_drum_angle(1, &d)));
-        CHECK(isnan(vm_drum_angle_lambert(1, &d)));
+        CHECK(isnan(vm_drum_angle(&d, 1)));
+        CHECK(isnan(vm_drum_angle_lambert(&d, 1)));
     }
 }
 
@@ -602,13 +602,13 @@ static void test_rigid_exact(void)
 {
     const vm_drum stops = drum_of(1, 1, 1, 0.25, 0, 0.5, 1, 2); /* at 1 * 2/0.5 = 4 */
     vm_drum bare = f3_drum(-0.4);                               /* no band: phi = Omega_b J0/D (1 - exp(-D t/J0)) */
-    CHECK(vm_drum_stop(&stops) == 4 && vm_drum_rate(4, &stops) == 0 && vm_drum_time(4, &stops) == VM_INFINITY);
-    CHECK(vm_drum_angle(R(1e6), &stops) == 4);
+    CHECK(vm_drum_stop(&stops) == 4 && vm_drum_rate(&stops, 4) == 0 && vm_drum_time(&stops, 4) == VM_INFINITY);
+    CHECK(vm_drum_angle(&stops, R(1e6)) == 4);
     bare.band = 0;
     bare.damping = 0.5;
-    close_to("angle (198)-(207)", "mu = 0", (double)vm_drum_angle(2, &bare), 6 * (1 - exp(-1.)), 3.8);
+    close_to("angle (198)-(207)", "mu = 0", (double)vm_drum_angle(&bare, 2), 6 * (1 - exp(-1.)), 3.8);
     bare.damping = 0;
-    CHECK(vm_drum_angle(2, &bare) == 6 && vm_drum_time(6, &bare) == 2);
+    CHECK(vm_drum_angle(&bare, 2) == 6 && vm_drum_time(&bare, 6) == 2);
 }
 
 /* ---- The rigid shaft by Lagrange's equations (247): the mass depends on the coordinate ---- */

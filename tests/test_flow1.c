@@ -67,7 +67,7 @@ static void check_jet_damping(int sign)
     b.inertia = tensor(6, 6, 1, 0, 0, 0);
     b.omega = omega0;
     CHECK(!vm_flow_start(&flow, &b, y) && solve(vm_flow_rhs, &flow, VM_FLOW_STATES, y, 0, 3) >= 0);
-    CHECK(!vm_flow_body(&flow, VM_FLOW_STATES, y, &b) && !vm_jet_damping(3, &jet, omega0, &omega));
+    CHECK(!vm_flow_body(&flow, VM_FLOW_STATES, y, &b) && !vm_jet_damping(&jet, 3, omega0, &omega));
     turn = vmi_rotation(b.q);
     check_error("jet damping", "vm_flow_rhs", "abs", apart(vmi_times_transposed(&turn, b.omega), omega),
                 PICK(1e-11, 2e-4), sign, 0);
@@ -126,7 +126,7 @@ static void test_reference_cases(void)
         y[1] = R(cases[i].m0 * cases[i].v0);
         y[2] = R(cases[i].m0);
         CHECK(solve(vm_flow1_rhs, &flow, VM_FLOW1_STATES, y, 0, cases[i].t) >= 0);
-        CHECK(!vm_linear_flow(R(cases[i].t), 0, R(cases[i].v0), R(cases[i].m0), 0, &s, &x, &v));
+        CHECK(!vm_linear_flow(&s, R(cases[i].t), 0, R(cases[i].v0), R(cases[i].m0), 0, &x, &v));
         check_error(cases[i].name, "v, vm_flow1_rhs", "abs", fabs((double)(y[1] / y[2]) - cases[i].v), bound, 0, 0);
         check_error(cases[i].name, "v, closed form", "eps", fabs((double)v - cases[i].v) / eps, 20, 0, 0);
         check_error(cases[i].name, "x by both", "abs", fabs((double)(x - y[0])), bound, 0, 0);
@@ -174,7 +174,7 @@ static void test_linear_flow_table(void)
         s.rate = R(rate);
         s.velocity = R(w);
         s.motion = rows[i].relative ? VM_RELATIVE : VM_ABSOLUTE;
-        CHECK(!vm_linear_flow(R(t), R(rows[i].x0), R(v0), R(m0), R(rows[i].force), &s, &x, &v));
+        CHECK(!vm_linear_flow(&s, R(t), R(rows[i].x0), R(v0), R(m0), R(rows[i].force), &x, &v));
         check_error("vm_linear_flow v", region, "eps", ERROR_EPS(v, rows[i].v, 0, speed / least_mass), 8, gain,
                     (double)i);
         check_error("vm_linear_flow x", region, "eps", ERROR_EPS(x, rows[i].x, 0, fabs(rows[i].x0) + t * speed), 8,
@@ -210,7 +210,7 @@ static void test_jet_table(void)
         jet.gyration_transverse = R(rows[i].transverse);
         jet.gyration_out = R(rows[i].out);
         jet.nozzle = R(rows[i].nozzle);
-        CHECK(!vm_jet_damping(R(t), &jet, vector(rows[i].p, rows[i].q, rows[i].r), &omega));
+        CHECK(!vm_jet_damping(&jet, R(t), vector(rows[i].p, rows[i].q, rows[i].r), &omega));
         error = hypot((double)omega.x - rows[i].x, (double)omega.y - rows[i].y);
         check_error("vm_jet_damping", "table", "eps*", error / eps / (hypot(rows[i].x, rows[i].y) * condition), 8,
                     gain, (double)i);
@@ -240,12 +240,12 @@ static void test_linear_flow_refusals(void)
 {
     vm_stream1 s = {-1, 0, VM_AT_REST};
     vm_real x = 3, v = 4;
-    CHECK(vm_linear_flow(2, 0, 0, 1, 0, &s, &x, &v) == VM_BAD_MASS && x == 3 && v == 4);
-    CHECK(vm_linear_flow(R(INFINITY), 0, 0, 1, 0, &s, &x, &v) == VM_NOT_FINITE && x == 3 && v == 4);
-    CHECK(vm_linear_flow(1, 0, 0, 1, 0, NULL, &x, &v) == VM_BAD_ARGUMENT && x == 3 && v == 4);
-    CHECK(vm_linear_flow(1, 0, 0, R(INFINITY), 0, &s, &x, &v) == VM_NOT_FINITE && x == 3 && v == 4);
-    CHECK(vm_linear_flow(4, 0, 0, 8, VM_MAX, &s, &x, &v) == VM_NOT_FINITE && x == 3 && v == 4);
-    CHECK(!vm_linear_flow(R(.5), VM_MAX, -VM_MAX, 1, VM_MAX, &s, &x, &v) && x < VM_MAX);
+    CHECK(vm_linear_flow(&s, 2, 0, 0, 1, 0, &x, &v) == VM_BAD_MASS && x == 3 && v == 4);
+    CHECK(vm_linear_flow(&s, R(INFINITY), 0, 0, 1, 0, &x, &v) == VM_NOT_FINITE && x == 3 && v == 4);
+    CHECK(vm_linear_flow(NULL, 1, 0, 0, 1, 0, &x, &v) == VM_BAD_ARGUMENT && x == 3 && v == 4);
+    CHECK(vm_linear_flow(&s, 1, 0, 0, R(INFINITY), 0, &x, &v) == VM_NOT_FINITE && x == 3 && v == 4);
+    CHECK(vm_linear_flow(&s, 4, 0, 0, 8, VM_MAX, &x, &v) == VM_NOT_FINITE && x == 3 && v == 4);
+    CHECK(!vm_linear_flow(&s, R(.5), VM_MAX, -VM_MAX, 1, VM_MAX, &x, &v) && x < VM_MAX);
 }
 
 static void test_jet_refusals(void)
@@ -253,13 +253,13 @@ static void test_jet_refusals(void)
     const vm_vec3 omega0 = vector(1, 2, 3);
     vm_jet jet = {-1, 1, 1, R(.5), R(.5), R(.5), 1};
     vm_vec3 omega = omega0;
-    CHECK(vm_jet_damping(3, &jet, omega0, &omega) == VM_BAD_INERTIA && (double)omega.x == 1);
-    CHECK(vm_jet_damping(R(NAN), &jet, omega0, &omega) == VM_NOT_FINITE && (double)omega.x == 1);
+    CHECK(vm_jet_damping(&jet, 3, omega0, &omega) == VM_BAD_INERTIA && (double)omega.x == 1);
+    CHECK(vm_jet_damping(&jet, R(NAN), omega0, &omega) == VM_NOT_FINITE && (double)omega.x == 1);
     jet.nozzle = 30; /* omega grows beyond the type's range */
-    CHECK(vm_jet_damping(R(-1.9), &jet, omega0, &omega) == VM_NOT_FINITE && (double)omega.x == 1);
+    CHECK(vm_jet_damping(&jet, R(-1.9), omega0, &omega) == VM_NOT_FINITE && (double)omega.x == 1);
     jet.nozzle = 1;
     jet.transverse = R(INFINITY);
-    CHECK(vm_jet_damping(1, &jet, omega0, &omega) == VM_NOT_FINITE && (double)omega.x == 1);
+    CHECK(vm_jet_damping(&jet, 1, omega0, &omega) == VM_NOT_FINITE && (double)omega.x == 1);
 }
 
 /* A bad mass or an infinite rate takes no step; a motion that does not exist stops the run. */

@@ -300,7 +300,7 @@ static void test_bad_pendulums(void)
 {
     const vm_pendulum good = {3, 2, R(0.7), R(1.3), 0};
     const int expected[] = {VM_NOT_FINITE, VM_NOT_FINITE, VM_NOT_FINITE, VM_NOT_FINITE,
-                            VM_BAD_MASS,   VM_DOMAIN,     VM_DOMAIN};
+                            VM_BAD_MASS,   VM_DOMAIN,     VM_BAD_ARGUMENT};
     vm_pendulum bad[7];
     vm_pendulum_cut c, kept;
     int i;

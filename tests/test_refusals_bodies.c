@@ -590,7 +590,7 @@ static int growth(trial *a)
 {
     vm_broken_rotor r;
     take(a, &r, sizeof r);
-    return value(a, vm_broken_rotor_resonance_radius(next(a), POINTER(0, &r), 25));
+    return value(a, vm_broken_rotor_resonance_radius(POINTER(0, &r), next(a), 25));
 }
 
 static int char_poly(trial *a)
@@ -622,7 +622,7 @@ static int rotor_free(trial *a)
     take(a, &r, offsetof(vm_broken_rotor, s));
     take(a, y, sizeof y);
     r.s = 0;
-    return vm_broken_rotor_free_motion(t, POINTER(0, &r), POINTER(1, y), OUT(2, vm_real, 0));
+    return vm_broken_rotor_free_motion(POINTER(0, &r), t, POINTER(1, y), OUT(2, vm_real, 0));
 }
 
 static int orbit(trial *a)

@@ -248,6 +248,16 @@ static void test_damped_twice(void)
                  cubic_amplitude(&v, t, x0, rate), 12);
 }
 
+/* Laws of other kinds that are linear or constant have the closed form, too. */
+static void test_other_linear_laws(void)
+{
+    const vm_vdp v = vdp(3, 0.0625, 0.0625, 1, VM_VDP_ATEB);
+    near_eps("(422)", "power law", (double)amplitude_of(&v, 10, 3, vm_law_power(2, R(0.125), 1)),
+             (double)amplitude_of(&v, 10, 3, linear(2, 0.25)), 4);
+    near_eps("(437)", "exponential law", (double)amplitude_of(&v, 10, 3, vm_law_exponential(2, 0)),
+             (double)amplitude_of(&v, 10, 3, linear(2, 0)), 4);
+}
+
 /* ---- Against direct integration ---- */
 
 static const double T_END = 400;
@@ -586,6 +596,7 @@ static void test_bad_calls(void)
     CHECK(is_nan(vm_vdp_limit_cycle(&v, VM_NAN, NULL)));
     memset(&unprepared, 0, sizeof unprepared);
     CHECK(is_nan(amplitude_of(&unprepared, 1, 1, growing)) && is_nan(vm_vdp_limit_cycle(&unprepared, 0, NULL)));
+        CHECK(is_nan(amplitude_of(&v, 1, 1, vm_law_quadratic(1, 0, 1)))); /* it has no closed form */
     v.mass = vanishing;
     CHECK(vm_vdp_rhs(1, y, d, &v) == VM_BAD_MASS && vm_vdp_averaged_rhs(2, y, d, &v) == VM_BAD_MASS);
     memset(&v.mass, 0, sizeof v.mass); /* no law */
@@ -605,6 +616,7 @@ int main(void)
     test_amplitude();
     test_closed_form();
     test_damped_twice();
+    test_other_linear_laws();
     test_growing_mass();
     test_single_terms();
     test_methods();

@@ -226,8 +226,8 @@ static void oscillators(work_of *w)
     drum.band = R(0.1);
     drum.speed = draw(w, -1, 1);
     drum.omega = 3;
-    fold(w, vm_drum_angle(1, &drum));
-    fold(w, vm_drum_angle_lambert(1, &drum));
+    fold(w, vm_drum_angle(&drum, 1));
+    fold(w, vm_drum_angle_lambert(&drum, 1));
 }
 
 static void scenes(work_of *w)

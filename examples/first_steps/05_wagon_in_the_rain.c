@@ -14,14 +14,14 @@ int main(int argc, char **argv)
     const vm_real m0 = 1000, v0 = 5, end = 60;
     vm_real t, x, v, x_full, v_full, mass;
 
-    vm_linear_flow(end, 0, v0, m0, 0, &rain, &x_full, &v_full); /* closed forms, no integration */
+    vm_linear_flow(&rain, end, 0, v0, m0, 0, &x_full, &v_full); /* closed forms, no integration */
     if (csv) fprintf(csv, "t (s),\"v (m/s)\",\"mass (t)\",\"M v/(M v at first)\",\"the mistake\"\n");
     for (t = 0; t <= 2 * end; t += 0.5) {
         if (t <= end) {
-            vm_linear_flow(t, 0, v0, m0, 0, &rain, &x, &v);
+            vm_linear_flow(&rain, t, 0, v0, m0, 0, &x, &v);
             mass = m0 + rain.rate * t;
         } else {
-            vm_linear_flow(t - end, x_full, v_full, m0 + rain.rate * end, 0, &leak, &x, &v);
+            vm_linear_flow(&leak, t - end, x_full, v_full, m0 + rain.rate * end, 0, &x, &v);
             mass = m0 + rain.rate * end + leak.rate * (t - end);
         }
         if (csv) fprintf(csv, "%g,%.9f,%.4f,%.9f,%.9f\n", t, v, mass / 1000, mass * v / (m0 * v0), m0 * v0 / mass);

@@ -20,7 +20,7 @@ int main(int argc, char **argv)
         d.damping = damping[k];
         drum[k] = d;
         printf("D = %-7g N m s: after 0.5 s turned by %.9f rad, now %.6f rad/s; can turn by %g rad\n", damping[k],
-               vm_drum_angle(0.5, &d), vm_drum_rate(vm_drum_angle(0.5, &d), &d), vm_drum_stop(&d));
+               vm_drum_angle(&d, 0.5), vm_drum_rate(&d, vm_drum_angle(&d, 0.5)), vm_drum_stop(&d));
     }
     if (csv)
         fprintf(csv, "t (s),\"rad/s where D = %g N m s\",\"%g N m s\",\"%g N m s\"\n", damping[0], damping[1],
@@ -28,9 +28,9 @@ int main(int argc, char **argv)
     for (t = 0; csv && t <= 1; t += 0.005) {
         fprintf(csv, "%g", t);
         for (k = 0; k < 3; k++) {
-            phi = vm_drum_angle(t, &drum[k]);
+            phi = vm_drum_angle(&drum[k], t);
             if (phi <= 2 * 3.14159265358979) /* the first layer is what the model is for */
-                fprintf(csv, ",%.9f", vm_drum_rate(phi, &drum[k]));
+                fprintf(csv, ",%.9f", vm_drum_rate(&drum[k], phi));
             else fprintf(csv, ",");
         }
         fprintf(csv, "\n");

@@ -1,4 +1,13 @@
-/* ateb/integrals.h - integrals of Ateb functions */
+/* ateb/integrals.h - integrals of Ateb functions
+
+   Of the four simplest integrals from 0 to s two need functions of their own,
+     integral of sa^2 = (s - sa ca) (alpha+1)/(alpha+3),
+     integral of |ca|^(alpha+1) = s - integral of sa^2,
+   and two are in closed form: that of sa is (1 - ca) (alpha+1)/2, that of ca |ca|^(alpha-1) is sa.
+
+       vm_real work = ateb_integral_sa2(VM_C(0.7), VM_C(1.5));
+
+   Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_INTEGRALS_H
 #define VARMASS_ATEB_INTEGRALS_H
 
@@ -6,20 +15,21 @@
 #include "functions.h"
 #include "inversion.h"
 
-/* Integral from 0 to s of sa^2, (s - sa ca) (alpha+1)/(alpha+3), and of |ca|^(alpha+1), the rest of s. That of sa is
-   (1 - ca) (alpha+1)/2, that of ca |ca|^(alpha-1) is sa. */
+/* The integral of sa(1, alpha, s)^2 from 0 to s.
+   No digits cancel for a small s. Within some 10 ulp; domain as ateb_saca, NaN outside it. */
 VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
 {
     const vm_real q = 1 / (alpha + 1), b = q + VM_C(0.5);
-    vm_real sa, ca, w, rest;
+    vm_real sa, ca, w, rest; /* rest = s - sa ca; near 0 from s = sa ca (1 + w b vmi_ateb_w_fraction(q, w)) */
     ateb_saca(s, alpha, &sa, &ca);
     w = sa * sa;
-    if (VM_FABS(s) < VM_C(0.55)) rest = sa * ca * (w * b * vmi_ateb_w_fraction(q, w));
+    if (VM_FABS(s) < VMI_ATEB_CHANGE_OVER) rest = sa * ca * (w * b * vmi_ateb_w_fraction(q, w));
     else rest = s - sa * ca;
     return rest / (1 + 2 * q);
 }
 
-/* Documented with ateb_integral_sa2. */
+/* The integral of |ca(alpha, 1, s)|^(alpha+1) from 0 to s.
+   Within some 10 ulp; domain as ateb_saca, NaN outside it. */
 VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 {
     vm_real sa, ca;

@@ -1,4 +1,20 @@
-/* ateb/inversion.h - inversion of the incomplete beta function */
+/* ateb/inversion.h - inversion of the incomplete beta function, for sa and ca in the first quarter of the period
+
+   Symbols, for s in the first quarter and q = 1/(alpha + 1):
+     r, d    distances of s from the zero of sa and from the zero of ca; r + d = Pi_alpha/2
+     v, u    sa and ca
+     w, x    v^2 and 1 - w = u^(alpha+1)
+     p       (1 - v)/2
+   They satisfy two equations, the second by the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF 15.8(iii):
+     r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
+     2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
+
+   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v, beyond it the second for p; at the
+   change-over w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and its r (or d) is computed. It differs
+   little from the given one, and a Taylor series corrects v (or p) for the difference. So one continued fraction for
+   2F1 and one power are enough.
+
+   Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_INVERSION_H
 #define VARMASS_ATEB_INVERSION_H
 
@@ -9,19 +25,18 @@
 #include "period.h"
 #include "powers.h"
 
-/* ---- Inversion of the incomplete beta function ---------------------------------------------------------------
+/* Up to this distance from a zero of sa the first equation above is used, beyond it the second. */
+#define VMI_ATEB_CHANGE_OVER VM_C(0.55)
 
-   With w = sa^2, x = 1 - w = |ca|^(alpha+1), r the distance of s from the zero of sa and d from that of ca,
-     r = B_w(1/2, q)/2 = sa |ca| 2F1(1, q + 1/2; 3/2; w)
-     2 q d = q B_x(q, 1/2) = |ca| (1 + q T),  1 + q T = 2F1(1, 2q; 1+q; p),           p = (1 - sa)/2
-   the second by the quadratic transformation of 2F1(1/2, q; 1+q; x). At the change-over, r = 0.55, w < 0.303
-   and p < 0.251. */
-/* Gauss's continued fraction [3, 15.7]: 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), Y_j = 1 - e_j/Y_(j+1), e_(2n-1) =
-   n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)), e_2n = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)). What does
-   not depend on z is made ahead of it. Two levels gain 7 bits or more for z < 0.303; e_j tends to z/4. */
+/* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
+     e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
+     e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
+   Two levels gain 7 bits or more for z < 0.303. e_j tends to z/4, which gives a start for the last Y. These are the
+   numbers of levels. */
 enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
-/* Y_1 = P/Q from the Y after the last of the levels */
+/* Y_1 = P/Q from Y, the one after the last level, and from e_(j+1)/z = e_by_z[j]. There is no division. The e_j/z do
+   not depend on z, so that they are computed while the processor waits for z. */
 VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
 {
     int j;
@@ -34,7 +49,7 @@ VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, v
     }
 }
 
-/* (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w), w < 0.303 */
+/* (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. Here e_j/w = constant + q slope. */
 VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
 {
     VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,    VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
@@ -53,7 +68,8 @@ VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
     return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
 }
 
-/* P and Q of F = 2F1(1, 2 q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), p < 0.251 */
+/* Numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. Here e_(j+1)/p is
+   (constant + q slope + q^2 square)/((q + index)(q + index + 1)), each at j. */
 VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
 {
     VM_TABLE vm_real index[13] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
@@ -68,23 +84,16 @@ VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
     vmi_ateb_fraction(e_by_p, p, VMI_ATEB_P_LEVELS, 1 - p * (1 + p / 2) / 4, P, Q);
 }
 
-/* T with 1 + q T = 2F1(1, 2 q; 1 + q; p) */
-VM_API vm_real vmi_ateb_T(vm_real q, vm_real p)
-{
-    vm_real P, Q;
-    vmi_ateb_p_fraction(q, p, &P, &Q);
-    return 2 * p * Q / ((1 + q) * P - 2 * q * p * Q);
-}
-
-/* (1 - a^q)/q with a = (1 + t)/(1 - t) of which ln a is small */
+/* (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits cancel. */
 VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
 {
     const vm_real l = vmi_ateb_ln_ratio(t), z = q * l;
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* sa and ca for 0 <= r <= 0.55. The guess v, the Taylor series of the inverse to r^9, is within 1e-5; its r is
-   computed, and Taylor's series in what is left of r leads from there. */
+/* sa and ca for 0 <= r <= VMI_ATEB_CHANGE_OVER. The guess v is the series of sa up to r^9, within 1e-5, with
+   coefficients in k = 1 - q, cut to half of the digits so that w = v^2 is exact. h is r minus the r that belongs to
+   v; Taylor's series in e = h/u leads to sa and ca. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
@@ -93,18 +102,19 @@ VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca
     const vm_real c3 = ((-127 * k + 123) * k - 30) * (1 / VM_C(630.0));
     const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) * (1 / VM_C(22680.0));
     const vm_real guess = r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4)));
-    const vm_real v = vmi_head(guess), w = v * v /* exact */, x = 1 - w;
+    const vm_real v = vmi_head(guess), w = v * v, x = 1 - w;
     const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q), u = 1 - one_minus_u, by_u = 1 / u;
     const vm_real h = (r - v) - v * (w * b * vmi_ateb_w_fraction(q, w) * u - one_minus_u), e = h * by_u;
     *sa = v + x * e * (1 - k * e * (v + (x - (2 - 4 * q) * w) * (e / 3)));
     *ca = 1 - (one_minus_u + h * q * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667))));
 }
 
-/* (2^k (1 + t)/(1 - t))^n/4 to a relative error of 2e-7 (1 + |its logarithm|), for a normal result */
+/* (2^k (1 + t)/(1 - t))^n/4 to a relative error of 2e-7 (1 + |logarithm of the result|), for a result that is a
+   normal number. It is 2^power/4, where power is split into an integer and z between -1/2 and 1/2. */
 VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
 {
-    const vm_real to_integer = VM_C(1.5) / VM_EPSILON, x = t * t;
-    const vm_real log2 = (VM_C(2.885390422) + x * VM_C(0.9615889072)) + (x * x) * VM_C(0.5957613972);
+    const vm_real to_integer = VM_C(1.5) / VM_EPSILON, tt = t * t;
+    const vm_real log2 = (VM_C(2.885390422) + tt * VM_C(0.9615889072)) + (tt * tt) * VM_C(0.5957613972);
     const vm_real power = n * k + (n * t) * log2, shifted = vmi_rounded(power + to_integer);
     const vm_real z = power - vmi_rounded(shifted - to_integer), zz = z * z;
     const vm_real low = VM_C(0.2500000189) + z * VM_C(0.173286797);
@@ -114,14 +124,15 @@ VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
                          (vmi_to_bits(shifted) << VMI_STORED_DIG));
 }
 
-/* y = 2 q d = 1 - q z in two words and ln y = vmi_ateb_ln_of(k, t) */
+/* The number y = 2 q d in two words, whose power n is X; its logarithm is vmi_ateb_ln_of(k, t). */
 typedef struct VM_TAG(vmi_ateb_base) {
     vm_two y;
     vm_real k, t;
 } vmi_ateb_base;
 
-/* With z = 2 r - g. From r or d, whichever is smaller; for r < d is y > 1/2. Where alpha ln y is large, so is its
-   derivative by y: the low word counts. */
+/* The base from r and d, where z = 2 r - (Pi_alpha - (alpha + 1)), so that y = 1 - q z. It is taken from the
+   smaller of r and d; for r < d y > 1/2. The low word of y counts: where alpha is large, a small change of y is a
+   large one of X = y^(alpha+1). For y < 1/2 X is so small that y.lo need not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
@@ -133,44 +144,57 @@ VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, v
     } else if (d < 1 / VM_EPSILON) {
         base.y = vmi_two_product(twice_q.hi, d);
         base.y.lo += twice_q.lo * d + twice_q.hi * d_lo;
-    } else base.y = vmi_two(twice_q.hi * d, 0); /* where X underflows */
+    } else base.y = vmi_two(twice_q.hi * d, 0); /* here X underflows, and the low word does not count */
     mantissa = vmi_ateb_mantissa(base.y.hi, &base.k);
-    scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), base.y.hi - sqrt_half); /* 1 or 2 for y > 1/2 */
+    scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), base.y.hi - sqrt_half); /* 2^-k for y > 1/2 */
     base.t = ((mantissa - 1) + scale * base.y.lo) / (mantissa + 1);
     return base;
 }
 
-/* sa and ca for r >= 0.55. In terms of y = 2 q d = u (1 + q T) and of l = (alpha + 1) ln y = ln X,
-     l = ln x + (alpha + 1) ln(1 + q T),   dp/dl = x (1 + q T)/4,   d ln(u/y)/dl = -q (1 - v (1 + q T)).
-   For a p within 1e-5 of the right one, l is computed; Taylor's series leads from there. The guess: the (1, 1) Pade
-   approximant of p/X and what it lacks. */
-VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
+/* p within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). It is the (1, 1) Pade approximant of p/X4 and what it
+   lacks, X4^3 q (1 - q) times a polynomial fitted by tests/gen/ateb_coefficients.py. */
+VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 {
-    const vm_real negligible = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8) */
-    const vm_real n = c->n.hi, q = c->q.hi, k1 = 1 - q, two_q = 2 * q, m = (1 + q) * (2 + q),
-                  share = two_q / (1 + q);
+    const vm_real k = 1 - q, m = (1 + q) * (2 + q);
     const vm_real lack0 = VM_C(0.1695201) + q * (VM_C(-0.4597204) + q * (VM_C(0.3548526) - q * VM_C(0.1130212)));
     const vm_real lack1 = VM_C(-0.0790485) + q * VM_C(0.1329593);
-    const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(two_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
-    const vm_real y = base.y.hi, l = n * vmi_ateb_ln_of(base.k, base.t);
-    vm_real X4, p, v, P, Q, B, E, F, rho, w, dv, da;
+    return ((m - (q + q * q) * X4) / (m + 2 * (k - q * q) * X4)) *
+           (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
+}
+
+/* sa and ca for r >= VMI_ATEB_CHANGE_OVER, in terms of y = 2 q d and ln X = (alpha + 1) ln y. The equation to solve
+   is
+     ln X = ln x + (alpha + 1) ln(1 + q T), and its derivatives, with E = 1 + q T, are
+     dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
+   rho is what ln X has more than the ln X of the guess; Taylor's series in rho leads to sa and ca. */
+VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
+{
+    const vm_real least_ln = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8): X is negligible */
+    const vm_real n = c->n.hi, q = c->q.hi, twice_q = 2 * q;
+    const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(twice_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
+    const vm_real y = base.y.hi, ln_X = n * vmi_ateb_ln_of(base.k, base.t);
+    vm_real p, v, P, Q;       /* the guess of p, its v, and E = P/(P - B) */
+    vm_real B, E, E_loss;     /* E_loss = 1 - 1/E, so that u/y of the guess is 1 - E_loss */
+    vm_real rho, vE;          /* vE = v E */
+    vm_real sa_rate, ca_rate; /* -dv/d(ln X) and -d ln(u/y)/d(ln X) */
+    vm_real sa_change, ca_change;
     *sa = 1;
     *ca = y + base.y.lo;
-    if (!(y > VM_MIN) || !(l > negligible)) return;
-    X4 = vmi_ateb_rough_power(base.k, base.t, n);
-    p = ((m - (q + q * q) * X4) / (m + 2 * (k1 - q * q) * X4)) *
-        (X4 + (X4 * X4) * (X4 * X4) * (q * k1 * (lack0 + X4 * lack1)));
+    if (!(y > VM_MIN) || !(ln_X > least_ln)) return;
+    p = vmi_ateb_guess_p(q, vmi_ateb_rough_power(base.k, base.t, n));
     v = 1 - 2 * p;
     vmi_ateb_p_fraction(q, p, &P, &Q);
-    B = share * p * Q; /* 1 + q T = P/(P - B) */
+    B = twice_q / (1 + q) * p * Q;
     E = P / (P - B);
-    F = B / P;
-    rho = (l - vmi_ateb_ln(4 * p * (1 - p))) - n * vmi_ateb_ln_ratio(B / (2 * P - B));
-    w = v * E;
-    dv = 2 * p * (1 - p) * E;
-    da = q * (1 - w);
-    *sa = 1 - (2 * p + (dv * rho) * (1 + rho * ((q + k1 * w) / 2)));
-    *ca = y - (y * (F + ((1 - F) * rho) * (da - rho * ((da * (da + q * w) - q * dv * E) / 2))) - base.y.lo);
+    E_loss = B / P;
+    rho = (ln_X - vmi_ateb_ln(4 * p * (1 - p))) - n * vmi_ateb_ln_ratio(B / (2 * P - B));
+    vE = v * E;
+    sa_rate = 2 * p * (1 - p) * E;
+    ca_rate = q * (1 - vE);
+    sa_change = (sa_rate * rho) * (1 + rho * ((q + (1 - q) * vE) / 2));
+    ca_change = ((1 - E_loss) * rho) * (ca_rate - rho * ((ca_rate * (ca_rate + q * vE) - q * sa_rate * E) / 2));
+    *sa = 1 - (2 * p + sa_change);
+    *ca = y - (y * (E_loss + ca_change) - base.y.lo);
 }
 
 #endif

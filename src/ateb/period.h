@@ -1,4 +1,14 @@
-/* ateb/period.h - the quarter period of the Ateb functions */
+/* ateb/period.h - Pi_alpha, half the period of the Ateb functions
+
+   sa and ca have the period 2 Pi_alpha, where Pi_alpha = B(1/(alpha + 1), 1/2) by (277): 2 for alpha = 0, pi for 1.
+   ateb_pi returns it; the internal functions return a quarter of the period, Pi_alpha/2, in as many words as the
+   reduction of an argument needs.
+
+       vm_real period = 2 * ateb_pi(3);
+
+   Two methods: a table of polynomials for Pi_alpha - (alpha + 1), which is quick and enough for most arguments, and
+   one polynomial of degree 33 (float 17) in two or three words. In the comments n = alpha + 1 and q = 1/n.
+   The tables are computed by tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
 
@@ -7,9 +17,10 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha for q = 1/(alpha + 1) in (0, 1], from 1 to 2: a
-   polynomial in t = 2 q - 1 for (1 + q)(2 + q)(3 + q) f, Chebyshev interpolation, whose coefficients fall by 18
-   each (tests/gen/ateb_coefficients.py); here the i-th, of three words, of which the last may be absent. */
+/* Coefficient i of the polynomial in t = 2q - 1 for (1 + q)(2 + q)(3 + q) f(q), where
+     f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha, between 1 and 2 for 0 < q <= 1.
+   It is the interpolation in Chebyshev's points; each coefficient is about 1/18 of the one before it. Each has up to
+   three words; which_word 0 is the largest. Words that would change nothing are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
@@ -59,22 +70,20 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
     return i < (int)(sizeof lowest / sizeof *lowest) ? VM_READ(lowest[i]) : 0;
 }
 
+/* The degree of this polynomial */
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
-/* f(q) to a relative error of 2^-102 (float 2^-44) */
-VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
+/* The polynomial of vmi_ateb_coefficient in two words. The coefficients from the one at TWO_WORDS on are small enough
+   for one word. Each coefficient exceeds the sum of the terms behind it, so that two operations a step are enough for
+   the high words. */
+VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
     enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };
-    vm_two t, sum, c, divisor;
+    vm_two sum;
     vm_real tail = vmi_ateb_coefficient(0, VMI_ATEB_DEGREE);
     int i;
-    t.hi = 2 * q.hi;
-    t.lo = 2 * q.lo;
-    c = vmi_two(-1, 0);
-    t = vmi_two_plus(c, t);
     for (i = VMI_ATEB_DEGREE - 1; i >= TWO_WORDS; i--) tail = vmi_ateb_coefficient(0, i) + tail * t.hi;
     sum = vmi_two(tail, 0);
-    /* each coefficient exceeds what follows, so that the high words take two operations a step */
     for (i = TWO_WORDS - 1; i >= 0; i--) {
         const vm_real high = vmi_ateb_coefficient(0, i), low = vmi_ateb_coefficient(1, i);
         const vm_two p = vmi_two_product(sum.hi, t.hi);
@@ -82,16 +91,21 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
         sum.lo = (p.hi - (hi - high)) + (p.lo + (sum.hi * t.lo + sum.lo * t.hi) + low);
         sum.hi = hi;
     }
-    c = vmi_two(1, 0);
-    divisor = q = vmi_two_plus(c, q);
-    for (i = 2; i <= 3; i++) {
-        q = vmi_two_plus(c, q);
-        divisor = vmi_two_times(divisor, q);
-    }
-    return vmi_two_over(sum, divisor);
+    return sum;
 }
 
-/* Pi/2 to a relative error of 2^-125 (float 2^-58), n = alpha + 1 < 1e9 (float 3e4) */
+/* f(q) = q Pi_alpha to a relative error of 2^-102 (float 2^-44) */
+VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
+{
+    const vm_two one = {1, 0}, minus_one = {-1, 0}, twice_q = vmi_two(2 * q.hi, 2 * q.lo);
+    const vm_two q_plus_1 = vmi_two_plus(one, q), q_plus_2 = vmi_two_plus(one, q_plus_1);
+    const vm_two q_plus_3 = vmi_two_plus(one, q_plus_2);
+    const vm_two divisor = vmi_two_times(vmi_two_times(q_plus_1, q_plus_2), q_plus_3);
+    return vmi_two_over(vmi_ateb_polynomial(vmi_two_plus(minus_one, twice_q)), divisor);
+}
+
+/* Pi_alpha/2 in three words, to a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float 3e4). The
+   product n f(q)/2, where 1/(i + q) = n/(i n + 1). */
 VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 {
     const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
@@ -103,22 +117,29 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
         sum = vmi_three_plus(
             vmi_three_times(sum, t),
             vmi_three_words(vmi_ateb_coefficient(0, i), vmi_ateb_coefficient(1, i), vmi_ateb_coefficient(2, i)));
-    for (i = 1; i <= 3; i++) { /* i + q = (i n + 1)/n */
+    for (i = 1; i <= 3; i++) {
         above = vmi_three_plus(above, n);
         sum = vmi_three_times(sum, vmi_three_over(n, above));
     }
     return vmi_three_times(sum, vmi_three_words(n.hi / 2, n.mid / 2, 0));
 }
 
-/* g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), from 2 ln 2 (q = 0) to 1 (q = 1): powers of the distance h of q from
-   the nearest multiple of 1/32. Absolute error below 2^-66 (float 2^-36). The low word, 2^-13 or less, comes
-   later. */
-VM_INLINE vm_two vmi_ateb_g(vm_two q)
+/* The columns of the table of g(q) = Pi_alpha - (alpha + 1): the low words of g and of its slope at q = row/32, g and
+   its slope there, and the further coefficients of the Taylor series. The slope has half of the digits. */
+enum {
+    VMI_ATEB_G_LOW,
+    VMI_ATEB_G_SLOPE_LOW,
+    VMI_ATEB_G_VALUE,
+    VMI_ATEB_G_SLOPE,
+    VMI_ATEB_G_SERIES,
+    VMI_ATEB_G_COLUMNS = VM_MANT_DIG > 24 ? 12 : 8
+};
+
+/* The table of g(q), row 0 (q = 0, g = 2 ln 2) to row 32 (q = 1, g = 1) */
+VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
 {
-    /* of each multiple: the low words of g and of its slope, then g, its slope, and the further coefficients */
 #if VM_MANT_DIG > 24
-    const vm_real shift = VM_C(211106232532992.0); /* 1.5 2^47: the sum with q ends in 32 q, rounded */
-    VM_TABLE vm_real table[33][12] = {
+    VM_TABLE vm_real table[33][VMI_ATEB_G_COLUMNS] = {
         {VM_C(4.6381784140415292946e-17), VM_C(5.331171102802348789e-9), VM_C(1.3862943611198905725),
          VM_C(-0.68402804434299468994), VM_C(0.5677838543520554726), VM_C(-0.52915485716514631953),
          VM_C(0.51340603033793608123), VM_C(-0.50637868382441575399), VM_C(0.50309358102303392002),
@@ -252,8 +273,7 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
          VM_C(0.017620778248648341635), VM_C(-8.4294958327997809161e-3), VM_C(4.1016239960195060091e-3),
          VM_C(-2.015955492573712985e-3), VM_C(9.9712933651232107425e-4), VM_C(-4.9503803745002848344e-4)}};
 #else
-    const vm_real shift = VM_C(393216.0);
-    VM_TABLE vm_real table[33][8] = {
+    VM_TABLE vm_real table[33][VMI_ATEB_G_COLUMNS] = {
         {VM_C(-3.80907971831e-9), VM_C(5.39922366443e-5), VM_C(1.38629436493), VM_C(-0.68408203125),
          VM_C(0.56778383255), VM_C(-0.529154837132), VM_C(0.513590335846), VM_C(-0.506562411785)},
         {VM_C(-8.58965965023e-9), VM_C(1.15021728561e-4), VM_C(1.36545729637), VM_C(-0.650146484375),
@@ -321,42 +341,61 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
         {VM_C(1.86536877897e-15), VM_C(5.71442706132e-6), VM_C(1.0), VM_C(-0.227416992188), VM_C(0.086766473949),
          VM_C(-0.0379652455449), VM_C(0.0176222808659), VM_C(-8.43023415655e-3)}};
 #endif
-    const vm_real shifted = vmi_rounded(q.hi + shift), h = q.hi - vmi_rounded(shifted - shift),
-                  h_head = vmi_head(h);
-    const int row = (int)(vmi_to_bits(shifted) & 63);
-    const vm_real slope = VM_READ(table[row][3]);
-    vm_two g = vmi_fast_two_sum(VM_READ(table[row][2]), slope * h_head); /* half of the digits each: exact */
-    const vm_real hh = (h + q.lo) * (h + q.lo);
-    vm_real high = (VM_READ(table[row][4]) + h * VM_READ(table[row][5])) +
-                   hh * (VM_READ(table[row][6]) + h * VM_READ(table[row][7]));
+    return VM_READ(table[row][column]);
+}
+
+/* g(q) = Pi_alpha - (alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute error below 2^-66 (float
+   2^-36). It is a polynomial in the distance h of q from the nearest multiple of 1/32. The low word may be as large
+   as 2^-13. */
+VM_INLINE vm_two vmi_ateb_g(vm_two q)
+{
 #if VM_MANT_DIG > 24
-    high += (hh * hh) * ((VM_READ(table[row][8]) + h * VM_READ(table[row][9])) +
-                         hh * (VM_READ(table[row][10]) + h * VM_READ(table[row][11])));
+    const vm_real to_row = VM_C(211106232532992.0); /* 1.5 2^47: the last digit of a sum with it is worth 1/32 */
+#else
+    const vm_real to_row = VM_C(393216.0); /* 1.5 2^18 */
 #endif
-    g.lo += (slope * ((h - h_head) + q.lo) + VM_READ(table[row][1]) * h + VM_READ(table[row][0])) + hh * high;
+    enum { S = VMI_ATEB_G_SERIES };
+    const vm_real shifted = vmi_rounded(q.hi + to_row), h = q.hi - vmi_rounded(shifted - to_row);
+    const vm_real h_head = vmi_head(h), hh = (h + q.lo) * (h + q.lo);
+    const int row = (int)(vmi_to_bits(shifted) & 63);
+    const vm_real slope = vmi_ateb_g_constant(row, VMI_ATEB_G_SLOPE);
+    vm_two g = vmi_fast_two_sum(vmi_ateb_g_constant(row, VMI_ATEB_G_VALUE), slope * h_head); /* an exact product */
+    vm_real series = (vmi_ateb_g_constant(row, S) + h * vmi_ateb_g_constant(row, S + 1)) +
+                     hh * (vmi_ateb_g_constant(row, S + 2) + h * vmi_ateb_g_constant(row, S + 3));
+#if VM_MANT_DIG > 24
+    series += (hh * hh) * ((vmi_ateb_g_constant(row, S + 4) + h * vmi_ateb_g_constant(row, S + 5)) +
+                           hh * (vmi_ateb_g_constant(row, S + 6) + h * vmi_ateb_g_constant(row, S + 7)));
+#endif
+    g.lo += (slope * ((h - h_head) + q.lo) + vmi_ateb_g_constant(row, VMI_ATEB_G_SLOPE_LOW) * h +
+             vmi_ateb_g_constant(row, VMI_ATEB_G_LOW)) +
+            hh * series;
     return g;
 }
 
+/* What the functions need of alpha. A low word may exceed an ulp of its high word where a function says so. */
 typedef struct VM_TAG(vmi_ateb) {
-    vm_two n, q;    /* alpha + 1, 1/(alpha + 1) */
-    vm_two g;       /* Pi - (alpha + 1) */
-    vm_two quarter; /* Pi/2 */
+    vm_two n;       /* alpha + 1 */
+    vm_two q;       /* 1/(alpha + 1) */
+    vm_two g;       /* Pi_alpha - (alpha + 1) */
+    vm_two quarter; /* Pi_alpha/2, a quarter of the period */
 } vmi_ateb;
 
+/* Sets n and q, and the rest to 0. The remainder 1 - n q is exact, since n and q are cut into halves. */
 VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
 {
     vm_real n_head, n_tail, q_head;
     c->n = vmi_two_sum(alpha, 1);
     c->q.hi = 1 / c->n.hi;
-    c->g = c->quarter = vmi_two(0, 0);
+    c->g = vmi_two(0, 0);
+    c->quarter = vmi_two(0, 0);
     n_head = vmi_head(c->n.hi);
     q_head = vmi_head(c->q.hi);
     n_tail = (c->n.hi - n_head) + c->n.lo;
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* g and quarter, whose low words may exceed an ulp, by 2^-13. An error of Pi is one of phase however large Pi is: the
-   sum with g keeps it small for large alpha too. */
+/* Sets g and quarter, whose low words may be as large as 2^-13. The phase has the absolute error of
+   Pi_alpha, however large Pi_alpha is; as a sum of n and g it has a small one for a large alpha too. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -365,6 +404,7 @@ VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
     c->quarter = vmi_half(c->quarter);
 }
 
+/* Sets all of n, q, g and quarter, each low word below an ulp of its high word */
 VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
 {
     vmi_ateb_index_constants(c, alpha);
@@ -373,8 +413,9 @@ VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
     c->quarter = vmi_fast_two_sum(c->quarter.hi, c->quarter.lo);
 }
 
-/* Pi_alpha = B(1/(alpha + 1), 1/2) (277), alpha >= 0: 2 at alpha = 0, pi at 1, alpha + 1 + 2 ln 2 for large ones.
-   sa and ca have the period 2 Pi_alpha. */
+/* Pi_alpha, half the period of sa and ca, for alpha >= 0. Pi_alpha = B(1/(alpha + 1), 1/2), a pure number: 2 for
+   alpha = 0, pi for 1, close to alpha + 1 + 2 ln 2 for a large alpha. Within 1 ulp. NaN for alpha < 0, NaN and
+   infinite alpha. Time: 1.5 sines. Equation (277). */
 VM_API vm_real ateb_pi(vm_real alpha)
 {
     vmi_ateb c;
@@ -383,24 +424,24 @@ VM_API vm_real ateb_pi(vm_real alpha)
     return 2 * c.quarter.hi;
 }
 
-/* Pi/2 to a relative error of 2^-102 (float 2^-44): Pi = (alpha + 1) f(q) */
+/* Whether alpha is so large that three terms of g(q) at q = 0 give the quarter period in two words */
+VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
+
+/* Pi_alpha/2 to a relative error of 2^-102 (float 2^-44). Pi_alpha is n + g(q), with g(q) = 2 ln 2 + q g'(0) + q^2
+   g''(0)/2, for a large alpha, and n f(q) for others. */
 VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 {
-    if (8 * c->q.hi < VM_SQRT(VM_EPSILON)) {
-        const vm_real two_ln2 = VM_C(1.386294361119890618835);
+    const vm_two one = {1, 0};
+    const vm_real q = c->q.hi, two_ln2 = VM_C(1.386294361119890618835);
 #if VM_MANT_DIG > 24
-        const vm_real two_ln2_lo = VM_C(4.638093627692599231e-17);
+    const vm_real two_ln2_lo = VM_C(4.638093627692599231e-17);
 #else
-        const vm_real two_ln2_lo = VM_C(-3.80930859992e-9);
+    const vm_real two_ln2_lo = VM_C(-3.80930859992e-9);
 #endif
-        const vm_real q = c->q.hi;
-        return vmi_half(vmi_two_plus(
-            c->n, vmi_two_sum(two_ln2,
-                              two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)))));
-    } else {
-        vm_two one = {1, 0};
-        return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
-    }
+    vm_real rest;
+    if (!vmi_ateb_is_large(c)) return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
+    rest = two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957));
+    return vmi_half(vmi_two_plus(c->n, vmi_two_sum(two_ln2, rest)));
 }
 
 #endif

@@ -140,8 +140,8 @@ VM_API int vmi_impulse_finite(const vm_impulse *j)
     return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
 }
 
-/* Of two statuses, VM_OK or errors, the error that comes first in the manual's table: VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, by rising size of the number */
+/* Of two statuses, VM_OK or errors, the one that is returned if both apply: VM_BAD_ARGUMENT before VM_NOT_FINITE
+   before VM_BAD_MASS before VM_BAD_INERTIA, whose numbers fall in this order */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;
@@ -197,8 +197,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* VM_OK if all bodies are valid, else the first of their errors in the table; VM_BAD_ARGUMENT for n < 0 and for
-   bodies that are not there */
+/* VM_OK if all bodies are valid, else the error of theirs that vmi_first_error puts first; VM_BAD_ARGUMENT for n < 0
+   and for bodies that are not there */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -247,11 +247,11 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_finite(b->momentum) && vmi_vec3_finite(b->angular_momentum);
 }
 
-/* Balances of momentum, angular momentum and energy between some bodies before and after an instant, (4)-(6),
-   (10)-(12). *balance is what the n_after bodies have less what the n_before bodies had and less what the impulse
-   gave, where one acted. Momentum and, about any point, angular momentum are zero if nothing was lost, but for some
-   eps of their scales. There may be any number of bodies on either side, none included. The bodies are not checked.
-   VM_BAD_ARGUMENT: a null pointer, a negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
+/* Balance of momentum, angular momentum and energy across an instant. *balance is what the n_after bodies have less
+   what the n_before bodies had, and less what the impulse gave, where one acted, (4)-(6), (10)-(12). Momentum and,
+   about any point, angular momentum are zero if nothing was lost, but for some eps of their scales. There may be any
+   number of bodies on either side, none included. The bodies are not checked. VM_BAD_ARGUMENT: a null pointer, a
+   negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {

@@ -12,8 +12,8 @@
 #include "../base/real.h"
 #include "bodies.h"
 
-/* Angular momentum of a body of the plane about the point (x, y), N m s, anticlockwise. The body is not checked: NaN
-   in it gives NaN, and so does a null pointer. */
+/* Angular momentum of a body of the plane about the point (x, y), N m s. It is positive anticlockwise. The body is
+   not checked: NaN in it gives NaN, and so does a null pointer. */
 VM_API vm_real vm_angular_momentum2(const vm_body2 *body, vm_real x, vm_real y)
 {
     if (!body) return VM_NAN;
@@ -29,8 +29,8 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
            2;
 }
 
-/* A body of the plane as a lamina in the plane z = 0 of space, which moves as it does: xx = yy = zz/2, q of length
-   1. The body is not checked. NaN for a null pointer. */
+/* A body of the plane as a lamina of space in the plane z = 0. It has xx = yy = zz/2, q of length 1, and the same
+   motion. The body is not checked. NaN for a null pointer. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};

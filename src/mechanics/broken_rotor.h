@@ -72,7 +72,7 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* the piece's state, with the same psi */
     vm_real dragging;                      /* v_S2d (52), (61), m/s: speed of S2 before the break */
-    vm_real gamma;                         /* angle of this velocity from SA (52), (60), rad; for v_S in any direction */
+    vm_real gamma;                         /* its angle from SA (52), (60), rad; for v_S in any direction */
     vm_real beta;                          /* angle of S2A from SA, rad [(56) corrected]:
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
     vm_real normal;                        /* N (54), m/s: component of v_S2d along S2A */
@@ -91,8 +91,8 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
         !VM_IS_FINITE(r->damping) || !VM_IS_FINITE(r->torque) || !VM_IS_FINITE(r->s))
         return VM_NOT_FINITE;
     if (!(r->mass > 0)) return VM_BAD_MASS;
+    if (!(r->stiffness >= 0)) return VM_BAD_STIFFNESS;
     if (!(r->inertia > 0)) return VM_BAD_INERTIA;
-    if (!(r->stiffness >= 0)) return VM_DOMAIN;
     return VM_OK;
 }
 
@@ -186,12 +186,21 @@ VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, z, y);
 }
 
-VM_API int vmi_check_broken_rotor_piece(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p)
+VM_API int vmi_broken_rotor_piece_finite(const vm_broken_rotor_piece *p)
 {
-    if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->inertia) || !VM_IS_FINITE(p->distance) ||
-        !VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->radius) || !VM_IS_FINITE(p->contact))
-        return VM_NOT_FINITE;
+    return VM_IS_FINITE(p->mass) && VM_IS_FINITE(p->inertia) && VM_IS_FINITE(p->distance) &&
+           VM_IS_FINITE(p->alpha) && VM_IS_FINITE(p->radius) && VM_IS_FINITE(p->contact);
+}
+
+/* The status of the numbers that vm_broken_rotor_break_off takes */
+VM_API int vmi_broken_rotor_check_break(const vm_broken_rotor *whole, const vm_real *before,
+                                        const vm_broken_rotor_piece *p)
+{
+    int status = vmi_check_broken_rotor(whole);
+    if (status == VM_NOT_FINITE) return status;
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, before) || !vmi_broken_rotor_piece_finite(p)) return VM_NOT_FINITE;
     if (!(p->mass > 0 && p->mass < whole->mass)) return VM_BAD_MASS;
+    if (status) return status;
     if (!(p->inertia >= 0)) return VM_BAD_INERTIA;
     return VM_OK;
 }
@@ -264,8 +273,9 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole at the break. VM_BAD_ARGUMENT, VM_NOT_FINITE; VM_BAD_MASS for a piece whose mass
-   is not in (0, M); VM_BAD_INERTIA for an inertia of the rest that is negative or lost in rounding errors; VM_DOMAIN
-   for a whole with s != 0 and for a piece whose mass centre S2 is at A. */
+   is not in (0, M); VM_BAD_STIFFNESS for a negative stiffness; VM_BAD_INERTIA for an inertia of the rest that is
+   negative or lost in rounding errors; VM_DOMAIN for a whole with s != 0 and for a piece whose mass centre S2 is at
+   A. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {
@@ -274,11 +284,9 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
     vm_real sine, cosine, share, T, psi;
     int status;
     if (!whole || !before || !piece || !result) return VM_BAD_ARGUMENT;
-    status = vmi_check_broken_rotor(whole);
-    if (!status && !vmi_all_finite(VM_BROKEN_ROTOR_STATES, before)) status = VM_NOT_FINITE;
-    if (!status) status = vmi_check_broken_rotor_piece(whole, piece);
-    if (!status && whole->s != 0) status = VM_DOMAIN;
+    status = vmi_broken_rotor_check_break(whole, before, piece);
     if (!status) status = vmi_broken_rotor_rest(whole, piece, &b.rest);
+    if (!status && whole->s != 0) status = VM_DOMAIN;
     if (status) return status;
 
     vmi_sincos(piece->alpha, &sine, &cosine);

@@ -6,7 +6,7 @@
    vm_broken_rotor_rhs.
 
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
-       status = vm_broken_rotor_free_motion(5, &whole, y, y); // y at 5 s
+       status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
    The linearised equations are, with omega, p, k*, M* of vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
@@ -204,17 +204,23 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
+/* The status of arguments of the public motions */
+VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
+                                         const vm_real *end)
+{
+    if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
+    return vmi_check_broken_rotor(rotor);
+}
+
 /* The three public motions: all of (69) if coupled = 1, without its last term if coupled = 0 */
-VM_API int vmi_broken_rotor_linearised(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, int coupled,
+VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
     vm_real y[VM_BROKEN_ROTOR_STATES], z[VMI_BROKEN_ROTOR_COUPLED], x0, vx0;
     vmi_broken_rotor_linear a;
     vmi_broken_rotor_swing g;
-    int status;
-    if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
-    status = vmi_check_broken_rotor(rotor);
+    const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
     if (status) return status;
     a = vmi_broken_rotor_reduced(rotor, coupled);
     g = vmi_broken_rotor_swing_at(t, a.omega);
@@ -239,36 +245,38 @@ VM_API int vmi_broken_rotor_linearised(vm_real t, const vm_broken_rotor *rotor, 
    For short times, |psi| << 1; any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may
    be start. damping, stiffness and s may be 0. Error: no more than twice what rounding every input, t included, would
    make. All of (69) grows exponentially: VM_NOT_FINITE where it overflows. VM_BAD_ARGUMENT, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (a negative stiffness). */
-VM_API int vm_broken_rotor_linear(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+   VM_BAD_MASS, VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA. */
+VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
-    return vmi_broken_rotor_linearised(t, rotor, start, 1, end);
+    return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
    The dissertation leaves the term -s p^2 omega^2 y out, although it is of the order of the others: for comparison
    with vm_broken_rotor_linear. Error: no more than rounding every input would make. Arguments and errors as there. */
-VM_API int vm_broken_rotor_linear_uncoupled(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
-    return vmi_broken_rotor_linearised(t, rotor, start, 0, end);
+    return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
    Any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may be start. damping and
    stiffness may be 0. Error: no more than rounding every input, t included, would make. VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (s is not 0, or a negative stiffness). */
-VM_API int vm_broken_rotor_free_motion(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA, VM_DOMAIN (s is not 0). */
+VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
-    if (rotor && !VM_IS_FINITE(rotor->s)) return VM_NOT_FINITE;
-    if (rotor && rotor->s != 0) return VM_DOMAIN;
-    return vmi_broken_rotor_linearised(t, rotor, start, 0, end); /* for s = 0 these equations are (46) itself */
+    const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
+    if (status) return status;
+    if (rotor->s != 0) return VM_DOMAIN;
+    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 these equations are (46) itself */
 }
 
 /* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers.
    x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass, which must not be 0. The
    half axes of the orbit are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, which [1] prints wrongly after (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN where the stiffness is not positive. */
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where the stiffness is not positive, VM_BAD_INERTIA.
+   */
 VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
 {
     vm_real w, x, y, vx, vy, c[4];
@@ -276,7 +284,7 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
     if (!rotor || !start || !abcd) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
     status = vmi_check_broken_rotor(rotor);
-    if (!status && rotor->stiffness == 0) status = VM_DOMAIN;
+    if (rotor->stiffness == 0 && (!status || status == VM_BAD_INERTIA)) status = VM_BAD_STIFFNESS;
     if (status) return status;
     w = VM_SQRT(rotor->stiffness / rotor->mass);
     x = start[VM_BROKEN_ROTOR_X];

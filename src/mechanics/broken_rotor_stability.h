@@ -81,8 +81,8 @@ enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ }
    coefficients, highest power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
    with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. (81) is l times this polynomial, and its last term
-   lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_DOMAIN (resonance, a negative stiffness). */
+   lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA, VM_DOMAIN (at resonance). */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -195,16 +195,15 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
     return x;
 }
 
-/* Radius of the growing orbit t seconds after a start from rest, where Omega = torque/damping is at or above omega,
-   m.
-   psi' is caught at omega, and the torque that is left goes into the orbit: r = |s|/4 + R, where R(0) = 0 and
-   R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
+/* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
+   Omega = torque/damping (rad/s) must be at or above omega. psi' is caught at omega, and the torque that is left goes
+   into the orbit: r = |s|/4 + R, where R(0) = 0 and R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
    |s|/4 is the next order of the expansion. Neglected are terms of s^2/r and the time of the capture: in Fig. 18 at
    t = 400 the radius is 0.001 of 3.473 too small at resonance and 0.093 of 12.437 too large above it. NaN below
    resonance, for t < 0, damping < 0, omega = 0, a null pointer and a bad rotor.
    R R' = A + B/R has the solution t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
-VM_API vm_real vm_broken_rotor_resonance_radius(vm_real t, const vm_broken_rotor *rotor, vm_real Omega)
+VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
     if (!rotor || vmi_check_broken_rotor(rotor) || !(t >= 0) || !VM_IS_FINITE(t) || !VM_IS_FINITE(Omega))

@@ -11,7 +11,7 @@
    rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
-       vm_real angle = vm_drum_angle(1, &drum); // rad, after 1 s on a rigid shaft
+       vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
 
    Tests: tests/test_drum.c, tests/test_drum_shaft.c. */
 #ifndef VARMASS_MECHANICS_DRUM_H
@@ -99,18 +99,26 @@ VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_m
     return VM_OK;
 }
 
+VM_API int vmi_drum_finite(const vm_drum *d)
+{
+    return VM_IS_FINITE(d->radius) && VM_IS_FINITE(d->mass) && VM_IS_FINITE(d->inertia) && VM_IS_FINITE(d->band) &&
+           VM_IS_FINITE(d->speed) && VM_IS_FINITE(d->damping) && VM_IS_FINITE(d->stiffness) &&
+           VM_IS_FINITE(d->omega);
+}
+
 /* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
    phi >= 0 in rad.
-   VM_BAD_ARGUMENT (phi < 0, too), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA. */
-VM_API int vm_drum_at(vm_real phi, const vm_drum *d, vm_drum_geometry *g)
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (phi < 0). */
+VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 {
     vm_real s, c;
     vmi_drum_mass m;
     int status;
-    if (!d || !g || phi < 0) return VM_BAD_ARGUMENT;
-    if (!(VM_IS_FINITE(phi) && VM_IS_FINITE(d->radius))) return VM_NOT_FINITE;
+    if (!d || !g) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(phi) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
     if (d->inertia <= 0) return VM_BAD_INERTIA;
+    if (phi < 0) return VM_DOMAIN;
     vmi_sincos(phi / 2, &s, &c);
     status = vmi_drum_mass_at(d, phi, s, &m);
     if (status) return status;
@@ -218,7 +226,7 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
    through e = 0 and k1 = 1 - e/(j Omega_b) = 0 and up to the stop, as long as products of the fields do not overflow
    or underflow. NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and where inertia or omega is
    not positive or band is negative. */
-VM_API vm_real vm_drum_rate(vm_real phi, const vm_drum *d)
+VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
     if (!(phi >= 0) || !VM_IS_FINITE(phi) || !vmi_drum_turns(d)) return VM_NAN;
@@ -230,20 +238,20 @@ VM_API vm_real vm_drum_rate(vm_real phi, const vm_drum *d)
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
    An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum; the independent variable is phi, and the angular
-   velocity phi'(phi) is that on a rigid shaft (196). VM_BAD_ARGUMENT for a null pointer and where the drum does not
-   get to phi, and the errors of vm_drum_rhs. */
+   velocity phi'(phi) is that on a rigid shaft (196). VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN where the drum
+   does not get to phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
-    const vm_real rate = vm_drum_rate(phi, d), j = d->band * d->radius * d->radius;
+    const vm_real rate = vm_drum_rate(d, phi), j = d->band * d->radius * d->radius;
     const vm_real e = d->band * d->speed * d->radius - d->damping;
     const vm_real slope_x = y[VM_DRUM_SLOPE], slope_y = y[VM_DRUM_SLOPE + 1];
     vm_real acceleration, drag, force_y;
     vmi_drum_mass m;
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
-    if (!(rate > 0)) return VM_BAD_ARGUMENT;
+    if (!(rate > 0)) return VM_DOMAIN;
     acceleration = (e - j * rate) / m.J; /* d phi'/d phi (195): phi'' = acceleration phi' */
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
@@ -268,7 +276,7 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
    With x = e phi/(J0 Omega_b), without branches: t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2].
    Accuracy and NaN as for vm_drum_rate; infinity at the stop. */
-VM_API vm_real vm_drum_time(vm_real phi, const vm_drum *d)
+VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
     if (!(phi >= 0) || !VM_IS_FINITE(phi) || !vmi_drum_turns(d)) return VM_NAN;
@@ -301,7 +309,7 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
    With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and y = a p = ln(1 + x) the equation of vm_drum_time reads
      p + b f^2 (x - y)/x^2 = 1,   x = e^y - 1,   f = p x/y.
    Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from anywhere. */
-VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
+VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
     const vm_real precise = VM_EPSILON / 8; /* relative error of phi that the last step leaves */
     const int most_steps = 40; /* 8 were the most for 400 000 drums with |a| and b from 1e-20 to 1e20 */
@@ -334,7 +342,7 @@ VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
    is here for comparison, vm_drum_angle is better: this form loses all digits next to e = 0, where r comes to the
    branch point of W. x itself leaves the range of numbers next to k1 = 0 (it is 1e-869 for k1 = 1e-3), so ln |x| is
    used. NaN for e = 0 and k1 = 0, and as for vm_drum_rate. */
-VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
+VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
     if (!(t >= 0) || !VM_IS_FINITE(t) || !vmi_drum_turns(d)) return VM_NAN;
@@ -352,16 +360,18 @@ VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
 }
 
 /* Coefficients of the elastic shaft in the first approximation, (213), (214).
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_SINGULAR where stiffness or omega is not positive.
-   */
-VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN where omega is not
+   positive. */
+VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
 {
     vm_drum_shaft r;
     vm_real j, drive, mass; /* j/J0, e/(J0 Omega_b), mu/M0 */
     if (!d || !s) return VM_BAD_ARGUMENT;
+    if (!vmi_drum_finite(d)) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
+    if (d->stiffness <= 0) return VM_BAD_STIFFNESS;
     if (d->inertia <= 0) return VM_BAD_INERTIA;
-    if (d->stiffness <= 0 || d->omega <= 0) return VM_SINGULAR;
+    if (d->omega <= 0) return VM_DOMAIN;
     mass = d->band / d->mass;
     j = d->band * d->radius * d->radius / d->inertia;
     drive = vmi_drum_e(d).hi / (d->inertia * d->omega);
@@ -369,8 +379,7 @@ VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
     r.delta = (mass + drive - j) / 2;
     r.A = mass + 2 * (drive - j);
     r.shift = mass * d->speed / (d->omega * r.k * r.k);
-    if (!VM_IS_FINITE(d->inertia) || !VM_IS_FINITE(r.k) || !VM_IS_FINITE(r.delta) || !VM_IS_FINITE(r.A) ||
-        !VM_IS_FINITE(r.shift))
+    if (!VM_IS_FINITE(r.k) || !VM_IS_FINITE(r.delta) || !VM_IS_FINITE(r.A) || !VM_IS_FINITE(r.shift))
         return VM_NOT_FINITE;
     *s = r;
     return VM_OK;
@@ -381,7 +390,7 @@ VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
    particular is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which gives the
    amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as
    2k/3 phi (1 + m + m^2)/(1 + m), which is right for A = 0, too. NaN where 1 - A phi <= 0 and for a null pointer. */
-VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a, vm_real alpha, vm_real particular)
+VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;
     if (!s) return VM_NAN;

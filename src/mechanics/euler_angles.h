@@ -58,6 +58,7 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 {
     vm_real s, c, sine, cosine, result[3]; /* of psi, of theta */
     if (!rates) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
     if (sine == 0) return VM_SINGULAR;

@@ -296,11 +296,10 @@ VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 {
     vmi_inertia_ldl factors;
-    int status = vmi_check_body(body);
-    if (!status) status = vmi_streams_are_valid(flow->n, flow->streams);
+    int status = vmi_first_error(vmi_check_body(body), vmi_streams_are_valid(flow->n, flow->streams));
+    if (!vmi_vec3_finite(flow->centre) || !vmi_vec3_finite(flow->force) || !vmi_vec3_finite(flow->moment))
+        status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
-    if (!(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
-        return VM_NOT_FINITE;
     if (!vmi_inertia_factor(&body->inertia, &factors)) return VM_BAD_INERTIA;
     return VM_OK;
 }
@@ -380,9 +379,10 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
-/* Event function: the least pivot of the inertia minus flow.least_inertia, kg m^2. The pivot is 0 where the inertia
-   is singular. For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. The triangle inequality is
-   not watched, because the inertia of thin bodies is always close to its limit. NaN for a null pointer. */
+/* Least pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
+   It stops a run before the inertia becomes singular, where the pivot is 0. For vm_flow_rhs and vm_flow_balanced_rhs;
+   the event's ctx is the vm_flow. The triangle inequality is not watched, because the inertia of thin bodies is
+   always close to its limit. NaN for a null pointer. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;

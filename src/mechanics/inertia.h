@@ -134,16 +134,16 @@ VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* 1 if a body can have this inertia, 0 if not, and for NaN and a null pointer. A body's principal moments are not
-   negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace count as
-   rounding errors. Rods and points are bodies. */
+/* Whether a body can have this inertia: 1 if it can, 0 if not, and for NaN and a null pointer. A body's principal
+   moments are not negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace
+   count as rounding errors. Rods and points are bodies. */
 VM_API int vm_inertia_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_finite(inertia) && vmi_inertia_within(inertia, vmi_slack(inertia));
 }
 
-/* The inertia about a point at distance d from the mass centre, along the same axes, (40): own + mass P(d), where
-   own is about the mass centre, kg m^2. With -mass it goes back to the mass centre. NaN for a null pointer; NaN in
+/* Inertia about a point d away from the mass centre, along parallel axes, (40): own + mass P(d), where own is about
+   the mass centre, kg m^2, and d in m. With -mass it goes back to the mass centre. NaN for a null pointer; NaN in
    the arguments gives NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {

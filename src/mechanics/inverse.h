@@ -73,7 +73,7 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
     return status;
 }
 
-/* Inverse of vm_separate: how must the part leave, so that the rest moves as wanted? *moving is the part with the
+/* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving is the part with the
    velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and then with the angular velocity that gives it
    *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is asked for, and the part keeps its own motion.
    With *rest_omega = 0 the rest does not turn (Table 2, 5 and 7; Table 4, 2), with *rest_v = 0 too it is at rest
@@ -150,7 +150,7 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
     return left ? VM_NULL_AXIS : VM_OK;
 }
 
-/* Inverse of vm_separate2: how must the part leave, so that the rest moves as wanted, in the plane? *moving is the
+/* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving is the
    part with the velocity that gives the rest the velocity rest_v_or_NULL[0], rest_v_or_NULL[1] (m/s, along x and y),
    and then with the angular velocity that gives it *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is
    asked for, and the part keeps its own motion. Statuses as those of vm_separation_for_rest. */
@@ -179,11 +179,11 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of the part that gives the rest the angular velocity rest_omega (rad/s), in the plane, while the part
-   keeps its own spin (Table 3, 7, asked for v_r). *moving is the part with, of all such velocities, the one with the
-   least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. The velocity in
-   *part is not read. VM_SINGULAR if SS2 = 0, so that no velocity turns the rest. Other statuses as those of
-   vm_separate2. */
+/* Velocity of a part that leaves the rest with a wanted spin, in the plane. It is (Table 3, 7), asked for v_r: the
+   rest turns with rest_omega (rad/s), and the part keeps its own spin. Of all such velocities, *moving has the one
+   with the least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. The
+   velocity in *part is not read. VM_SINGULAR if SS2 = 0, so that no velocity turns the rest. Other statuses as those
+   of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {

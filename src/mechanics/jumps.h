@@ -157,7 +157,7 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     return frame;
 }
 
-/* The status of what is given for a jump */
+/* VM_OK if the bodies are valid and the impulse is finite, else the error that vmi_first_error puts first */
 VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
@@ -208,7 +208,8 @@ VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi
     return left;
 }
 
-/* The jump of a body by n others with sign, and by an impulse */
+/* The jump of a body to which n others are attached (sign = 1) or from which they separate (-1), while an impulse
+   acts */
 VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign,
                     const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -265,7 +266,7 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts at once, n >= 0: *rest is what remains. Except for rounding errors it is what n calls of
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors it is what n calls of
    vm_separate give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate, and
    VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
@@ -274,7 +275,7 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
     return vmi_jump(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies at once, n >= 0: *whole is all of them together. Except for rounding errors it is what n
+/* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors it is what n
    calls of vm_attach give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach, and
    VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
@@ -312,7 +313,7 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia of two bodies together, about their common mass centre, (13)-(15), (40). All inertias are along one set of
+/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias are along one set of
    axes, each about its body's own mass centre, kg m^2. d leads from the mass centre of a to that of b, *centre from
    that of a to the common one, m. Accuracy as that of vm_separate. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE,
    VM_BAD_MASS, VM_BAD_INERTIA. */
@@ -322,7 +323,7 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of what is left of a body without a part, about its own mass centre, (13)-(15), (40): the way back from
+/* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40), the way back from
    vm_combine_inertia. d leads from the mass centre of the whole to that of the part (SS2), *centre from that of the
    whole to that of the rest (SS1), m. Statuses as those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,

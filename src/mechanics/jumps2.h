@@ -74,7 +74,7 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-/* The jump of a body of the plane by n others with sign, and by an impulse */
+/* vmi_jump in the plane */
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
                      const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -101,7 +101,7 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane (35)-(39): *rest is what remains, the instant after. *part has left
+/* Separation of a part from a body in the plane: *rest is what remains, the instant after, (35)-(39). *part has left
    the whole and moves as given; *external, where not NULL, acted during the instant. Momentum and angular momentum
    of rest and part are those of the whole plus the impulse. rest may be whole or part. Accuracy as that of
    vm_separate.
@@ -125,18 +125,18 @@ VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impu
     return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts at once in the plane, n >= 0: *rest is what remains. Except for rounding errors it is what n
-   calls of vm_separate2 give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate2, and
-   VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors it is
+   what n calls of vm_separate2 give. With n = 0 only the impulse acts on the body. Statuses as those of
+   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies at once in the plane, n >= 0: *whole is all of them together. Except for rounding errors it
-   is what n calls of vm_attach2 give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach2,
-   and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors
+   it is what n calls of vm_attach2 give. With n = 0 only the impulse acts on the body. Statuses as those of
+   vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {

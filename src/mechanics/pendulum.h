@@ -51,11 +51,11 @@ typedef struct VM_TAG(vm_pendulum_cut) {
 
 VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
 {
+    if (p->axes != VM_AXES_COS_SIN && p->axes != VM_AXES_SIN_COS) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->length) || !VM_IS_FINITE(p->angle) || !VM_IS_FINITE(p->rate) ||
         !VM_IS_FINITE(part))
         return VM_NOT_FINITE;
     if (!(p->mass > 0)) return VM_BAD_MASS;
-    if (p->axes != VM_AXES_COS_SIN && p->axes != VM_AXES_SIN_COS) return VM_DOMAIN;
     if (!(part > 0 && part < p->length)) return VM_DOMAIN;
     return VM_OK;
 }
@@ -85,8 +85,8 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
    part is the length l of the part, m, 0 < l < L; Omega (rad/s) is its angular velocity relative to the rod, in the
    sense of phi; (ux, uy) (m/s) is the velocity of its mass centre relative to the rod, in the axes of the pendulum.
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos):
-   this is (125), (132) corrected and simplified by hand, so that no digits cancel. VM_BAD_ARGUMENT, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_DOMAIN (a part that is not shorter than the rod, axes that do not exist). */
+   this is (125), (132) corrected and simplified by hand, so that no digits cancel. VM_BAD_ARGUMENT (axes that
+   do not exist, too), VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN (the part is not shorter than the rod). */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {

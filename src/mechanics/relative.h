@@ -5,10 +5,10 @@
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
+       part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
        part.v.x = part.v.y = part.omega.x = part.omega.y = part.omega.z = 0;
-       part.v.z = 2;                                       // it leaves at 2 m/s, relative to the whole
-       vm_separate_relative(&whole, &part, NULL, &rest);   // so rest moves relative to the whole, too
-       vm_to_absolute(&whole, &rest, &rest);
+       part.v.z = 2;                                     // it leaves at 2 m/s, relative to the whole
+       if (vm_separate_relative(&whole, &part, NULL, &rest) == VM_OK) vm_to_absolute(&whole, &rest, &rest);
 
    Tests: tests/test_relative.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_RELATIVE_H
@@ -83,8 +83,8 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion of a body of the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change
-   as in vm_to_relative, all else is copied. Statuses as those of vm_to_relative. */
+/* Motion in the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change as in
+   vm_to_relative, all else is copied. Statuses as those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
@@ -94,7 +94,7 @@ VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body
     return vmi_put_body2(&b, absolute->angle, relative);
 }
 
-/* Absolute motion of a body of the plane that is given relative to the body `to`: the way back from vm_to_relative2,
+/* Absolute motion in the plane of a body that is given relative to the body `to`: the way back from vm_to_relative2,
    with its statuses */
 VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body2 *absolute)
 {
@@ -129,34 +129,36 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
     return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Separation in motions relative to the whole, (28)-(31), (42)-(44): v and omega of part are relative to the whole,
-   and so are those of *rest. The whole's own v and omega do not matter. Otherwise as vm_separate, statuses included.
-   */
+/* Separation, where the motions are given relative to the whole: (28)-(31), (42)-(44). v and omega of part are
+   relative to the whole, and so are those of *rest. The whole's own v and omega are not read. Otherwise as
+   vm_separate, statuses included. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in motions relative to the first body, (28)-(31), (42)-(44): v and omega of added are relative to body,
-   and so are those of *whole. The own v and omega of body do not matter. Otherwise as vm_attach, statuses included.
-   */
+/* Attachment, where the motions are given relative to the first body: (28)-(31), (42)-(44). v and omega of added are
+   relative to body, and so are those of *whole. The own v and omega of body are not read. Otherwise as vm_attach,
+   statuses included. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
     return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation in the plane, in motions relative to the whole: vx, vy, omega of part are relative to the whole, and so
-   are those of *rest. The whole's own motion does not matter. Otherwise as vm_separate2, statuses included. */
+/* Separation in the plane, where the motions are given relative to the whole: vx, vy, omega of part are relative to
+   the whole, and so are those of *rest. The whole's own motion is not read. Otherwise as vm_separate2, statuses
+   included. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, in motions relative to the first body: vx, vy, omega of added are relative to body, and
-   so are those of *whole. The own motion of body does not matter. Otherwise as vm_attach2, statuses included. */
+/* Attachment in the plane, where the motions are given relative to the first body: vx, vy, omega of added are
+   relative to body, and so are those of *whole. The own motion of body is not read. Otherwise as vm_attach2,
+   statuses included. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {

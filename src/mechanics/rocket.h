@@ -82,14 +82,16 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
      v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
    Within 8 eps of the terms, for every rate, zero included. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS where m0 or
    m0 + rate t is not positive. */
-VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
+VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
 {
     vm_real tau, first, second, difference, given = 0, acceleration, result[2];
     if (!stream || !x || !v || !vmi_stream_motion_is_known(stream->motion)) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(stream->rate) || !VM_IS_FINITE(stream->velocity) || !VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(x0) || !VM_IS_FINITE(v0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(force)) return VM_NOT_FINITE;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
-    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(tau)) return VM_NOT_FINITE;
     if (!(tau > -1)) return VM_BAD_MASS;
     vmi_stream_log_means(tau, &first, &second);
     if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
@@ -110,6 +112,13 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
     return VM_OK;
 }
 
+VM_API int vmi_jet_finite(const vm_jet *jet)
+{
+    return VM_IS_FINITE(jet->rate) && VM_IS_FINITE(jet->axial) && VM_IS_FINITE(jet->transverse) &&
+           VM_IS_FINITE(jet->gyration_axial) && VM_IS_FINITE(jet->gyration_transverse) &&
+           VM_IS_FINITE(jet->gyration_out) && VM_IS_FINITE(jet->nozzle);
+}
+
 /* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
    There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
    gyration_axial t the transverse part of omega has the length
@@ -118,17 +127,17 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
    tau = rate gyration_transverse t/A0 and L, B of vm_linear_flow: ln(A/A0) = tau L, and the integral is
    t (C0/A0 L - 1 + rate t gyration_axial/A0 B). The error is at most 8 times what an eps in the inputs makes.
    VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA where A or C is not positive. */
-VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 *omega)
+VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
     vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !vmi_vec3_finite(omega0) || !vmi_jet_finite(jet)) return VM_NOT_FINITE;
     if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
     change = jet->rate * t / jet->transverse;
     tau = change * jet->gyration_transverse;
     exponent = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
-    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(exponent) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
-        return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(exponent)) return VM_NOT_FINITE;
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
     share = vmi_exp(exponent * first, 0);

@@ -225,17 +225,17 @@ VM_API int vmi_stream_is_valid(const vm_stream *s)
         !vmi_vec3_finite(s->spin))
         return VM_NOT_FINITE;
     status = vmi_gyration_is_valid(&s->gyration);
-    if (status || !s->from) return status;
+    if (!s->from) return status;
     if (!vmi_vec3_finite(s->from->at)) return VM_NOT_FINITE;
-    return vmi_gyration_is_valid(&s->from->gyration);
+    return vmi_first_error(status, vmi_gyration_is_valid(&s->from->gyration));
 }
 
-/* The status of the first of n streams that is not valid, else VM_OK */
+/* The first error of n streams in the table's order, else VM_OK */
 VM_API int vmi_streams_are_valid(int n, const vm_stream *s)
 {
     int k, status = VM_OK;
     if (n < 0 || (n > 0 && !s)) return VM_BAD_ARGUMENT;
-    for (k = 0; !status && k < n; k++) status = vmi_stream_is_valid(s + k);
+    for (k = 0; k < n; k++) status = vmi_first_error(status, vmi_stream_is_valid(s + k));
     return status;
 }
 
@@ -258,9 +258,8 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     vm_reactive r;
     int status, k;
     if (!body || !result) return VM_BAD_ARGUMENT;
-    status = vmi_check_body(body);
-    if (!status) status = vmi_streams_are_valid(n, streams);
-    if (!status && !vmi_vec3_finite(centre)) status = VM_NOT_FINITE;
+    status = vmi_first_error(vmi_check_body(body), vmi_streams_are_valid(n, streams));
+    if (!vmi_vec3_finite(centre)) status = vmi_first_error(status, VM_NOT_FINITE);
     for (k = 0; !status && k < n; k++)
         if (streams[k].from) status = VM_STORED_STREAM;
     if (status) return status;

@@ -386,18 +386,18 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     return VM_OK;
 }
 
-/* Preparation of the exact torque-free motion of a body that is as given at the time t0 (s): one call, then any
-   number of vm_torque_free_at. Where it fails *motion stays as it was. VM_BAD_ARGUMENT: a null pointer.
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA. Accuracy and cost: at vm_torque_free. */
+/* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; afterwards
+   vm_torque_free_at gives it at any time. Accuracy and cost are those at vm_torque_free. VM_BAD_ARGUMENT: a null
+   pointer. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA; then *motion stays as it was. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
     if (!motion || !body) return VM_BAD_ARGUMENT;
     return vmi_torque_free_start(motion, body, 0, t0);
 }
 
-/* Preparation from principal moments (kg m^2), where the body's axes are the principal ones, and omega (rad/s) along
-   them, not along the inertial axes. q is the attitude at t0 (s). The body has mass 1 and rests at the origin.
-   Statuses as those of vm_torque_free_init. */
+/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body's axes are the principal
+   ones, and omega (rad/s) is along them, not along the inertial axes; q is the attitude at t0 (s). The body has mass
+   1 and rests at the origin. Statuses as those of vm_torque_free_init. */
 VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega,
                                          vm_real t0)
 {
@@ -413,10 +413,11 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
     return vmi_torque_free_start(motion, &body, 1, t0);
 }
 
-/* Attitude and angular velocity at the time t (s), later than t0 or earlier; *omega is along body axes, rad/s. q is
-   continuous in t and keeps the length that it had at t0 (1, if it was all zero). VM_BAD_ARGUMENT: a null pointer.
-   VM_NOT_FINITE: t or the result is not finite, or t or the turns are beyond 1e290 (float 1e30); then *q and *omega
-   stay as they were. Beyond 1/eps^2 turns the result is finite and has the right angular momentum, but no phase. */
+/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later than t0 or earlier. *omega
+   is along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1, if it was all zero).
+   VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE: t or the result is not finite, or t or the turns are beyond 1e290
+   (float 1e30); then *q and *omega stay as they were. Beyond 1/eps^2 turns the result is finite and has the right
+   angular momentum, but no phase. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     const vm_real largest_factor = VM_MAX / VM_SPLIT; /* products in two words split their factors */
@@ -436,9 +437,9 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     return VM_OK;
 }
 
-/* The body at the time t (s), later than t0 or earlier: attitude and omega as vm_torque_free_attitude gives them,
-   but omega along inertial axes, and the mass centre on its straight line. Statuses as those of
-   vm_torque_free_attitude; where it fails *body stays as it was. */
+/* A torque-free body at the time t (s), later than t0 or earlier. Attitude and omega are those of
+   vm_torque_free_attitude, but omega is along inertial axes; the mass centre is on its straight line. Statuses as
+   those of vm_torque_free_attitude; where it fails *body stays as it was. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -456,8 +457,8 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     return VM_OK;
 }
 
-/* The body a time t (s) later, in one call: vm_torque_free_init, then vm_torque_free_at, with their statuses. later
-   may be body. */
+/* A torque-free body a time t (s) later, in one call: vm_torque_free_init, then vm_torque_free_at, with their
+   statuses. later may be body. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;

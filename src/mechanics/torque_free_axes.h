@@ -70,10 +70,10 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
    length but 0 */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
-    const vm_vec3 vector = vmi_quat_vector(q);
-    const vm_real longest = vmi_norm_max(vector), size = VM_FABS(q.w);
+    const vm_vec3 xyz = vmi_quat_vector(q);
+    const vm_real longest = vmi_norm_max(xyz), size = VM_FABS(q.w);
     const vm_real power = vmi_power_of_two(longest > size ? longest : size);
-    const vmi_vec3_two v = vmi_vec3_two_over(vector, power);
+    const vmi_vec3_two v = vmi_vec3_two_over(xyz, power);
     const vmi_vec3_two va = vmi_vec3_two_cross(&v, a), vva = vmi_vec3_two_cross(&v, &va);
     const vm_two w = vmi_two(q.w / power, 0);
     const vm_two square = vmi_two_plus(vmi_two_times(w, w), vmi_vec3_two_dot(&v, &v));

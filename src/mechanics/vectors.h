@@ -6,8 +6,8 @@
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
    The functions are internal: sums and products of vectors, norms, rotation matrices, and three or four numbers of a
-   state read as a vector or quaternion. They do not check their arguments. Tests: tests/test_jumps.c and
-   tests/test_torque_free.c use all of them. */
+   state read as a vector or quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
+   tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -173,13 +173,7 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Four numbers w, x, y, z of a state as a quaternion, and back */
+/* Four numbers w, x, y, z of a state as a quaternion */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
-
-VM_API void vmi_set_quat(vm_real *y, vm_quat q)
-{
-    y[0] = q.w;
-    vmi_set3(y + 1, vmi_quat_vector(q));
-}
 
 #endif

@@ -16,15 +16,16 @@
 #include "../base/status.h"
 #include "constant_mass.h"
 #include "legendre.h"
-#include "mean_laws.h"
+#include "mean_motion.h"
 #include "problem.h"
 #include "waves.h"
 
 /* -- Averaged equations with a force -- */
 
-/* Means over a period of F s and F c at amplitude A and V = speed vmax. On each quarter 20 points of Gauss' rule go as
-   far as the velocity changes its sign like tanh psi, and 20 are in the root of the distance from x = 0, where powers
-   of it that are not whole may occur. */
+/* Means over a period of F s and F c at amplitude A and V = speed vmax. Every quarter of the period is cut in two. Up
+   to the cut, where for large alpha the velocity goes like tanh psi, Gauss' rule takes 20 points in psi. From there
+   to x = 0 it takes 20 points in the root of the distance from x = 0, since F may hold fractional powers of that
+   distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {

@@ -50,13 +50,12 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
     return s->v;
 }
 
-/* Turning points or zero crossings of a trajectory in (t0, t1].
-   kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The trajectory is evaluated every `step`, or a little less, and each
-   change of sign located to an eps of t. step should be a small part of a period; it is negative where t1 < t0. The
-   first `room` of them are written to samples, in the order of time. Returns the number of all, which may be larger
-   than room, or a negative status: VM_BAD_ARGUMENT for null pointers or an unknown kind, VM_NOT_FINITE for a step of 0
-   or of the wrong sign, for more than 2e9 steps, or where the trajectory is not finite; what was found until then
-   stands in samples. */
+/* Turning points or zero crossings of a trajectory in (t0, t1]. kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The
+   trajectory is evaluated every `step`, or a little less, and each change of sign located to an eps of t. step should
+   be a small part of a period; it is negative where t1 < t0. The first `room` of them are written to samples, in the
+   order of time. Returns the number of all, which may be larger than room, or a negative status: VM_BAD_ARGUMENT for
+   null pointers or an unknown kind, VM_NOT_FINITE for a step of 0 or of the wrong sign, for more than 2e9 steps, or
+   where the trajectory is not finite; what was found until then stands in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -110,10 +109,9 @@ VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
     *v = m->buffer[m->v];
 }
 
-/* Turning points or zero crossings in the last step of an rk45 or rk87; call it after every step.
-   x and v are the indices of position and velocity in the state; buffer has room for a state. kind, room, samples and
-   the result are those of vm_find_samples. VM_BAD_ARGUMENT also for indices outside the state; 0 before the first
-   step. */
+/* Turning points or zero crossings in the last step of an rk45 or rk87. Call it after every step. x and v are the
+   indices of position and velocity in the state; buffer has room for a state. kind, room, samples and the result are
+   those of vm_find_samples. VM_BAD_ARGUMENT also for indices outside the state; 0 before the first step. */
 VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *samples)
 {
     const vm_real parts = 4; /* of the step, each of which is searched for a change of sign */

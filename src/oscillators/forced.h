@@ -34,8 +34,8 @@
 enum { VMI_FORCED_HARMONICS = 5 };
 
 /* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again where
-   alpha has changed. The other fields may change without. Constructors make the laws, of a constant
-   vm_law_linear(value, 0). */
+   alpha has changed. The other fields may change without a new call. Constructors make the laws;
+   a constant is vm_law_linear(value, 0). */
 typedef struct VM_TAG(vm_forced) {
     vm_real alpha;     /* exponent of the spring, >= 0 */
     vm_real damping;   /* b, kg/s; > 0 takes energy out */
@@ -145,7 +145,8 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
    vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive; these statuses stop the run. */
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive or t is outside a table; these
+   statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -163,9 +164,8 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
     return VM_OK;
 }
 
-/* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
-   y = (A, psi, theta) with x = A ca(psi); singular at A = 0. Nothing is neglected. forced and errors are those of
-   vm_forced_rhs. */
+/* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87. y = (A, psi, theta) with x = A
+   ca(psi); singular at A = 0. Nothing is neglected. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -185,10 +185,11 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Averaged equations of an excited oscillator near its main resonance nu = w(A), for rk45 or rk87.
-   y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force; start and
-   end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over times of
-   their inverses, larger away from the resonance. forced and errors are those of vm_forced_rhs. */
+/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87. The main resonance is nu =
+   w(A). y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force;
+   start and end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over
+   times of their inverses, larger away from the resonance. The argument forced and the statuses are those of
+   vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -227,9 +228,9 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta) at time t. The ripple of the amplitude
-   within a period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The
-   statuses are those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
+/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta). The ripple of the amplitude within a
+   period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The statuses are
+   those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -251,9 +252,9 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     return VM_OK;
 }
 
-/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta) at time t.
-   The inverse of vm_forced_to_averaged: the ripple is put back. The same errors, and VM_DOMAIN for A <= 0. motion may
-   be y. */
+/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta). The inverse of
+   vm_forced_to_averaged: the ripple is put back. The statuses are the same, VM_DOMAIN also for A <= 0. motion may be
+   y. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;

@@ -21,7 +21,7 @@
 #include "averaging.h"
 #include "constant_mass.h"
 #include "laws.h"
-#include "mean_laws.h"
+#include "mean_motion.h"
 #include "problem.h"
 #include "walk.h"
 #include "waves.h"
@@ -92,7 +92,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int route;        /* VM_ROUTE_... of the method */
     vmi_osc_wave wave;
     int side;         /* 1 forward, -1 backward in time */
-    int status;       /* of the laws, where they stopped the run */
+    int status;       /* of a law of m or k that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, as a part of the way to the next stop */
     vm_real law_step; /* longest step, s, in which no law of a function changes unseen, for VMI_OSC_LONGEST */
@@ -178,7 +178,7 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
 /* -- One run -- */
 
 /* The period at the run's time, s, by the amplitude in y, or for the direct equations by the adiabatic law without
-   damping; NaN where the laws fail */
+   damping; NaN where a law of m or k fails */
 VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 {
     const vm_osc_plan *p = c->plan;
@@ -316,7 +316,7 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 }
 
 /* The longest step, s, in which no law that is a function changes unseen: a part of the shortest panel in the walk
-   along the laws. A jump of a law would make it 0, so it is at least a fixed part of the run. */
+   along the laws. A jump of the law would make it 0, so it is at least a fixed part of the run. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -337,7 +337,7 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     return VM_OK;
 }
 
-/* A loose run and a strict one, with half the longest step. Where the laws stopped one, c->status says so. */
+/* A loose run and a strict one, with half the longest step. Where a law of m or k stopped one, c->status says so. */
 VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, vm_real longest, vm_osc_motion *loose,
                             vm_osc_motion *strict)
 {

@@ -57,10 +57,10 @@ typedef struct VM_TAG(vm_jeffcott) {
 
 /* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
 enum {
-    VMI_WHIRL_P = 0,   /* and 1: forward whirl P */
-    VMI_WHIRL_N = 2,   /* and 3: backward whirl N */
-    VMI_WHIRL_PHI = 4, /* fast phase */
-    VMI_WHIRL_SIZE = 5
+    VMI_JEFFCOTT_P = 0,   /* and 1: forward whirl P */
+    VMI_JEFFCOTT_N = 2,   /* and 3: backward whirl N */
+    VMI_JEFFCOTT_PHI = 4, /* fast phase */
+    VMI_JEFFCOTT_SIZE = 5
 };
 
 /* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness.
@@ -84,7 +84,7 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about the axis, kg m^2/s, with the share of the gyroscopic force.
+/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s.
    It is Im(conj z m z') - g |z|^2, which stays constant where r = 1, u = 0 and F_z = 0. v is z'. NaN for a null
    pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
@@ -115,9 +115,9 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
     return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
 }
 
-/* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
-   y = (x, y, x', y'), m and m/s; rotor points to a vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no
-   mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS; these statuses stop the run. */
+/* Equation of motion (449), (450) of a rotor, for rk45 or rk87. y = (x, y, x', y'), m and m/s; rotor points to a
+   vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_DOMAIN for t outside a table of the mass; these statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -160,8 +160,8 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
     return VM_OK;
 }
 
-/* Motion of a rotor, (x, y, x', y'), to forward and backward whirl P, N at time t, (456)-(461).
-   Both are circular motions of the frequency omega = sqrt(F_e'(0)/m),
+/* Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461).
+   The whirls P and N are circular motions of the frequency omega = sqrt(F_e'(0)/m),
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase to start with, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
@@ -174,31 +174,31 @@ VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_rea
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
     vmi_jeffcott_state now;
     vm_complex turned, P, N;
-    vm_real found[VMI_WHIRL_SIZE];
+    vm_real found[VMI_JEFFCOTT_SIZE];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
     N = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_sub(z, turned)), vmi_c_conjugate(back));
-    found[VMI_WHIRL_P] = P.re;
-    found[VMI_WHIRL_P + 1] = P.im;
-    found[VMI_WHIRL_N] = N.re;
-    found[VMI_WHIRL_N + 1] = N.im;
-    found[VMI_WHIRL_PHI] = phi;
-    return vmi_copy_if_finite(VMI_WHIRL_SIZE, found, y);
+    found[VMI_JEFFCOTT_P] = P.re;
+    found[VMI_JEFFCOTT_P + 1] = P.im;
+    found[VMI_JEFFCOTT_N] = N.re;
+    found[VMI_JEFFCOTT_N + 1] = N.im;
+    found[VMI_JEFFCOTT_PHI] = phi;
+    return vmi_copy_if_finite(VMI_JEFFCOTT_SIZE, found, y);
 }
 
 /* z and z' from the whirls in y, where turn = e^(i phi) */
 VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
 {
-    const vm_complex P = vmi_c_times(vmi_complex(y[VMI_WHIRL_P], y[VMI_WHIRL_P + 1]), turn);
-    const vm_complex N = vmi_c_times(vmi_complex(y[VMI_WHIRL_N], y[VMI_WHIRL_N + 1]), vmi_c_conjugate(turn));
+    const vm_complex P = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_P], y[VMI_JEFFCOTT_P + 1]), turn);
+    const vm_complex N = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_N], y[VMI_JEFFCOTT_N + 1]), vmi_c_conjugate(turn));
     *z = vmi_c_add(P, N);
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Motion of a rotor, (x, y, x', y'), from forward and backward whirl at time t.
-   The inverse of vm_jeffcott_to_averaged: y = (Re P, Im P, Re N, Im N, phi). The same errors. motion may be y. */
+/* Motion (x, y, x', y') of a rotor from forward and backward whirl. The inverse of vm_jeffcott_to_averaged: y = (Re
+   P, Im P, Re N, Im N, phi). The statuses are the same. motion may be y. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!r || !y || !motion) return VM_BAD_ARGUMENT;
@@ -207,7 +207,7 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     vm_real joined[4];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
-    vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_WHIRL_PHI]), now.omega, &z, &v);
+    vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_JEFFCOTT_PHI]), now.omega, &z, &v);
     joined[0] = z.re;
     joined[1] = z.im;
     joined[2] = v.re;
@@ -252,15 +252,15 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
     int j;
     if (status) return status;
     for (j = 0; j < nodes; j++) {
-        vmi_jeffcott_rates(r, t, &now, y, y[VMI_WHIRL_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
+        vmi_jeffcott_rates(r, t, &now, y, y[VMI_JEFFCOTT_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
         P = vmi_c_add(P, dP);
         N = vmi_c_add(N, dN);
     }
-    dydt[VMI_WHIRL_P] = P.re * share;
-    dydt[VMI_WHIRL_P + 1] = P.im * share;
-    dydt[VMI_WHIRL_N] = N.re * share;
-    dydt[VMI_WHIRL_N + 1] = N.im * share;
-    dydt[VMI_WHIRL_PHI] = now.omega;
+    dydt[VMI_JEFFCOTT_P] = P.re * share;
+    dydt[VMI_JEFFCOTT_P + 1] = P.im * share;
+    dydt[VMI_JEFFCOTT_N] = N.re * share;
+    dydt[VMI_JEFFCOTT_N + 1] = N.im * share;
+    dydt[VMI_JEFFCOTT_PHI] = now.omega;
     return VM_OK;
 }
 
@@ -278,7 +278,7 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
    vm_jeffcott_exact_rhs, averaged over the fast phase phi while P and N stay. The average over psi1 and psi2
    separately, (474)-(477), is wrong unless the force turns with z, since forward and backward whirl are in 1:1
    resonance. The error is of the order of the perturbation (F_z, u, g, F_e'(rho) - F_e'(0), m') over times of its
-   inverse. State and errors are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
+   inverse. State and statuses are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -300,10 +300,10 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
     return direction * speed;
 }
 
-/* Frequency of circular whirl of radius A, rad/s: the solution W of m W^2 - 2 g W = F_e(A)/A.
-   Forward whirl, W > 0, for sense >= 0, backward whirl, W < 0, for sense < 0. A >= 0 in m, mass > 0 in kg. Within some
-   8 eps and the error of the stiffness. NaN for null pointers, a rotor without stiffness, and arguments outside the
-   domain. The remark after (516), corrected. */
+/* Frequency of circular whirl of radius A, rad/s: the solution W of m W^2 - 2 g W = F_e(A)/A. Forward whirl, W > 0,
+   for sense >= 0, backward whirl, W < 0, for sense < 0. A >= 0 in m, mass > 0 in kg. Within some 8 eps and the error
+   of the stiffness. NaN for null pointers, a rotor without stiffness, and arguments outside the domain. The remark
+   after (516), corrected. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -350,12 +350,12 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
     return VM_OK;
 }
 
-/* Averaged equations (506), (507) of forward whirl with any nonlinearity, for rk45 or rk87.
-   The motion is nearly circular: z = A e^(i psi), z' = i W z with W = vm_jeffcott_frequency. y = (A, psi), m and rad;
-   rotor points to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase
-   accumulates this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of
-   order 1 for others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the
-   circle. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
+/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
+   nearly circular: z = A e^(i psi), z' = i W z with W = vm_jeffcott_frequency. y = (A, psi), m and rad; rotor points
+   to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase accumulates
+   this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of order 1 for
+   others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the circle.
+   VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
    VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Time: `nodes` forces. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -363,7 +363,7 @@ VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *d
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations (506), (507) of backward whirl with any nonlinearity, for rk45 or rk87.
+/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87.
    As vm_jeffcott_forward_whirl_rhs, with W < 0. */
 VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -420,12 +420,13 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
     }
 }
 
-/* Radius of circular whirl, m, when the mass has changed slowly from mass0, where it was first_A, to mass.
-   Without F_z and u. For r = 1 A^4 (g^2 + m F_e'(A)) stays constant, which is the square of A^2 (m W - g); for g = 0
-   A^4 F_e'(A) m^(2r-1) does (509). For F_e = k rho^alpha and g = 0 the radius is first_A vm_osc_amplitude_law(
-   mass/mass0, 0, r, alpha). Within some 12 eps. NaN for g != 0 with r != 1, where the whole course of the mass matters;
-   where no radius is found on the way from first_A; for null pointers, a rotor without stiffness, and a radius or
-   masses that are not positive and finite. Time: some 10 to 20 evaluations of the stiffness. */
+/* Radius of circular whirl, m, after the mass has changed slowly. The radius was first_A when the mass was mass0; the
+   mass is now `mass`. Without F_z and u. What stays constant (509) is
+     A^4 (g^2 + m F_e'(A)) for r = 1, the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
+   For F_e = k rho^alpha and g = 0 the radius changes as vm_osc_amplitude_law says, with mass/mass0 and decay 0.
+   Within some 12 eps. NaN for g != 0 with r != 1, where the whole course of the mass matters; where no radius is
+   found on the way from first_A; for null pointers, a rotor without stiffness, and a radius or masses that are not
+   positive and finite. Time: some 10 evaluations of the stiffness. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;

@@ -1,8 +1,8 @@
-/* oscillators/laws.h - laws of mass, stiffness and damping: numbers that depend on time
+/* oscillators/laws.h - laws of mass, stiffness and the like: numbers that depend on time
 
-   A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha) or the damping (kg/s).
-   It is made by a constructor: linear f0 + f1 t (346), quadratic, exponential, power, the points of a table, or a
-   function of the user. The shortest useful call:
+   A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
+   and the size (N) of a force on it (oscillators/forced.h). A constructor makes it: linear f0 + f1 t (346), quadratic,
+   exponential, power, the points of a table, or a function of the user. The shortest useful call:
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
@@ -23,9 +23,9 @@
 /* A user's law: writes f(t) and its rate df/dt, returns 0, or another number where it fails. f must be smooth. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
-/* The law of a mass, a stiffness or a damping. The constructors vm_law_linear, vm_law_table ... fill it; set nothing
-   by hand but change_time. The law keeps pointers to the arrays of a table and to the function of a user, which must
-   outlive it. On a GPU call the constructor there, for the law also points to functions. */
+/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it; only
+   change_time may be set by hand. The law keeps pointers to the arrays of a table and to the function of a user, which
+   must outlive it. It also points to functions: on a GPU call the constructor on the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
     vm_real f0, f1, f2;       /* arguments of the constructor, in its order; 0 for tables and functions */
@@ -37,9 +37,9 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0: unknown */
     /* What the kind of law does; its constructor sets these. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f); /* null: no law */
-    int (*check)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t tells enough */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t is enough */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null: it has none */
-    vm_real (*inverse_integral)(const vm_law *law, vm_real t);             /* null: there is no closed form */
+    vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null: there is no closed form */
 };
 
 /* -- What every kind of law shares -- */
@@ -54,8 +54,9 @@ enum { VMI_LAW_ORDERS = 4 };
 VM_API int vmi_law_is_finite(const vm_real *f) { return (f[0] - f[0]) + (f[1] - f[1]) + (f[2] - f[2]) == 0; }
 
 /* f[0] to f[3] at t: the value of the law, which a constructor made, and its first three derivatives.
-   side: 1 or -1; where a derivative jumps at t, it is the one after or the one before t. step: see vm_law_user's
-   section; 0 where f'' is not wanted. f''' is that of a table, else 0, for elsewhere it is as small as f'' changes.
+   side: where a derivative jumps at t, 1 asks for its value after t, -1 for that before t.
+   step: a short time, s, which functions of the user need for f''; 0 where f'' is not wanted.
+   f''' is that of a table, and 0 for all other laws, where it is not needed.
    if_not_positive: the status where f <= 0, VM_BAD_MASS for a mass; VM_OK for numbers that may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real step, vm_real *f)
 {
@@ -78,7 +79,7 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
     if (!law->derivatives) return VM_BAD_ARGUMENT;
     status = vmi_law_derivatives(law, if_not_positive, 0, 1, 0, f);
     if (!status) status = vmi_law_derivatives(law, if_not_positive, t, 1, 0, f);
-    if (!status && law->check) status = law->check(law, if_not_positive, t);
+    if (!status && law->validate) status = law->validate(law, if_not_positive, t);
     return status;
 }
 
@@ -136,7 +137,7 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
     law.ctx = NULL;
     law.change_time = 0;
     law.derivatives = NULL;
-    law.check = NULL;
+    law.validate = NULL;
     law.exponential_form = NULL;
     law.inverse_integral = NULL;
     return law;
@@ -184,7 +185,7 @@ VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side,
 }
 
 /* f must be positive where it is lowest, if that is between 0 and t. */
-VM_API int vmi_law_quadratic_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS], lowest;
     if (!(law->f2 > 0)) return VM_OK;
@@ -218,7 +219,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law = vmi_law_of(f0, f1, f2);
     law.derivatives = vmi_law_quadratic_derivatives;
-    law.check = vmi_law_quadratic_check;
+    law.validate = vmi_law_quadratic_validate;
     law.exponential_form = vmi_law_quadratic_form;
     law.inverse_integral = vmi_law_quadratic_inverse_integral;
     return law;
@@ -255,7 +256,7 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* VM_BAD_MASS where 1 + f1 t is not positive, which vmi_law_derivatives replaces by the status of a stiffness and so on */
+/* VM_BAD_MASS where 1 + f1 t is not positive; for other numbers than masses vmi_law_derivatives changes the status */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -356,7 +357,7 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
 }
 
 /* The whole table, whatever t is: values finite and positive, times rising */
-VM_API int vmi_law_table_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     int i;
     (void)t;
@@ -378,7 +379,7 @@ VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
     law.time = time;
     law.value = value;
     law.derivatives = vmi_law_table_derivatives;
-    law.check = vmi_law_table_check;
+    law.validate = vmi_law_table_validate;
     return law;
 }
 
@@ -413,7 +414,7 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
 }
 
 /* change_time must be a time, and at most 2^20 of them may lie between 0 and t, so that every call ends. */
-VM_API int vmi_law_user_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     const vm_real most_changes = VM_C(1048576.);
     (void)if_not_positive;
@@ -435,7 +436,7 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
     law.function = function;
     law.ctx = ctx;
     law.derivatives = vmi_law_user_derivatives;
-    law.check = vmi_law_user_check;
+    law.validate = vmi_law_user_validate;
     return law;
 }
 

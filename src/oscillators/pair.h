@@ -58,10 +58,9 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
     return VM_OK;
 }
 
-/* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
-   y = (x, y, x', y'), m and m/s; pair points to a vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor
-   made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0; these statuses stop the
-   run. */
+/* Equations of motion (517), (518) of two bodies, for rk45 or rk87. y = (x, y, x', y'), m and m/s; pair points to a
+   vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0 or t is outside a table; these statuses stop the run. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -122,7 +121,7 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
     return vmi_copy_if_finite(4, joined, y);
 }
 
-/* Motion of two bodies, y = (x, y, x', y'), to modes (A, psi, q, q') at time t, (520)-(522).
+/* Motion y = (x, y, x', y') of two bodies to modes (A, psi, q, q'), (520)-(522).
    q = x + y drifts; p = y - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the
    amplitude within a period is taken out of A, so that any initial velocities are allowed. VM_BAD_ARGUMENT for null
    pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha
@@ -137,8 +136,8 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
     return vmi_pair_split(p, mass, rate, y, modes);
 }
 
-/* Motion of two bodies, y = (x, y, x', y'), from modes (A, psi, q, q') at time t.
-   The inverse of vm_pair_to_averaged, with the same errors. y may be modes. */
+/* Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q').
+   The inverse of vm_pair_to_averaged, with the same statuses. y may be modes. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -148,9 +147,9 @@ VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *mod
     return vmi_pair_join(p, mass, rate, modes, y);
 }
 
-/* Averaged equations of the two modes, for rk45 or rk87, with any slow mass.
-   modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The error is of the order of m'/(m Om)
-   over times of m/m'. The statuses are those of vm_pair_rhs. */
+/* Averaged equations of the two modes of a pair, for rk45 or rk87. Any slow mass is allowed. modes = (A, psi, q, q'),
+   see vm_pair_to_averaged; pair points to a vm_pair. The error is of the order of m'/(m Om) over times of m/m'. The
+   statuses are those of vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;

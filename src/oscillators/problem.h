@@ -3,7 +3,7 @@
    The equation of motion, with mass m(t), stiffness k(t), damping b and a further small force F, is
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = F(t, x, x'),   x(0) and x'(0) given.
    Without F three numbers decide on x(t), all by the Ateb phase psi, whose rate is Om:
-     q = k'/k + (2 reactive - 1) m'/m + 2 b/m, the rate at which the laws and the damping change the motion, 1/s,
+     q = k'/k + (2 reactive - 1) m'/m + 2 b/m, the rate at which m, k and b change the motion, 1/s,
      h, which stands for q' in averaging to second order, 1/s^2,
      q/Om, which must be small for all routes that average.
    The plan holds what has to be computed only once for a problem. The motion from a problem or a plan is in
@@ -55,7 +55,7 @@ typedef struct VM_TAG(vm_osc_motion) {
     vm_real amplitude; /* A, m; of the first four routes without its ripple within a period */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax(A), from all causes */
     int route;         /* VM_ROUTE_... that was taken */
-    long evals;        /* evaluations of right-hand sides; 0 of the laws */
+    long evals;        /* evaluations of right-hand sides; 0 where none were integrated */
 } vm_osc_motion;
 
 /* What is computed only once for a problem, by vm_osc_plan_init. To be read, not changed. It points to the problem's
@@ -171,7 +171,7 @@ VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
     if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
 }
 
-/* The constants of the second-order law that follow from the start: rho = (A/mean A)^((alpha+3)/2), whose ripple
+/* The constants of the second-order solution that follow from the start: rho = (A/mean A)^((alpha+3)/2), whose ripple
    depends on Om at the mean amplitude, which depends on rho; and the mean phase minus the phase */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {

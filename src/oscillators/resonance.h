@@ -124,11 +124,11 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
     return found;
 }
 
-/* Steady vibrations of an excited oscillator with all parameters as they are at time t.
-   Writes at most three to steady, the smallest amplitude first, and returns their number, 0 where the force is 0, or a
-   negative status. Amplitudes within some 100 eps of the averaged equations' solutions. For the response at each
-   frequency let nu run. Solutions far from w(A) = nu are formal, since the averaged equations hold near the resonance.
-   The negative statuses are those of vm_forced_rhs. */
+/* Steady vibrations of an excited oscillator: amplitudes, phases, stability. All parameters are as they are at time
+   t. Writes at most three to steady, the smallest amplitude first, and returns their number, 0 where the force is 0,
+   or a negative status. Amplitudes within some 100 eps of the averaged equations' solutions. For the response at each
+   frequency let nu run. Solutions far from w(A) = nu are formal, since the averaged equations hold near the
+   resonance. The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
@@ -151,9 +151,9 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 }
 
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
-   Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their number,
-   0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A is not
-   positive and finite. Results that overflow are NaN. */
+   Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their
+   number, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A
+   is not positive and finite. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -190,12 +190,12 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* Passage through the resonance at time t, by the rates of mass, stiffness and frequency at t.
-   amplitude, m, is used for alpha = 1 only, where the backbone is at one frequency for all amplitudes. On the backbone
-   delta'' = -(gamma push/A) sin(delta) - nu D, as for a pendulum under a torque, with gamma = (alpha - 1)/2 and D the
-   relative drift of w - nu; drift_ratio is this torque over the pendulum's largest. The statuses are those of
-   vm_forced_rhs, VM_DOMAIN also where the force is 0 or the amplitude is not positive and finite; then *passage is left
-   as it was. */
+/* Passage through the resonance: whether a slow drift leads to capture. It depends on the rates of mass, stiffness
+   and frequency at time t. amplitude, m, is used for alpha = 1 only, where the backbone is at one frequency for all
+   amplitudes. On the backbone delta'' = -(gamma push/A) sin(delta) - nu D, as for a pendulum under a torque, with
+   gamma = (alpha - 1)/2 and D the relative drift of w - nu; drift_ratio is this torque over the pendulum's largest.
+   The statuses are those of vm_forced_rhs, VM_DOMAIN also where the force is 0 or the amplitude is not positive and
+   finite; then *passage is left as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;

@@ -15,31 +15,31 @@
 #include "../base/status.h"
 #include "integration.h"
 #include "laws.h"
-#include "mean_laws.h"
+#include "mean_motion.h"
 #include "problem.h"
 #include "waves.h"
 
 /* -- Which route for what, and what the estimate of the error covers --
 
-   Cost. Without a force F the first four routes are laws in closed form: one or two sa, ca and the integrals of the
-   laws of mass and stiffness, whatever t and the tolerance are. The other routes integrate from 0 to t and work to
-   the tolerance: each runs twice, the second time more strictly, and the difference of the two gives the error. By
-   the default tolerance that takes 400 (variation), 700 (rk87) or 2200 (rk45) evaluations a period for alpha = 3.
-   With F the averaged equations of the first three routes are integrated, too, and the second-order law does not
-   exist.
+   Cost. Without a force F the first four routes are averaged solutions in closed form: one or two sa, ca and the
+   integrals of the laws of mass and stiffness, whatever t and the tolerance are. The other routes integrate from 0
+   to t and work to the tolerance: each runs twice, the second time more strictly, and the difference of the two
+   gives the error. By the default tolerance that takes 400 (variation), 700 (rk87) or 2200 (rk45) evaluations a
+   period for alpha = 3. With F the averaged equations of the first three routes are integrated, too, and the
+   second-order law does not exist.
 
-   Choice. vm_osc_within takes the first of the four laws that is within the tolerance. Where none is, or F is
-   given, it integrates: by rk87 for odd alpha without F, where it is two to four times as fast, else by the
-   variation of constants.
+   Choice. vm_osc_within takes the first of these four that is within the tolerance. Where none is, or F is given,
+   it integrates: by rk87 for odd alpha without F, where it is two to four times as fast, else by the variation of
+   constants.
 
-   What the estimate covers. Of the laws: what the law leaves out, and the fastest changes of mass and stiffness
-   between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from point to point. A
-   change within a period makes the estimate large; vm_osc_within then integrates, in steps of at most a quarter of
-   the shortest panel. Of averaged equations with F: the error of their integration, of averaging, and of cos and cn
-   in place of the Ateb functions. Averaging leaves out the ripple within a period, its effect on phase and
-   amplitude at the start, its square, and a force that changes within a period, as in a resonance. For this
-   estimate F is called over a period at the start and at eight later times: a force that acts only for a short time
-   between these is not seen.
+   What the estimate covers. Of averaged solutions: what the solution leaves out, and the fastest changes of mass
+   and stiffness between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from
+   point to point. A change within a period makes the estimate large; vm_osc_within then integrates, in steps of at
+   most a quarter of the shortest panel. Of averaged equations with F: the error of their integration, of averaging,
+   and of cos and cn in place of the Ateb functions. Averaging leaves out the ripple within a period, its effect on
+   phase and amplitude at the start, its square, and a force that changes within a period, as in a resonance. For
+   this estimate F is called over a period at the start and at eight later times: a force that acts only for a short
+   time between these is not seen.
 
    How good the estimate is. Random problems (tests/test_routes.c) have alpha in [0, 8], q from 3e-3 to 0.1 and end
    at t = 3/q; some of them change only in a part of the run, or have tables with a step. The true error is below 3
@@ -52,34 +52,34 @@
 
 /* -- The table of routes -- */
 
-/* A route: without a force by its law, if it has one, else by its method of integration */
+/* The solution of averaged equations without a force at t, where the mean motion has come to *mean */
+typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
+                                vm_osc_motion *motion);
+
+/* A route: without a force by its solution in closed form, if it has one, else by its method of integration */
 typedef struct VM_TAG(vmi_osc_route) {
     const char *name;
-    int (*law)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
-               vm_osc_motion *motion); /* solution of the averaged equations without a force; null: it has none */
-    vmi_osc_method method;             /* with rhs null: it cannot be integrated */
+    vmi_osc_solution solution; /* null: it has none */
+    vmi_osc_method method;     /* with rhs null: it cannot be integrated */
 } vmi_osc_route;
 
-/* The entry of a law, whose equations with a force, by rk45, are averaged ones; rhs null: there are none */
-VM_API vmi_osc_route vmi_osc_route_of_law(const char *name,
-                                          int (*law)(const vm_osc_plan *, int, const vmi_osc_wave *,
-                                                     const vmi_osc_mean *, vm_osc_motion *),
-                                          ode_rhs rhs)
+/* The entry of an averaged solution, whose equations with a force, by rk45, are rhs; null: there are none */
+VM_API vmi_osc_route vmi_osc_route_averaged(const char *name, vmi_osc_solution solution, ode_rhs rhs)
 {
     vmi_osc_route route;
     route.name = name;
-    route.law = law;
+    route.solution = solution;
     route.method = vmi_osc_method_rk45(rhs);
     route.method.averaged = 1;
     return route;
 }
 
 /* The entry of a route that always integrates */
-VM_API vmi_osc_route vmi_osc_route_of_method(const char *name, vmi_osc_method method, int direct)
+VM_API vmi_osc_route vmi_osc_route_integrated(const char *name, vmi_osc_method method, int direct)
 {
     vmi_osc_route route;
     route.name = name;
-    route.law = NULL;
+    route.solution = NULL;
     route.method = method;
     route.method.direct = direct;
     return route;
@@ -92,14 +92,14 @@ VM_API vmi_osc_route vmi_osc_route_of(int route)
     const vmi_osc_method rk45_direct = vmi_osc_method_rk45(vmi_osc_direct_rhs);
     const vmi_osc_method rk87_direct = vmi_osc_method_rk87(vmi_osc_direct_rhs);
     switch (route) {
-    case VM_ROUTE_TRIG: return vmi_osc_route_of_law("trigonometric", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_JACOBI: return vmi_osc_route_of_law("Jacobi", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_ATEB: return vmi_osc_route_of_law("Ateb, first order", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_SECOND: return vmi_osc_route_of_law("second-order law", vmi_osc_second_order, NULL);
-    case VM_ROUTE_VARIATION: return vmi_osc_route_of_method("variation of constants, rk45", variation, 0);
-    case VM_ROUTE_RK45: return vmi_osc_route_of_method("direct, rk45", rk45_direct, 1);
-    case VM_ROUTE_RK87: return vmi_osc_route_of_method("direct, rk87", rk87_direct, 1);
-    default: return vmi_osc_route_of_law("unknown route", NULL, NULL);
+    case VM_ROUTE_TRIG: return vmi_osc_route_averaged("trigonometric", vmi_osc_first_order, vmi_osc_averaged_rhs);
+    case VM_ROUTE_JACOBI: return vmi_osc_route_averaged("Jacobi", vmi_osc_first_order, vmi_osc_averaged_rhs);
+    case VM_ROUTE_ATEB: return vmi_osc_route_averaged("Ateb, first order", vmi_osc_first_order, vmi_osc_averaged_rhs);
+    case VM_ROUTE_SECOND: return vmi_osc_route_averaged("second-order law", vmi_osc_second_order, NULL);
+    case VM_ROUTE_VARIATION: return vmi_osc_route_integrated("variation of constants, rk45", variation, 0);
+    case VM_ROUTE_RK45: return vmi_osc_route_integrated("direct, rk45", rk45_direct, 1);
+    case VM_ROUTE_RK87: return vmi_osc_route_integrated("direct, rk87", rk87_direct, 1);
+    default: return vmi_osc_route_averaged("unknown route", NULL, NULL);
     }
 }
 
@@ -154,24 +154,24 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
     entry = vmi_osc_route_of(route);
     if (p->problem.force && !entry.method.rhs) return VM_NO_LAW;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
-    if (p->problem.force || !entry.law) return vmi_osc_integrate(p, route, &entry.method, t, tolerance, motion);
+    if (p->problem.force || !entry.solution) return vmi_osc_integrate(p, route, &entry.method, t, tolerance, motion);
     status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     w = vmi_osc_wave_of(p, route);
-    return entry.law(p, route, &w, &mean, motion);
+    return entry.solution(p, route, &w, &mean, motion);
 }
 
 /* -- The cheapest route -- */
 
-/* The route that integrates where no law is good enough: rk87 only for odd alpha, where the elastic force has all
-   derivatives at x = 0, so that rk87 holds its order, and where F, which may have none, is missing */
+/* The route that integrates where no averaged solution is good enough: rk87 only for odd alpha, where the elastic
+   force has all derivatives at x = 0, so that rk87 holds its order, and where F, which may have none, is missing */
 VM_API int vmi_osc_integrator(const vm_osc_problem *o)
 {
     const vm_real half = (o->alpha - 1) / 2;
     return !o->force && half == VM_FLOOR(half) ? VM_ROUTE_RK87 : VM_ROUTE_VARIATION;
 }
 
-/* Motion at any time t (s) by integration, as vm_osc_plan_within does where no law is good enough */
+/* Motion at any time t (s) by integration, as vm_osc_plan_within does where no averaged solution is good enough */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const int route = vmi_osc_integrator(&p->problem);

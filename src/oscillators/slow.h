@@ -26,12 +26,13 @@ VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real r
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
 }
 
-/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
-   (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)), (325), (344), (367), (389) corrected. All three averaging methods
-   give it, if the sign of (335) is mended. Pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass;
-   reactive, r, 1 where mass that joins or leaves is at rest, so that there is the full reactive force, 0 where it has
-   the body's own velocity, as what leaks out; alpha >= 0. To first order in m' and the damping; the rounding error is
-   some eps. NaN outside the domain and for infinite arguments. Time: a power and an exponential. */
+/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly:
+     A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)),   (325), (344), (367), (389) corrected.
+   All three averaging methods give it, if the sign of (335) is mended. Pure numbers: mass_ratio = m/m0 > 0; decay,
+   the integral of damping/mass; reactive, r, 1 where mass that joins or leaves is at rest, so that there is the full
+   reactive force, 0 where it has the body's own velocity, as what leaks out; alpha >= 0. To first order in m' and the
+   damping; the rounding error is some eps. NaN outside the domain and for infinite arguments. Time: a power and an
+   exponential. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
@@ -55,8 +56,8 @@ typedef struct VM_TAG(vmi_linear_mass) {
     vm_real integral;    /* of dt/m from 0 to t, s/kg; smooth through rate = 0 */
 } vmi_linear_mass;
 
-/* The linear mass that a law is, between 0 and t: closed forms need it. VM_NO_LAW where the law is not linear, that is
-   not f0 exp(rate u) with rate = base. VM_BAD_MASS where a mass is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+/* The linear mass that a law is, between 0 and t: closed forms need it. VM_NO_LAW where the law is not linear, that
+   is not f0 exp(rate u) with rate = base. VM_BAD_MASS where a mass is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;

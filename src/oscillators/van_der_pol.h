@@ -86,9 +86,8 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* The averaged Van der Pol term and reactive force: a1 m A'/A at amplitude A, N s/m (410). Its zero is the amplitude
-   of the limit cycle; the closed form of vm_vdp_amplitude solves A' = A (p - s A^2)/(a1 m), of which it is the
-   bracket. */
+/* a1 m A'/A at amplitude A, N s/m: the averages of Van der Pol's term and of the reactive force (410). It is 0 on the
+   limit cycle; vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
 VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 {
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
@@ -151,7 +150,7 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
    y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where no constructor made the
-   mass, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
+   mass, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN for t outside a table; these statuses stop the run. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -165,10 +164,10 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass. y = (A, psi): mean
-   amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x| = A. vdp points to a vm_vdp that is
-   prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times of m/feed, psi by the first power
-   (method VM_VDP_ATEB). The errors are those of vm_vdp_rhs. */
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
+   Any slow mass is allowed. y = (A, psi): mean amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x|
+   = A. vdp points to a vm_vdp that is prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times
+   of m/feed, psi by the first power (method VM_VDP_ATEB). The statuses are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;

@@ -32,7 +32,7 @@ typedef struct VM_TAG(vmi_osc_walk) {
     vm_real ln_A;                    /* change of ln of the mean amplitude by jumps of q' */
     vm_real kicks;                   /* sum of the sizes of these changes */
     vm_real kick2, kick3;            /* sums of squares of the jumps of h/Om^2, and of (q h + h')/Om^3 */
-    vm_real shortest;                /* shortest panel that the laws took, s */
+    vm_real shortest;                /* shortest panel that the laws of m and k took, s */
     vm_real error;                   /* of integral.phase, s */
 } vmi_osc_walk;
 

@@ -121,9 +121,9 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy, or, with NULL, no longer. To be called before
-   vm_scene_start; the state then has VM_BUDGET numbers more. *budget_or_NULL must stay where it is; the scene keeps in
-   it what was there at the start. A budget may be given up between two runs, but not begun. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be called
+   before vm_scene_start; the state then has VM_BUDGET numbers more. *budget_or_NULL must stay where it is; the scene
+   keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -137,8 +137,7 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 
 /* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
    are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
-   bodies.
-   VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
+   bodies. VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;

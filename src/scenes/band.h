@@ -41,8 +41,8 @@ typedef struct VM_TAG(vm_band_now) {
 } vm_band_now;
 
 /* The band in layers. line = rho b h. Mass and inertia are line times the integrals of the radius and its cube over
-   phi; over n complete layers these are sums of R + i h and its cube, i < n. The sums of i, i^2 and i^3 are sum1,
-   sum2 and sum1^2. */
+   phi; over n complete layers these are sums of R + i h and its cube, i < n. The sums of i, i^2 and i^3 are sum1, sum2
+   and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -131,9 +131,9 @@ VM_API int vmi_band_check(const vm_effect *e)
     return vmi_band_is_valid(&band) ? VM_OK : VM_DOMAIN;
 }
 
-/* A band that winds up on the drum `body`, a body on an axle, or off it, with its reactive torque. It is the mass law
-   of the body. At the start VM_BAD_ARGUMENT where band is NULL, VM_DOMAIN where its radius is not positive or a size is
-   negative. */
+/* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle, and the band is
+   its mass law. At the start VM_BAD_ARGUMENT where band is NULL, VM_DOMAIN where its radius is not positive or a size
+   is negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
     vm_effect e = vmi_effect(body, 0, band ? vmi_apply_band : NULL);

@@ -71,7 +71,7 @@ VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, v
     e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[VMI_GRAVITY_G]);
 }
 
-/* Gravity along a coordinate: the force M g, with the mass M of the body now. g in m/s^2 is -9.81 where the coordinate
+/* Gravity along a coordinate, the force M g. M is the mass of the body now. g in m/s^2 is -9.81 where the coordinate
    points up. Not on an axle (VM_BAD_MOTION), nor on the angle of a body in the plane (VM_NOT_ON_ANGLE). */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 {
@@ -94,7 +94,7 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
 
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
-/* A nonlinear spring: the force -k z |z|^(alpha-1) (248), z = x - rest. k in N/m^alpha may have either sign; rest is in
+/* A nonlinear spring, the force -k z |z|^(alpha-1), z = x - rest (248). k in N/m^alpha may have either sign; rest is in
    m or rad. VM_DOMAIN for alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
@@ -115,7 +115,7 @@ VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real
     vmi_effect_act(e, -e->p[VMI_SPRING_STIFFNESS] * extension);
 }
 
-/* A linear spring: the force -k (x - rest). k in N/m may have either sign; rest is in m or rad. Unlike vm_effect_spring
+/* A linear spring, the force -k (x - rest). k in N/m may have either sign; rest is in m or rad. Unlike vm_effect_spring
    it links no power. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
@@ -135,7 +135,7 @@ VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* A linear damper: the force -damping v. damping in N s/m takes energy out if it is positive. */
+/* A linear damper, the force -damping v. damping in N s/m takes energy out if it is positive. */
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
     vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
@@ -151,7 +151,7 @@ VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
 
-/* A damper of the rotation: the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
+/* A damper of the rotation, the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
    on an axle, in the plane, or free. */
 VM_API vm_effect vm_effect_rotational_damper(int body, vm_real damping)
 {
@@ -171,7 +171,7 @@ VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *
     vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
-/* Van der Pol's damper: the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
+/* Van der Pol's damper, the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
    it out at large amplitudes. */
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
 {
@@ -181,41 +181,41 @@ VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_r
     return e;
 }
 
-enum { VMI_MOTOR_TORQUE, VMI_MOTOR_KAPPA };
+enum { VMI_MOTOR_STALL_TORQUE, VMI_MOTOR_KAPPA };
 
 VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_TORQUE], e->p[VMI_MOTOR_KAPPA]));
+    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_STALL_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
-/* A motor whose characteristic is a straight line: the torque torque - kappa v. torque in N m is that at rest, kappa is
-   in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
-VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real torque, vm_real kappa)
+/* A motor, the torque stall_torque - kappa v. Its characteristic is a straight line; stall_torque in N m is the torque
+   at rest, kappa is in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
+VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real stall_torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
-    e.p[VMI_MOTOR_TORQUE] = torque;
+    e.p[VMI_MOTOR_STALL_TORQUE] = stall_torque;
     e.p[VMI_MOTOR_KAPPA] = kappa;
     return e;
 }
 
-enum { VMI_HARMONIC_FORCE, VMI_HARMONIC_FREQUENCY, VMI_HARMONIC_PHASE };
+enum { VMI_HARMONIC_AMPLITUDE, VMI_HARMONIC_FREQUENCY, VMI_HARMONIC_PHASE };
 
 VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_real frequency = e->p[VMI_HARMONIC_FREQUENCY], phase = e->p[VMI_HARMONIC_PHASE];
     (void)y;
     (void)s;
-    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_FORCE], frequency, phase));
+    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_AMPLITUDE], frequency, phase));
 }
 
-/* Harmonic excitation: the force force cos(frequency t + phase). force in N (N m on an angle), frequency in rad/s,
-   phase in rad. */
-VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase)
+/* Harmonic excitation, the force amplitude cos(frequency t + phase). amplitude in N (N m on an angle), frequency in
+   rad/s, phase in rad. */
+VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real amplitude, vm_real frequency, vm_real phase)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_harmonic);
-    e.p[VMI_HARMONIC_FORCE] = force;
+    e.p[VMI_HARMONIC_AMPLITUDE] = amplitude;
     e.p[VMI_HARMONIC_FREQUENCY] = frequency;
     e.p[VMI_HARMONIC_PHASE] = phase;
     return e;
@@ -247,7 +247,7 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
     return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
-/* An effect that the caller's function applies, which may depend on the whole state.
+/* An effect that the caller's function applies. It may depend on the whole state.
    apply adds to effect->load->force[coordinate]; where the mass is a state, to effect->load->mass_rate; where it is
    neither a state nor given by a law, to effect->load->mass.
    apply may read effect->load->mass; y[effect->x] and y[effect->v], position and velocity of coordinate 0; the state of
@@ -276,8 +276,8 @@ VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_
     e->load->force[1] += fy;
 }
 
-/* An elastic shaft: the force -k r |r|^(alpha-1) towards the origin, r = (x, y). k in N/m^alpha; VM_DOMAIN for
-   alpha < 0. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
+/* An elastic shaft, the force -k r |r|^(alpha-1), r = (x, y). k in N/m^alpha; VM_DOMAIN for alpha < 0. For a body in
+   the plane, or a point, on whose coordinates 0 and 1 it acts. */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_shaft);
@@ -301,7 +301,7 @@ VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y,
     e->load->force[1] += fy;
 }
 
-/* A rotating unbalance: the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m, frequency = Omega
+/* A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m, frequency = Omega
    in rad/s, phase in rad. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
 {
@@ -325,9 +325,8 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
-   equation has the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does
-   no work. */
+/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation has
+   the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);

@@ -75,9 +75,10 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
     if (before) s->status = before;
 }
 
-/* The right-hand side of a scene that has been started, an ode_rhs; ctx is the scene. It returns 0, or VM_BAD_ARGUMENT
-   for a NULL pointer. Where a body cannot be accelerated (its mass or inertia is not positive, for one) or an effect
-   cannot act, scene.status says why and all derivatives are NaN, so that an integrator tries a shorter step. */
+/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. It returns 0, or
+   VM_BAD_ARGUMENT for a NULL pointer. Where a body cannot be accelerated (its mass or inertia is not positive, for one)
+   or an effect cannot act, scene.status says why and all derivatives are NaN, so that an integrator tries a shorter
+   step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;

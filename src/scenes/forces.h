@@ -14,10 +14,9 @@
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
-#include "../oscillators/force_terms.h"
 
-/* The force of a spring: -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN below. The exponents 1, 2 and 3 take
-   no power. */
+/* The force of a spring, -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN
+   below. The exponents 1, 2 and 3 take no power. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
@@ -26,29 +25,30 @@ VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
     return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
 }
 
-/* The force of a linear damper: -damping v. damping in N s/m takes energy out if it is positive. */
+/* The force of a linear damper, -damping v. damping in N s/m takes energy out if it is positive. */
 VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping * v; }
 
-/* The force of Van der Pol's damper: (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
+/* The force of Van der Pol's damper, (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
    takes it out at large amplitudes. */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c)
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
+
+/* The torque of a motor, stall_torque - kappa omega. Its characteristic is a straight line; stall_torque in N m is the
+   torque at rest, kappa in N m s. */
+VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real stall_torque, vm_real kappa)
 {
-    return vmi_van_der_pol_feed(b, c, x) * v;
+    return stall_torque - kappa * omega;
 }
 
-/* The torque of a motor whose characteristic is a straight line: torque - kappa omega. torque in N m is that at rest,
-   kappa in N m s. */
-VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real torque, vm_real kappa) { return torque - kappa * omega; }
-
-/* The force of harmonic excitation: force cos(frequency t + phase). frequency in rad/s, phase in rad. */
-VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real force, vm_real frequency, vm_real phase)
+/* The force of harmonic excitation, amplitude cos(frequency t + phase). amplitude in N, frequency in rad/s, phase in
+   rad. */
+VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real frequency, vm_real phase)
 {
     vm_real s, c;
     vmi_sincos(frequency * t + phase, &s, &c);
-    return force * c;
+    return amplitude * c;
 }
 
-/* The reactive force of a stream: rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
+/* The reactive force of a stream, rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
    the velocity of its mass is u + (1 - reactive) v: for reactive = 1 the absolute velocity u, for reactive = 0 the
    velocity u relative to the body. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
@@ -56,12 +56,13 @@ VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real re
     return rate * (u - reactive * v);
 }
 
-/* The weight of a mass: mass g. It points along the coordinate, so that g is negative where the coordinate points up.
+/* The weight of a mass, mass g. It points along the coordinate, so that g is negative where the coordinate points up.
    mass in kg, g in m/s^2. */
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
-/* The force of an elastic shaft: -k r |r|^(alpha-1) towards the origin of its plane, r = (x, y) in m. The components go
-   to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN below. */
+/* The force of an elastic shaft, -k r |r|^(alpha-1), r = (x, y). It points to the origin of the plane; r in m. The
+   components go to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN
+   below. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -70,7 +71,7 @@ VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm
     *fy = f * y;
 }
 
-/* The force of a rotating unbalance: m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
+/* The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
    frequency in rad/s. The components go to *fx and *fy; nothing happens if one of these pointers is NULL. */
 VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
@@ -83,14 +84,14 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force across a velocity in the plane: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
    equation has the term 2 i gyro z'. It does no work. The components go to *fx and *fy; nothing happens if one of these
    pointers is NULL. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -vmi_gyroscopic_coupling(gyro) * vy;
-    *fy = vmi_gyroscopic_coupling(gyro) * vx;
+    *fx = -2 * gyro * vy;
+    *fy = 2 * gyro * vx;
 }
 
 #endif

@@ -67,9 +67,9 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass law M(t, x, v) that the caller's function returns, with its reactive force. The velocity of the mass that
-   joins or leaves is u + (1 - reactive) v (see above). VM_BAD_ARGUMENT at the start where law is NULL. A run ends with
-   VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
+/* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
+   the mass that joins or leaves is u + (1 - reactive) v. VM_BAD_ARGUMENT at the start where law is NULL. A run ends
+   with VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {

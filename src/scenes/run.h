@@ -201,9 +201,10 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
     return VM_OK;
 }
 
-/* Run of a scene from *t to t_end by rk45, with its events and its output. The scene must have been started, and
-   t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of rk45; their
-   events are not used. *t and y become the time and the state at which the run ended. Returns VM_OK at t_end,
+/* Run of a scene from *t to t_end, with its events and its output. rk45 integrates it. The scene must have been
+   started, and t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of
+   rk45; their events are not used. *t and y become the time and the state at which the run ended. Returns VM_OK at
+   t_end,
    VM_STOPPED before it, or
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS

@@ -150,11 +150,11 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Mass, mass centre and inertia that a stream at a point brings to a growing body. The stream stays the caller's: where
-   an event changes it, the run goes on with the change. Its points are in body axes from where the mass centre was at
-   the start. The budget's `mixing` is right where the stream's mass, force, moment and torque are all listed.
-   At the start VM_BAD_ARGUMENT for a NULL pointer or an unknown motion, VM_STORED_STREAM for a stream with a store,
-   VM_DOES_NOT_GROW for a body that is not a growing one. */
+/* Mass, mass centre and inertia that a stream brings to a growing body. The stream stays the caller's: where an event
+   changes it, the run goes on with the change. Its points are in body axes from where the mass centre was at the start.
+   The budget's `mixing` is right where the stream's mass, force, moment and torque are all listed. At the start
+   VM_BAD_ARGUMENT for a NULL pointer or an unknown motion, VM_STORED_STREAM for a stream with a store, VM_DOES_NOT_GROW
+   for a body that is not a growing one. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -167,8 +167,8 @@ VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
     return vmi_effect_crossing(body, stream, vmi_apply_stream_force);
 }
 
-/* Moment d x M' (u - v) of the reactive force of a stream, about the mass centre of a growing body (158). Conditions
-   and errors are those of vm_effect_stream_mass. */
+/* Moment d x M' (u - v) of a stream on a growing body (158). It is that of the reactive force about the mass centre.
+   Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_moment);

@@ -76,7 +76,7 @@ plant "inertia: of streams, without the place" streams varmass.h \
 plant "inertia: of streams in the plane" streams varmass.h \
     's/s->rate \* (s->gyration + dx \* dx + dy \* dy)/s->rate * (s->gyration + dx * dx - dy * dy)/'
 plant "inertia: of the drum's band" drum varmass.h \
-    's/\*J = d->inertia + d->band \* d->radius/*J = d->inertia + d->band \/ 2 * d->radius/'
+    's/m->J = d->inertia + d->band \* d->radius/m->J = d->inertia + d->band \/ 2 * d->radius/'
 plant "inertia: of the scenes' band" scenes varmass.h \
     '/^VM_API vm_band_now vm_band_at(/,/^}/s/inertia = line/inertia = VM_C(0.9) * line/'
 plant "inertia: of the broken rotor" rotor varmass.h \
@@ -84,6 +84,6 @@ plant "inertia: of the broken rotor" rotor varmass.h \
 plant "inertia: of the cut pendulum" lagrange varmass.h \
     '/^VM_API int vm_pendulum_separate(/,/^}/s/part \* part \* c.rate \/ 12/part * part * c.rate \/ 3/'
 plant "inertia: Lagrange's matrix" lagrange varmass.h \
-    '/^VM_API void vm_lagrange_mass(/,/^}/s/+ vmi_dot(turn\[i\], spin)/- vmi_dot(turn[i], spin)/'
+    '/^VM_API void vm_lagrange_mass(/,/^}/s/+= vmi_dot(turn_or_NULL\[i\], spin)/-= vmi_dot(turn_or_NULL[i], spin)/'
 echo "planted: $found passed, $missed failed, $skipped skipped"
 [ $missed = 0 ]

@@ -49,7 +49,7 @@ static void check_rotor_free(void)
     int status;
     draw_state(start);
     STAIN(end);
-    status = vm_broken_rotor_free_motion(t, &r, start, end);
+    status = vm_broken_rotor_free_motion(&r, t, start, end);
     HOLDS(status <= 0 && (status == 0 || UNTOUCHED(end)));
     if (r.s != 0) HOLDS(status < 0);
     STAIN(abcd);
@@ -59,7 +59,7 @@ static void check_rotor_free(void)
     HOLDS(fabs(energy_of_rotor(&r, end) - energy_of_rotor(&r, start)) <=
           64 * EPS * energy_of_rotor(&r, start) * (1 + fabs((double)t) * sqrt((double)(r.stiffness / r.mass))) +
               1e-30);
-    if (r.damping == 0 && vm_broken_rotor_free_motion(-t, &r, end, back) == 0)
+    if (r.damping == 0 && vm_broken_rotor_free_motion(&r, -t, end, back) == 0)
         HOLDS(within(back[0], start[0],
                      256 * EPS * (1 + fabs((double)t)) * (1 + sqrt((double)(r.stiffness / r.mass))) *
                          (4 + fabs((double)end[0]) + 2 * fabs((double)end[3]) * (1 + fabs((double)t)))));
@@ -74,10 +74,10 @@ static void check_linear(void)
     draw_state(start);
     for (k = 0; k < 2; k++) {
         STAIN(end);
-        status = k ? vm_broken_rotor_linear(t, &r, start, end) : vm_broken_rotor_linear_uncoupled(t, &r, start, end);
+        status = k ? vm_broken_rotor_linear(&r, t, start, end) : vm_broken_rotor_linear_uncoupled(&r, t, start, end);
         HOLDS(status <= 0 && (status == 0 ? vmi_all_finite(6, end) : UNTOUCHED(end)));
         if (status) continue;
-        status = k ? vm_broken_rotor_linear(0, &r, start, at_start) : vm_broken_rotor_linear_uncoupled(0, &r, start, at_start);
+        status = k ? vm_broken_rotor_linear(&r, 0, start, at_start) : vm_broken_rotor_linear_uncoupled(&r, 0, start, at_start);
         if (!tame_rotor(&r) || !all_tame(6, start)) continue;
         HOLDS(status == 0 && within(at_start[0], start[0], 8 * EPS * (1 + fabs((double)start[0]))));
         HOLDS(within(at_start[3], start[3], 64 * EPS * (1 + fabs((double)start[3]))));
@@ -248,7 +248,7 @@ static void check_steady(void)
     }
     if (r.s == 0 && tame_rotor(&r) && Omega * Omega * r.mass != r.stiffness && is_finite(Omega))
         HOLDS(steady == 0 || is_nan(steady));
-    growth = vm_broken_rotor_resonance_radius(MOSTLY(draw_in(0, 100)), &r, Omega);
+    growth = vm_broken_rotor_resonance_radius(&r, MOSTLY(draw_in(0, 100)), Omega);
     HOLDS(is_nan(growth) || growth >= 0);
 }
 

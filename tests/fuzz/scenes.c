@@ -167,6 +167,7 @@ typedef struct effect_data {
     vm_real ctx;
     vm_stream stream;
     vm_band band;
+    vm_law law;
 } effect_data;
 
 static vm_effect draw_crossing(int body, effect_data *data)
@@ -201,6 +202,9 @@ static vm_effect draw_effect(int n, effect_data *data)
     case 19: data->band = draw_band(); return vm_effect_band(body, draw_byte() % 64 ? &data->band : NULL);
     case 20: return vm_effect_force_between(body, coordinate, other, other_coordinate, push_between, ctx);
     case 21: return vm_effect_varying(vm_effect_gravity(body, coordinate, p), vary, ctx); /* no stream: refused */
+    case 22:
+        data->law = vm_law_linear(positive, *ctx);
+        return vm_effect_mass_of_time(body, &data->law, u, alpha);
     case 0: return vm_effect_gravity(body, coordinate, p);
     case 1: return vm_effect_damper(body, coordinate, other, other_coordinate, positive);
     case 2: return vm_effect_van_der_pol(body, coordinate, p, positive);

@@ -313,7 +313,7 @@ static void check_closed_forms(void)
     stream.motion = draw_below(5);
     STAIN(x);
     STAIN(v);
-    status = vm_linear_flow(t, 0, v0, m0, force, &stream, &x, &v);
+    status = vm_linear_flow(&stream, t, 0, v0, m0, force, &x, &v);
     if (status) HOLDS(status < 0 && UNTOUCHED(x) && UNTOUCHED(v));
     else {
         HOLDS(is_finite(x) && is_finite(v) && m0 > 0 && stream.motion <= VM_AT_REST);
@@ -340,13 +340,13 @@ static void check_jet(void)
     jet.gyration_out = MOSTLY(draw_in(0, 1));
     jet.nozzle = MOSTLY(draw_in(0, 2));
     STAIN(omega);
-    status = vm_jet_damping(t, &jet, omega0, &omega);
+    status = vm_jet_damping(&jet, t, omega0, &omega);
     if (status) {
         HOLDS(status < 0 && UNTOUCHED(omega));
         return;
     }
     HOLDS(finite3(omega) && same_bits(omega.z, omega0.z) && jet.axial > 0 && jet.transverse > 0);
-    HOLDS(vm_jet_damping(0, &jet, omega0, &omega) == VM_OK);
+    HOLDS(vm_jet_damping(&jet, 0, omega0, &omega) == VM_OK);
     if (tame3(omega0)) HOLDS(within3(omega, omega0, 8 * EPS * size3(omega0)));
 }
 

@@ -38,25 +38,25 @@ static void try_drum(void)
         vm_drum_shaft s;
         CLEAR(g);
         CLEAR(s);
-        fold_int(vm_drum_at(phi, &d, &g));
+        fold_int(vm_drum_at(&d, phi, &g));
         fold(g.mass);
         fold(g.arc_centre);
         fold(g.offset);
         fold(g.axle_inertia);
         fold(g.inertia);
-        fold(vm_drum_rate(phi, &d));
-        fold(vm_drum_time(phi, &d));
-        fold(vm_drum_angle(t, &d));
-        fold(vm_drum_angle_lambert(t, &d));
+        fold(vm_drum_rate(&d, phi));
+        fold(vm_drum_time(&d, phi));
+        fold(vm_drum_angle(&d, t));
+        fold(vm_drum_angle_lambert(&d, t));
         if (i % 8 == 0) fold(vm_drum_stop(&d)); /* infinite where it is driven */
-        fold_int(vm_drum_at(-1, &d, &g));
+        fold_int(vm_drum_at(&d, -1, &g));
         fold(g.mass); /* refused */
-        fold_int(vm_drum_shaft_init(&d, &s));
+        fold_int(vm_drum_shaft_init(&s, &d));
         fold(s.k);
         fold(s.delta);
         fold(s.A);
         fold(s.shift);
-        fold(vm_drum_deflection(phi, &s, a, t, s.shift));
+        fold(vm_drum_deflection(&s, phi, a, t, s.shift));
         fold_int(vm_drum_shaft_valid(&s));
     }
 }

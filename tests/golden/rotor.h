@@ -45,13 +45,13 @@ static void try_rotor(void)
         draw_all(6, -1, 1, y);
         CLEAR(z);
         CLEAR(im);
-        fold_int(vm_broken_rotor_free_motion(t, &whole, y, z));
+        fold_int(vm_broken_rotor_free_motion(&whole, t, y, z));
         fold_all(6, z);
         fold_int(vm_broken_rotor_orbit(&whole, y, z));
         fold_all(4, z);
-        fold_int(vm_broken_rotor_linear(t / 4, &rest, y, z));
+        fold_int(vm_broken_rotor_linear(&rest, t / 4, y, z));
         fold_all(6, z);
-        fold_int(vm_broken_rotor_linear_uncoupled(t, &rest, y, z));
+        fold_int(vm_broken_rotor_linear_uncoupled(&rest, t, y, z));
         fold_all(6, z);
         fold_int(vm_broken_rotor_to_polar(y, z));
         fold_all(6, z);
@@ -66,8 +66,8 @@ static void try_rotor(void)
         fold_all(6, z);
         fold(vm_broken_rotor_steady_radius(&rest, Omega));
         fold_int(vm_broken_rotor_is_stable(&rest, Omega));
-        fold(vm_broken_rotor_resonance_radius(10 * t, &rest, Omega + 7));
-        fold_int(vm_broken_rotor_free_motion(t, &rest, y, z));
+        fold(vm_broken_rotor_resonance_radius(&rest, 10 * t, Omega + 7));
+        fold_int(vm_broken_rotor_free_motion(&rest, t, y, z));
         fold_all(6, z); /* refused, because s is not 0 */
         CLEAR(broken);
         fold_int(vm_broken_rotor_break_off(&whole, y, &piece, &broken));

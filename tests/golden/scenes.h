@@ -141,13 +141,14 @@ static int recorded(vm_real t, const vm_real *y, vm_scene *scene, void *ctx)
 static void try_scene_on_a_line(void)
 {
     static const vm_real times[3] = {VM_C(0.5), 1, VM_C(1.75)};
+    const vm_law leak = vm_law_linear(2, VM_C(-0.125));
     vm_real friction = VM_C(0.25);
     vm_budget book;
     clear_scene();
     add_body(vm_scene_body_line(2, 1, 0));
     add_body(vm_scene_body_with_mass_state(vm_scene_body_line(1, 0, 1)));
     add_body(vm_scene_body_line(3, -1, 0));
-    add_effect(vm_effect_mass(0, VM_MASS_OF_T, VM_C(-0.125), 0, 0));
+    add_effect(vm_effect_mass_of_time(0, &leak, vmi_vec3(0, 0, 0), 0));
     add_effect(vm_effect_spring(0, 0, VM_GROUND, 0, 3, VM_C(1.5), 0));
     add_effect(vm_effect_force(0, 0, bristles, &friction));
     add_effect(vm_effect_stream(1, VM_C(0.25), vmi_vec3(VM_C(0.5), 0, 0), 1));

@@ -176,7 +176,7 @@ static void try_closed_flows(void)
         stream.rate = i % 5 ? uniform(-1, 1) / 8 : 0;
         stream.velocity = u;
         stream.motion = i % 4;
-        fold_int(vm_linear_flow(t, 1, v0, m0, m, &stream, &x, &v));
+        fold_int(vm_linear_flow(&stream, t, 1, v0, m0, m, &x, &v));
         fold(x);
         fold(v);
         jet.rate = uniform(-1, 1) / 8;
@@ -186,7 +186,7 @@ static void try_closed_flows(void)
         jet.gyration_transverse = i % 7 ? uniform(0, 1) : 0;
         jet.gyration_out = uniform(0, 1);
         jet.nozzle = uniform(0, 2);
-        fold_int(vm_jet_damping(t, &jet, omega0, &omega));
+        fold_int(vm_jet_damping(&jet, t, omega0, &omega));
         fold3(omega);
     }
 }

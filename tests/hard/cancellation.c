@@ -183,7 +183,7 @@ static vm_real drum_stop_naive(const vm_real *x) { return 2 / (x[2] - x[0] * x[1
 static vm_real drum_rate_ours(const vm_real *x)
 {
     const vm_drum d = drum_driven(x);
-    return vm_drum_rate(x[3], &d);
+    return vm_drum_rate(&d, x[3]);
 }
 static vm_real drum_rate_naive(const vm_real *x)
 {
@@ -210,7 +210,7 @@ static vm_real broken_rotor_ours(const vm_real *x)
     const vm_real start[6] = {0, 0, 1, 0, 0, 0};
     vm_broken_rotor rotor = {1, 1, 4, 1, 0, VM_C(0.125)};
     vm_real end[6];
-    return vm_broken_rotor_linear_uncoupled(x[0], &rotor, start, end) == VM_OK ? end[1] : VM_NAN;
+    return vm_broken_rotor_linear_uncoupled(&rotor, x[0], start, end) == VM_OK ? end[1] : VM_NAN;
 }
 static vm_real broken_rotor_naive(const vm_real *x) { return -VM_C(0.125) * (1 - COS(2 * x[0])); }
 

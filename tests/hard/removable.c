@@ -54,7 +54,7 @@ static vm_real rocket_way_ours(const vm_real *x)
     vm_stream1 stream = {0, 3, VM_RELATIVE};
     vm_real way, v;
     stream.rate = x[1];
-    return vm_linear_flow(x[0], 0, 0, 1, 0, &stream, &way, &v) == VM_OK ? way : VM_NAN;
+    return vm_linear_flow(&stream, x[0], 0, 0, 1, 0, &way, &v) == VM_OK ? way : VM_NAN;
 }
 static vm_real rocket_way_naive(const vm_real *x)
 {
@@ -67,7 +67,7 @@ static vm_real wagon_way_ours(const vm_real *x)
     vm_stream1 stream = {0, 0, VM_AT_REST};
     vm_real way, v;
     stream.rate = x[1];
-    return vm_linear_flow(x[0], 0, 0, 1, 2, &stream, &way, &v) == VM_OK ? way : VM_NAN;
+    return vm_linear_flow(&stream, x[0], 0, 0, 1, 2, &way, &v) == VM_OK ? way : VM_NAN;
 }
 static vm_real wagon_way_naive(const vm_real *x) { return 2 / x[1] * (x[0] - LOG(1 + x[1] * x[0]) / x[1]); }
 static vm_real tsiolkovsky_ours(const vm_real *x) { return vm_tsiolkovsky(0, x[0], x[1], 1000); }
@@ -79,7 +79,7 @@ static vm_real jet_ours(const vm_real *x)
     vm_jet jet = {0, 1, 3, VM_C(0.5), VM_C(0.75), VM_C(0.5), 1};
     vm_vec3 omega = {1, 0, 4};
     jet.rate = x[0];
-    return vm_jet_damping(x[1], &jet, omega, &omega) == VM_OK ? omega.y : VM_NAN;
+    return vm_jet_damping(&jet, x[1], omega, &omega) == VM_OK ? omega.y : VM_NAN;
 }
 static vm_real jet_naive(const vm_real *x)
 {
@@ -98,7 +98,7 @@ static vm_drum drum_of(const vm_real *x)
 static vm_real drum_time_ours(const vm_real *x)
 {
     const vm_drum d = drum_of(x);
-    return vm_drum_time(x[0], &d);
+    return vm_drum_time(&d, x[0]);
 }
 static vm_real drum_time_naive(const vm_real *x)
 {
@@ -108,7 +108,7 @@ static vm_real drum_time_naive(const vm_real *x)
 static vm_real drum_angle_ours(const vm_real *x)
 {
     const vm_drum d = drum_of(x);
-    return vm_drum_angle(x[0], &d);
+    return vm_drum_angle(&d, x[0]);
 }
 static vm_real drum_angle_naive(const vm_real *x) /* (198)-(206) */
 {
@@ -142,7 +142,7 @@ static vm_real spin_up_ours(const vm_real *x)
     vm_broken_rotor rotor = {1, 1, 1, 0, 1, 0};
     vm_real end[6];
     rotor.damping = x[0];
-    return vm_broken_rotor_free_motion(x[1], &rotor, start, end) == VM_OK ? end[2] : VM_NAN;
+    return vm_broken_rotor_free_motion(&rotor, x[1], start, end) == VM_OK ? end[2] : VM_NAN;
 }
 static vm_real spin_up_naive(const vm_real *x) { return x[1] / x[0] - (1 - EXP(-x[0] * x[1])) / (x[0] * x[0]); }
 /* Place after t = x1 on a shaft of stiffness x0, from the velocity 1 */
@@ -152,7 +152,7 @@ static vm_real free_shaft_ours(const vm_real *x)
     vm_broken_rotor rotor = {1, 1, 0, 1, 1, 0};
     vm_real end[6];
     rotor.stiffness = x[0];
-    return vm_broken_rotor_free_motion(x[1], &rotor, start, end) == VM_OK ? end[0] : VM_NAN;
+    return vm_broken_rotor_free_motion(&rotor, x[1], start, end) == VM_OK ? end[0] : VM_NAN;
 }
 static vm_real free_shaft_naive(const vm_real *x) { return SIN(SQRT(x[0]) * x[1]) / SQRT(x[0]); }
 

@@ -66,7 +66,7 @@ static vm_real caught_ours(const vm_real *x)
     vm_broken_rotor rotor;
     point[0] = 1, point[1] = x[1];
     rotor = resonant_rotor(point);
-    return vm_broken_rotor_resonance_radius(x[0], &rotor, x[2]);
+    return vm_broken_rotor_resonance_radius(&rotor, x[0], x[2]);
 }
 static vm_real caught_naive(const vm_real *x)
 {

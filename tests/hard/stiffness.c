@@ -10,7 +10,7 @@ static vm_real burnt_out(const vm_real *x, int which)
 {
     const vm_stream1 stream = {-1, 3, VM_RELATIVE};
     vm_real y[2];
-    return vm_linear_flow(x[0], 0, 0, 1, 0, &stream, y, y + 1) == VM_OK ? y[which] : VM_NAN;
+    return vm_linear_flow(&stream, x[0], 0, 0, 1, 0, y, y + 1) == VM_OK ? y[which] : VM_NAN;
 }
 static vm_real burnt_out_naive(const vm_real *x, int which)
 {
@@ -40,7 +40,7 @@ static vm_real empty_wagon_ours(const vm_real *x)
 {
     const vm_stream1 stream = {-1, 0, VM_AT_REST};
     vm_real way, v;
-    return vm_linear_flow(x[0], 0, 1, 1, 2, &stream, &way, &v) == VM_OK ? v : VM_NAN;
+    return vm_linear_flow(&stream, x[0], 0, 1, 1, 2, &way, &v) == VM_OK ? v : VM_NAN;
 }
 static vm_real empty_wagon_naive(const vm_real *x)
 {
@@ -67,7 +67,7 @@ static vm_real jet_end_ours(const vm_real *x)
     const vm_jet jet = {-1, 1, 4, VM_C(0.25), 1, VM_C(0.5), 1};
     vm_vec3 omega = {1, 0, 0};
     omega.z = x[1];
-    return vm_jet_damping(x[0], &jet, omega, &omega) == VM_OK ? SQRT(omega.x * omega.x + omega.y * omega.y)
+    return vm_jet_damping(&jet, x[0], omega, &omega) == VM_OK ? SQRT(omega.x * omega.x + omega.y * omega.y)
                                                               : VM_NAN;
 }
 static void jet_equations(vm_real t, const vm_real *y, vm_real *dydt, const vm_real *x)
@@ -156,7 +156,7 @@ static vm_real vdp_end_naive(const vm_real *x)
 static vm_real drum_end_ours(const vm_real *x)
 {
     const vm_drum d = drum_driven(x);
-    return vm_drum_time(x[3], &d);
+    return vm_drum_time(&d, x[3]);
 }
 static void drum_equations(vm_real t, const vm_real *y, vm_real *dydt, const vm_real *x)
 {

@@ -1,16 +1,14 @@
-/* oscillators/mean_laws.h - laws of first and second order for the mean motion, and estimates of their errors
+/* oscillators/mean_motion.h - averaged motion of first and second order without a force, and estimates of its error
 
-   Without a force F the averaged equations of an oscillator with slow laws are solved by integrals: the amplitude
-   follows the adiabatic law (325), (344), (367), (389), the phase is the integral of Om, (310), (329), (370).
-   vmi_osc_first_order is that solution for one of the three waves, error q/Om; vmi_osc_second_order adds the ripple
-   within a period and the second order of the mean phase, error (q/Om)^2.
-       vmi_osc_mean mean;
-       vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ATEB);
-       int status = vmi_osc_mean_at(&plan, t, &mean);
-       if (!status) status = vmi_osc_second_order(&plan, &w, &mean, &motion);
-   Tests: tests/test_averaging.c, tests/test_routes.c. */
-#ifndef VARMASS_OSCILLATORS_MEAN_LAWS_H
-#define VARMASS_OSCILLATORS_MEAN_LAWS_H
+   Without a force F the averaged equations of an oscillator with slow laws of mass and stiffness are solved by
+   integrals: the amplitude follows the adiabatic law (325), (344), (367), (389), the phase is the integral of Om,
+   (310), (329), (370). vmi_osc_first_order is that solution for one of the three waves, error q/Om;
+   vmi_osc_second_order adds the ripple within a period and the second order of the mean phase, error (q/Om)^2.
+   vmi_osc_mean mean; vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ATEB); int status = vmi_osc_mean_at(&plan, t,
+   &mean); if (!status) status = vmi_osc_second_order(&plan, &w, &mean, &motion); Tests: tests/test_averaging.c,
+   tests/test_routes.c. */
+#ifndef VARMASS_OSCILLATORS_MEAN_MOTION_H
+#define VARMASS_OSCILLATORS_MEAN_MOTION_H
 
 #include "../base/elementary.h"
 #include "../base/real.h"
@@ -27,17 +25,18 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real fourth;             /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi, epsilon = q/Om */
     vm_real ln_A, ratio;        /* ln(A/A0) and Om/Om0 by the adiabatic law */
     vm_real kick2, kick3;       /* of the points of tables, see vmi_osc_walk */
-    vm_real fast;               /* bound of what the laws' fastest changes add to ln of the action */
+    vm_real fast;               /* bound of the change of ln of the action by the fastest changes of m and k */
     vm_real phase_error;        /* error of the phase by that of integral.phase */
 } vmi_osc_mean;
 
 /* A bound of the change of ln J, J the action, that the adiabatic law leaves out. The law ignores
    (ln J)' = epsilon w(psi), per radian of phase, with w = (1 - (n+2)/n sa^2)/2, n = alpha + 1, whose mean is 0. The
    change is at most the integral of |epsilon w|. After i integrations by parts it is at most the integral of the ith
-   derivative of epsilon times the ith integral of w; the terms at the ends are in the laws. The smallest of these
-   bounds is taken: one with a high i for slow laws, the first for a change in less than a period. At points of tables
-   the derivatives jump. The laws contain the effect (a kick) of the jumps of the first derivative, and kick3 that of
-   the next. Where the first bounds are the smallest, the kicks in the laws are wrong, so these bounds include them. */
+   derivative of epsilon times the ith integral of w; the solution has the terms at the ends. The smallest of these
+   bounds is taken: one with a high i where m and k change slowly, the first where they change in less than a period.
+   At points of tables the derivatives jump. The solution contains the effect (a kick) of the jumps of the first
+   derivative, and kick3 that of the next. Where the first bounds are the smallest, the kicks of the solution are
+   wrong, so these bounds include them. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
 {
     const vm_real n = p->problem.alpha + 1, turn = p->pi / (2 * VM_PI);
@@ -56,7 +55,7 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
     return least;
 }
 
-/* The mean motion by a walk along the laws; mean->now is given. */
+/* The mean motion by a walk along the laws of m and k; mean->now is given. */
 VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
 {
     const vm_osc_problem *o = &p->problem;
@@ -76,8 +75,8 @@ VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     return VM_OK;
 }
 
-/* The mean motion where both laws are exponentials in one u. epsilon then is a power or an exponential, too, so that
-   its fastest change is at 0 or at t, which the errors of the laws include. */
+/* The mean motion where m and k are exponentials in one u. epsilon then is a power or an exponential, too, so that
+   its fastest change is at 0 or at t, which the estimates below include. */
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
 {
     const vm_real u = t * vmi_log_ratio(p->base * t), q = p->q;
@@ -116,16 +115,16 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->integral.phase)) + mean->phase_error;
 }
 
-/* What the laws miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t, and the
-   roughness of tables */
+/* What both solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t,
+   and the roughness of tables */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real g = VM_FABS(p->gamma * p->Om * mean->integral.phase);
     return (1 + g) * mean->fast + VM_C(0.2) * (VM_SQRT(mean->kick2) + g * VM_SQRT(mean->kick3));
 }
 
-/* The error of first order, to first order in q/Om: the law leaves out ln rho and the shift of the start, the ripple
-   of a period, and the second order of the mean phase. The phase multiplies ln rho by gamma Om t. */
+/* The error of first order, to first order in q/Om: the solution leaves out ln rho and the shift of the start, the
+   ripple of a period, and the second order of the mean phase. The phase multiplies ln rho by gamma Om t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real n = p->problem.alpha + 1, e = VM_FABS(mean->now.q) / (p->Om * mean->ratio), M = p->mean_ca2;
@@ -137,7 +136,7 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return phase + amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* The error of second order: the law leaves out ripples of second order at the start and at t, the third order of
+/* The error of second order: the solution leaves out ripples of second order at the start and at t, the third order of
    ln rho, which the phase multiplies, and the fourth order of the mean phase. The factors fit what
    tests/test_routes.c finds. */
 VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
@@ -151,7 +150,7 @@ VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *me
            VM_C(0.1) * mean->fourth + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* -- The laws -- */
+/* -- The solutions -- */
 
 /* The motion of amplitude A where Om is the rate of the Ateb phase, so that vmax = 2 A Om/(alpha+1); c and s are those
    of the wave. Evaluations are set to 0. VM_NOT_FINITE leaves *motion untouched. */

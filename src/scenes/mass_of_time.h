@@ -1,0 +1,46 @@
+/* scenes/mass_of_time.h - mass that follows a vm_law, and its reactive force
+
+   A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table, or
+   a function. Here it is the mass of a body of a scene, of any motion. mass.h explains u and reactive, and what a
+   switch does; a law that depends on position or velocity is vm_effect_mass_law.
+
+       vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
+       vm_effect leak = vm_effect_mass_of_time(0, &mass, zero, 0);     // what leaves keeps the velocity of body 0
+
+   Tests: tests/test_scene_mass.c. */
+#ifndef VARMASS_SCENES_MASS_OF_TIME_H
+#define VARMASS_SCENES_MASS_OF_TIME_H
+
+#include "../base/real.h"
+#include "../mechanics/vectors.h"
+#include "../oscillators/laws.h"
+#include "effects.h"
+#include "mass.h"
+#include "scene.h"
+
+/* A law that fails at t sets the status of the scene, so that a step that leads there is refused */
+VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vm_mass_now now = {0, 0, 0, 0};
+    const int status = vm_law_at((const vm_law *)e->ctx, t, &now.mass, &now.by_t);
+    if (status) s->status = status;
+    else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
+}
+
+/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the one with
+   which the body was made does not count. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law
+   stays the caller's and must stay where it is. VM_BAD_ARGUMENT at the start where law is NULL. A run ends where the
+   law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where that fails. */
+VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
+{
+    vm_effect e = vmi_effect(body, 0, law ? vmi_apply_mass_of_time : NULL);
+    e.p[VMI_MASS_U] = u.x;
+    e.p[VMI_MASS_U + 1] = u.y;
+    e.p[VMI_MASS_U + 2] = u.z;
+    e.p[VMI_MASS_REACTIVE] = reactive;
+    e.order = VMI_ORDER_MASS_LAW;
+    e.ctx = (void *)law;
+    return e;
+}
+
+#endif
