@@ -233,6 +233,17 @@ static inline vm_effect a_stream_effect(void)
     return vm_effect_stream_mass(GROWING, &stream);
 }
 
+/* The status with which a scene is refused by vm_scene_check, by vm_scene_start, or in the first evaluation */
+static inline int judge_scene(vm_scene *scene)
+{
+    static vm_real y[512], rates[512];
+    int status = vm_scene_check(scene, NULL);
+    if (status >= 0) status = vm_scene_start(scene, 0, y, NULL);
+    if (status >= 0) status = vm_scene_rhs(0, y, rates, scene);
+    if (status >= 0) status = scene->status;
+    return status;
+}
+
 /* The status of a scene of all kinds of bodies, with a body, an effect or an event that was made */
 static inline int judge_in_scene(const vm_scene_body *body, const vm_effect *effect, const vm_event *event)
 {
@@ -266,7 +277,7 @@ static inline int judge_in_scene(const vm_scene_body *body, const vm_effect *eff
     scene.events = events;
     scene.n_events = 1;
     scene.located = located;
-    return vm_scene_check(&scene, NULL);
+    return judge_scene(&scene);
 }
 
 static inline int judge_vm_scene_body(const vm_scene_body *body) { return judge_in_scene(body, NULL, NULL); }
