@@ -37,7 +37,7 @@ TESTS = jacobi ateb rk4 pairs adaptive dense events coincidences bodies jumps ju
     diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
     dissertation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
-SCRIPTS = headers parts snippets options avr plans package scene_cost golden sweep errata documents first_steps languages readme fuzz hard_cases sanitize
+SCRIPTS = headers parts errors snippets options avr plans package scene_cost golden sweep errata documents first_steps languages readme fuzz hard_cases sanitize
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
