@@ -33,7 +33,8 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
    law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where that fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
-    vm_effect e = vmi_effect(body, 0, law ? vmi_apply_mass_of_time : NULL);
+    vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
+    if (!law) e.apply = NULL; /* refused by vm_scene_check */
     e.p[VMI_MASS_U] = u.x;
     e.p[VMI_MASS_U + 1] = u.y;
     e.p[VMI_MASS_U + 2] = u.z;
