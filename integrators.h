@@ -120,7 +120,7 @@
 
    INDEX
      base/self_check: whether this compiler and this processor compute as varmass needs
-       vm_self_check                  Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong
+       vm_self_check                  1 where the compiler and the processor compute as varmass needs, else 0
 
      integrators/ode: ordinary differential equations y' = f(t, y): right-hand sides and statuses
        ode_strerror                   The text of a status of this header
@@ -385,7 +385,8 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong. It returns
+/* 1 where the compiler and the processor compute as varmass needs, else 0: results would be wrong.
+   It returns
    0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
    processor takes subnormal numbers for zero. It takes about 100 operations; call it once, when the program starts. */
 VM_API int vm_self_check(void)

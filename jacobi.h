@@ -94,12 +94,12 @@
 
    INDEX
      base/self_check: whether this compiler and this processor compute as varmass needs
-       vm_self_check                  Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong
+       vm_self_check                  1 where the compiler and the processor compute as varmass needs, else 0
 
      jacobi/integrals: complete elliptic integrals K and E
        jacobi_K_m1                    K(m), the complete elliptic integral of the first kind, from m1 = 1 - m >= 0
        jacobi_E_m1                    E(m), the complete elliptic integral of the second kind, from m1 = 1 - m >= 0
-       jacobi_K                       K(m), the complete elliptic integral of the first kind, a quarter of the period of sn and cn, for m <= 1
+       jacobi_K                       K(m), the complete elliptic integral of the first kind, for m <= 1
        jacobi_E                       E(m), the complete elliptic integral of the second kind, for m <= 1
        jacobi_kpK                     k' K(m) = sqrt(1 - m) K(m), the left side of equation (307), for m <= 1
 
@@ -381,7 +381,8 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong. It returns
+/* 1 where the compiler and the processor compute as varmass needs, else 0: results would be wrong.
+   It returns
    0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
    processor takes subnormal numbers for zero. It takes about 100 operations; call it once, when the program starts. */
 VM_API int vm_self_check(void)
@@ -1253,7 +1254,7 @@ VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
    See jacobi_E; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
 
-/* K(m), the complete elliptic integral of the first kind, a quarter of the period of sn and cn, for m <= 1.
+/* K(m), the complete elliptic integral of the first kind, for m <= 1: a quarter of the period of sn.
    Within 2 ulp. Infinite at m = 1; NaN for m > 1 and for infinite m. DLMF 19.2.8. */
 VM_API vm_real jacobi_K(vm_real m)
 {

@@ -194,9 +194,9 @@
        vm_accelerations               Accelerations v' (159) and omega' (160) of a body under reactive and outer loads
 
      mechanics/flow: a free body in space with streams of mass
-       vm_flow_rhs                    Right-hand side of a free body whose streams change mass, mass centre and inertia, (151), (152)
+       vm_flow_rhs                    Right-hand side of a free body whose streams change its mass (151), (152)
        vm_flow_given_rhs              Right-hand side of a free body with given laws of mass, mass centre and inertia
-       vm_flow_balanced_rhs           Right-hand side vm_flow_rhs with seven integrals that check momentum, angular momentum and energy
+       vm_flow_balanced_rhs           Right-hand side vm_flow_rhs with seven integrals that check the balances
        vm_flow_carried_rhs            Right-hand side of a free body that loses or gains mass which moves with the body (166)
        vm_flow_start                  Initial state y of a body with streams
        vm_flow_body                   The body that n states y describe, its quaternion with length 1
@@ -211,7 +211,7 @@
        vm_flow1_rhs                   Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176)
 
      mechanics/rocket: closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
-       vm_velocity_by_momentum        Velocity when the mass has come from m0 to m and all mass joined with the absolute velocity u (151), (171)
+       vm_velocity_by_momentum        Velocity when the mass has gone from m0 to m by mass of the velocity u (151), (171)
        vm_tsiolkovsky                 Velocity of Tsiolkovsky's rocket when its mass has come from m0 to m
        vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate
        vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
@@ -226,16 +226,16 @@
        vm_drum_stop                   Angle at which the drum on a rigid shaft comes to rest, rad
        vm_drum_time                   Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197)
        vm_drum_angle                  Angle of the drum on a rigid shaft after t >= 0 seconds, rad
-       vm_drum_angle_lambert          Angle of the drum on a rigid shaft by Lambert's W, as published, (198)-(206) corrected, rad
+       vm_drum_angle_lambert          Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected
        vm_drum_shaft_init             Coefficients of the elastic shaft in the first approximation, (213), (214)
-       vm_drum_deflection             Deflection x or y of the elastic shaft at the angle phi, m, first approximation, (224), (225) corrected
+       vm_drum_deflection             Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected
        vm_drum_shaft_valid            Whether the shaft's frequency stays real for the whole first layer (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
        vm_lagrange_rhs                Right-hand side of Lagrange's equations with variable mass (247)
        vm_lagrange_start              Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'
        vm_lagrange_rates              Rates q' of a system at time t, from its state y = q, pi
-       vm_lagrange_partial_q          Partial derivative dT/dq_i of a system's kinetic energy with the masses frozen, J per unit of q_i
+       vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
 
      mechanics/euler_angles: Euler's angles
        vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
@@ -1762,7 +1762,8 @@ VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 
 VM_API int vmi_body_is_finite(const vm_body *b)
 {
-    return VM_IS_FINITE(b->mass) && vmi_vec3_is_finite(b->r) && vmi_vec3_is_finite(b->v) && vmi_vec3_is_finite(b->omega) &&
+    return VM_IS_FINITE(b->mass) && vmi_vec3_is_finite(b->r) && vmi_vec3_is_finite(b->v) &&
+           vmi_vec3_is_finite(b->omega) &&
            vmi_inertia_is_finite(&b->inertia) && vmi_quat_is_finite(b->q);
 }
 
@@ -5200,7 +5201,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     return 0;
 }
 
-/* Right-hand side of a free body whose streams change mass, mass centre and inertia, (151), (152).
+/* Right-hand side of a free body whose streams change its mass (151), (152).
    An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of this chapter. Returns
    VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
    y_size that is too small; and what flow.update returns. */
@@ -5220,7 +5221,7 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_GIVEN_STATES, t, y, dydt);
 }
 
-/* Right-hand side vm_flow_rhs with seven integrals that check momentum, angular momentum and energy.
+/* Right-hand side vm_flow_rhs with seven integrals that check the balances.
    An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are
    zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
    out, minus what the outer loads put in. Added to the body's own they stay constant. (Two exceptions where a stream
@@ -5759,7 +5760,7 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
     return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Velocity when the mass has come from m0 to m and all mass joined with the absolute velocity u (151), (171).
+/* Velocity when the mass has gone from m0 to m by mass of the velocity u (151), (171).
    v0 (m/s) is the velocity at mass m0 (kg), impulse (N s) that of the outer forces meanwhile. u = 0 is Levi-Civita's
    case. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
    terms. NaN where a mass is not positive and for infinite arguments. */
@@ -6203,7 +6204,7 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
     return vmi_two_times(angle, f).hi;
 }
 
-/* Angle of the drum on a rigid shaft by Lambert's W, as published, (198)-(206) corrected, rad.
+/* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
    r - k1 ln r = f1 is solved by r = -k1 W(x), x = -exp(-f1/k1)/k1, with W_-1 for 0 < k1 < 1 and W_0 for other k1. It
    is here for comparison, vm_drum_angle is better: this form loses all digits next to e = 0, where r comes to the
    branch point of W. x itself leaves the range of numbers next to k1 = 0 (it is 1e-869 for k1 = 1e-3), so ln |x| is
@@ -6251,7 +6252,7 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
     return VM_OK;
 }
 
-/* Deflection x or y of the elastic shaft at the angle phi, m, first approximation, (224), (225) corrected:
+/* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected:
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
    particular is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which gives the
    amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as
@@ -6481,7 +6482,7 @@ VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_rea
     return vmi_copy_if_finite(system->n, vmi_lagrange_work(system).rates, rates);
 }
 
-/* Partial derivative dT/dq_i of a system's kinetic energy with the masses frozen, J per unit of q_i.
+/* Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i.
    The masses are those at (t, q).    q and rates have n numbers. NaN for i outside 0 ... n - 1 and for a null
    pointer. */
 VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates,
@@ -12201,7 +12202,8 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
    law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where that fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
-    vm_effect e = vmi_effect(body, 0, law ? vmi_apply_mass_of_time : NULL);
+    vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
+    if (!law) e.apply = NULL; /* refused by vm_scene_check */
     e.p[VMI_MASS_U] = u.x;
     e.p[VMI_MASS_U + 1] = u.y;
     e.p[VMI_MASS_U + 2] = u.z;
@@ -13155,9 +13157,9 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 #endif
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates along with its bodies what comes in from outside: the impulse and the work of
-   the effects, and what streams bring. At any time, what is there must be what was there at the start plus what came
-   in. The difference, the defect, shows the error of a run, and what constraints take.
+   A scene that keeps a budget integrates along with its bodies what comes in from outside: the impulse and the work
+   of the effects, and what streams bring. At any time, what is there must be what was there at the start plus what
+   came in. The difference, the defect, shows the error of a run, and what constraints take.
 
        vm_budget budget, now;
        vm_scene_keep_budget(&scene, &budget);           // before vm_scene_start; y has VM_BUDGET_STATES numbers more
@@ -13230,8 +13232,8 @@ VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
         if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
 
-/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. What is the mass of a
-   body on an axle is its inertia and has no momentum. */
+/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. What is the mass of
+   a body on an axle is its inertia and has no momentum. */
 VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *budget)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -13266,9 +13268,9 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET_STATES; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be called
-   before vm_scene_start; the state then has VM_BUDGET_STATES numbers more. *budget_or_NULL must stay where it is; the scene
-   keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be
+   called before vm_scene_start; the state then has VM_BUDGET_STATES numbers more. *budget_or_NULL must stay where it
+   is; the scene keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -13280,9 +13282,9 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
-   are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
-   bodies. VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
+/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects.
+   Defects are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane
+   hold their bodies. VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;

@@ -178,7 +178,7 @@ VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
    See jacobi_E; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
 
-/* K(m), the complete elliptic integral of the first kind, a quarter of the period of sn and cn, for m <= 1.
+/* K(m), the complete elliptic integral of the first kind, for m <= 1: a quarter of the period of sn.
    Within 2 ulp. Infinite at m = 1; NaN for m > 1 and for infinite m. DLMF 19.2.8. */
 VM_API vm_real jacobi_K(vm_real m)
 {

@@ -125,7 +125,8 @@ VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 
 VM_API int vmi_body_is_finite(const vm_body *b)
 {
-    return VM_IS_FINITE(b->mass) && vmi_vec3_is_finite(b->r) && vmi_vec3_is_finite(b->v) && vmi_vec3_is_finite(b->omega) &&
+    return VM_IS_FINITE(b->mass) && vmi_vec3_is_finite(b->r) && vmi_vec3_is_finite(b->v) &&
+           vmi_vec3_is_finite(b->omega) &&
            vmi_inertia_is_finite(&b->inertia) && vmi_quat_is_finite(b->q);
 }
 

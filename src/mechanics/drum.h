@@ -337,7 +337,7 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
     return vmi_two_times(angle, f).hi;
 }
 
-/* Angle of the drum on a rigid shaft by Lambert's W, as published, (198)-(206) corrected, rad.
+/* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
    r - k1 ln r = f1 is solved by r = -k1 W(x), x = -exp(-f1/k1)/k1, with W_-1 for 0 < k1 < 1 and W_0 for other k1. It
    is here for comparison, vm_drum_angle is better: this form loses all digits next to e = 0, where r comes to the
    branch point of W. x itself leaves the range of numbers next to k1 = 0 (it is 1e-869 for k1 = 1e-3), so ln |x| is
@@ -385,7 +385,7 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
     return VM_OK;
 }
 
-/* Deflection x or y of the elastic shaft at the angle phi, m, first approximation, (224), (225) corrected:
+/* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected:
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
    particular is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which gives the
    amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as

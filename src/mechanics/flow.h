@@ -216,7 +216,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     return 0;
 }
 
-/* Right-hand side of a free body whose streams change mass, mass centre and inertia, (151), (152).
+/* Right-hand side of a free body whose streams change its mass (151), (152).
    An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of this chapter. Returns
    VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
    y_size that is too small; and what flow.update returns. */
@@ -236,7 +236,7 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_GIVEN_STATES, t, y, dydt);
 }
 
-/* Right-hand side vm_flow_rhs with seven integrals that check momentum, angular momentum and energy.
+/* Right-hand side vm_flow_rhs with seven integrals that check the balances.
    An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are
    zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
    out, minus what the outer loads put in. Added to the body's own they stay constant. (Two exceptions where a stream

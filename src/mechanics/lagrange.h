@@ -212,7 +212,7 @@ VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_rea
     return vmi_copy_if_finite(system->n, vmi_lagrange_work(system).rates, rates);
 }
 
-/* Partial derivative dT/dq_i of a system's kinetic energy with the masses frozen, J per unit of q_i.
+/* Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i.
    The masses are those at (t, q).    q and rates have n numbers. NaN for i outside 0 ... n - 1 and for a null
    pointer. */
 VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates,

@@ -38,7 +38,7 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
     return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Velocity when the mass has come from m0 to m and all mass joined with the absolute velocity u (151), (171).
+/* Velocity when the mass has gone from m0 to m by mass of the velocity u (151), (171).
    v0 (m/s) is the velocity at mass m0 (kg), impulse (N s) that of the outer forces meanwhile. u = 0 is Levi-Civita's
    case. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
    terms. NaN where a mass is not positive and for infinite arguments. */

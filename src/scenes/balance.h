@@ -1,8 +1,8 @@
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates along with its bodies what comes in from outside: the impulse and the work of
-   the effects, and what streams bring. At any time, what is there must be what was there at the start plus what came
-   in. The difference, the defect, shows the error of a run, and what constraints take.
+   A scene that keeps a budget integrates along with its bodies what comes in from outside: the impulse and the work
+   of the effects, and what streams bring. At any time, what is there must be what was there at the start plus what
+   came in. The difference, the defect, shows the error of a run, and what constraints take.
 
        vm_budget budget, now;
        vm_scene_keep_budget(&scene, &budget);           // before vm_scene_start; y has VM_BUDGET_STATES numbers more
@@ -85,8 +85,8 @@ VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
         if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
 
-/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. What is the mass of a
-   body on an axle is its inertia and has no momentum. */
+/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. What is the mass of
+   a body on an axle is its inertia and has no momentum. */
 VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *budget)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -121,9 +121,9 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET_STATES; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be called
-   before vm_scene_start; the state then has VM_BUDGET_STATES numbers more. *budget_or_NULL must stay where it is; the scene
-   keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be
+   called before vm_scene_start; the state then has VM_BUDGET_STATES numbers more. *budget_or_NULL must stay where it
+   is; the scene keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -135,9 +135,9 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
-   are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
-   bodies. VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
+/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects.
+   Defects are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane
+   hold their bodies. VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
