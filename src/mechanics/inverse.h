@@ -190,7 +190,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     vmi_frame frame;
     vmi_lump rest;
     vm_body2 b;
-    const vmi_bodies parts = vmi_bodies_in_plane(1, &b);
+    vmi_bodies parts;
     vm_real dx, dy, h, c;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
@@ -200,6 +200,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     dy = b.y - whole->y;
     b.vx = whole->vx - whole->omega * dy; /* v_r = 0 */
     b.vy = whole->vy + whole->omega * dx;
+    parts = vmi_bodies_in_plane(1, &b);
     status = vmi_check_jump2(whole, &parts, external_or_NULL);
     if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
