@@ -306,6 +306,7 @@ static void null_oscillators(void)
     NOTHING(2, vm_osc_exact_from(1, 1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
     STATUS(3, vm_law_at(IN(0, vm_law, &law), 1, X(1, vm_real), X(2, vm_real)));
     STATUS(2, vm_law_inverse_integral(IN(0, vm_law, &law), 1, X(1, vm_real)));
+    NUMBER(1, vm_adiabaticity(IN(0, vm_osc_problem, &o), 0, 1));
     STATUS(2, vm_osc_plan_init(IO(0, vm_osc_plan, &p), IN(1, vm_osc_problem, &o)));
     STATUS(2, vm_osc_plan_by_route(IN(0, vm_osc_plan, &p), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_osc_plan_within(IN(0, vm_osc_plan, &p), 1, 0, X(1, vm_osc_motion)));
