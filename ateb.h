@@ -1493,9 +1493,9 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     vmi_ateb_place at;
     vm_real size, other, odd;
     int is_coarse = s / 128 <= n;
+    at.quarter = 0;
     at.rest = 0;
     if (s <= n / 2) {
-        at.quarter = 0;
         at.rest = s;
         at.r = s;
         at.d = (c->quarter.hi - s) + c->quarter.lo;
