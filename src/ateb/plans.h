@@ -5,6 +5,7 @@
    is shorter and quicker. A plan is plain data: it may be copied, and it may be a constant in flash.
 
        ateb_plan p;
+       vm_real sa, ca;
        if (ateb_plan_init(&p, VM_C(1.5)) == 0) ateb_plan_saca(&p, VM_C(0.7), &sa, &ca);
 
    Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). With

@@ -5,7 +5,7 @@
    program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
    rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
-       if (!vm_self_check()) return 1; // once, when the program starts
+       int trustworthy = vm_self_check(); // once, when the program starts
 
    Tests: tests/test_options.sh. */
 #ifndef VARMASS_BASE_SELF_CHECK_H

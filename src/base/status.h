@@ -12,6 +12,8 @@
        an inertia that no body can have                                  VM_BAD_INERTIA
        an exponent or another parameter outside its domain               VM_DOMAIN
 
+       vm_body rest;
+       int status = vm_separate(&whole, &part, NULL, &rest); // whole and part are vm_bodies
        if (status < 0) printf("%s\n", vm_strerror(status));
 
    Tests: tests/test_refusals_*.c. */

@@ -1,6 +1,6 @@
 /* base/zero.h - a zero of a function between two points where its signs differ
 
-       vm_real x = vmi_find_zero(f, ctx, 0, 2, f(0, ctx), f(2, ctx));
+       vm_real x = vmi_find_zero(f, NULL, 0, 2, f(0, NULL), f(2, NULL)); // f(x, ctx) has a zero between 0 and 2
 
    Tests: tests/test_jeffcott.c, tests/test_diagnostics.c. */
 #ifndef VARMASS_BASE_ZERO_H

@@ -4,18 +4,9 @@
    smooth, and for many events. rk87 is Verner's pair of orders 8 and 7 [4]: 13 evaluations in a step, and seven more
    for states between steps. It is the pair for a smooth f in double and small errors.
 
-       static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x^3 as y = (x, x')
-       {
-           (void)t;
-           (void)ctx;
-           dydt[0] = y[1];
-           dydt[1] = -y[0] * y[0] * y[0];
-           return 0;
-       }
-       ...
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
-       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work);
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
        if (rk45_solve(&s, 10.0) >= 0) printf("x(10) = %g\n", s.y[0]);
 
    Tests: tests/test_adaptive.c, tests/test_dense.c, tests/test_events.c. */

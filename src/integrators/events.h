@@ -3,8 +3,13 @@
    its side, the place is located to rounding. The first event that stops or restarts the run cuts the step there.
    Events whose times rounding cannot tell apart happen together. Users set the events of the options: options.h.
 
-       ode_event touch = {0};
-       touch.g = height;
+       double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
+       rk45 s;
+       ode_event touch;
+       rk45_options options;
+       memset(&touch, 0, sizeof touch);
+       memset(&options, 0, sizeof options);
+       touch.g = height; // height and fall are functions of the user: an ode_event_function and an ode_rhs
        touch.action = ODE_STOP;
        options.events = &touch;
        options.n_events = 1;

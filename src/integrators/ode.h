@@ -1,6 +1,7 @@
 /* integrators/ode.h - ordinary differential equations y' = f(t, y): right-hand sides and statuses
    The type of every right-hand side f, and the statuses of all functions that begin with rk4_, rk45_, rk87_ or ode_.
 
+       #include "integrators.h"
        static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x as y = (x, x')
        {
            (void)t;
@@ -8,6 +9,11 @@
            dydt[0] = y[1];
            dydt[1] = -y[0];
            return 0;
+       }
+       int main(void)
+       {
+           double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
+           return rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // 1000 steps from t = 0 to 10
        }
 
    Tests: tests/test_rk4.c, tests/test_adaptive.c. */

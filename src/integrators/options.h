@@ -2,11 +2,11 @@
    A zeroed rk45_options means the defaults. An event is a change of sign of a function g(t, y) along a run, such as a
    bounce, g = height.
 
-       static double height(double t, const double *y, void *ctx) { (void)t; (void)ctx; return y[0]; }
-       ...
-       ode_event touch = {0};
-       rk45_options options = {0};
-       touch.g = height;
+       ode_event touch;
+       rk45_options options;
+       memset(&touch, 0, sizeof touch);
+       memset(&options, 0, sizeof options);
+       touch.g = height; // double height(double t, const double *y, void *ctx) returns y[0]
        touch.action = ODE_STOP;
        options.rtol = 1e-9;
        options.events = &touch;

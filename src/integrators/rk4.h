@@ -3,7 +3,7 @@
    must take the same time, as in a control loop; rk45 needs less time for the same error.
 
        double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
-       rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // 1000 steps from t = 0 to 10
+       int status = rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // spring is the ode_rhs of ode.h; 1000 steps
 
    Tests: tests/test_rk4.c. */
 #ifndef VARMASS_INTEGRATORS_RK4_H

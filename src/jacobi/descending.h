@@ -3,6 +3,7 @@
    The classical method, in which the number of steps shows what accuracy costs. jacobi_sncndn is faster and more
    accurate; this is for comparison and teaching.
 
+       vm_real sn, cn, dn;
        jacobi_agm_sncndn(VM_C(1.2), VM_C(0.3), 3, &sn, &cn, &dn); // with three steps
 
    Source: DLMF 19.8; Bulirsch, Numer. Math. 7 (1965). Tests: tests/test_jacobi.c. */

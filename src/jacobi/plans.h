@@ -5,6 +5,7 @@
    data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
+       vm_real sn, cn, dn;
        if (jacobi_plan_init(&p, VM_C(0.3)) == 0) jacobi_plan_sncndn(&p, VM_C(1.2), &sn, &cn, &dn);
 
    Tests: tests/test_jacobi.c, tests/test_plans.sh. Example: examples/jacobi_plan.c. */

@@ -9,7 +9,8 @@
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
        vm_broken_rotor_break result;
-       status = vm_broken_rotor_break_off(&whole, y, &piece, &result); // result.rest moves on from result.state
+       vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
+       int status = vm_broken_rotor_break_off(&whole, y, &piece, &result); // result.rest moves on from result.state
 
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_H

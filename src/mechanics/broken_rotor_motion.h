@@ -5,8 +5,9 @@
    complete and in the form (70)-(72) of the dissertation, which leaves out a term. For long times integrate
    vm_broken_rotor_rhs.
 
+       vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
-       status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
+       int status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
    The linearised equations are, with omega, p, k*, M* of vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.

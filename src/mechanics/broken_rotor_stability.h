@@ -6,6 +6,7 @@
    of a rotor that starts from rest grows, and vm_broken_rotor_resonance_radius says how. In the formulas omega^2 =
    stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
 
+       vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
        int stable = vm_broken_rotor_is_stable(&rest, 2);
 

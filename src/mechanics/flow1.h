@@ -7,10 +7,11 @@
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
        vm_real y[VM_FLOW1_STATES] = {0, 0, 100}; // at rest, 100 kg
+       vm_real dydt[VM_FLOW1_STATES];
        memset(&flow, 0, sizeof flow);
        flow.n = 1;
        flow.streams = &jet;
-       status = vm_flow1_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow1_rhs, &flow, ...)
+       int status = vm_flow1_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow1_rhs, &flow, ...)
 
    Tests: tests/test_flow1.c. */
 #ifndef VARMASS_MECHANICS_FLOW1_H

@@ -6,10 +6,11 @@
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
        vm_real y[VM_FLOW2_STATES] = {0, 0, 0, 0, 0, 1, 100, 0, 0, 20}; // spins slowly, 100 kg, 20 kg m^2
+       vm_real dydt[VM_FLOW2_STATES];
        memset(&flow, 0, sizeof flow);
        flow.n = 1;
        flow.streams = &jet;
-       status = vm_flow2_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow2_rhs, &flow, ...)
+       int status = vm_flow2_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow2_rhs, &flow, ...)
 
    Tests: tests/test_flow2.c. */
 #ifndef VARMASS_MECHANICS_FLOW2_H

@@ -3,10 +3,10 @@
    What a force and a moment do in generalized coordinates (235): used by Lagrange's equations (mechanics/lagrange.h)
    and by their jumps (mechanics/lagrange_jump.h), where the "forces" are momenta and impulses.
 
+       vm_vec3 weight = {0, 0, VM_C(-9.8)}, no_moment = {0, 0, 0};
+       vm_vec3 dr[1] = {{0, 0, 1}}; // dr/dq_0 of the point at which the weight acts
        vm_real Q[1] = {0};
-       vm_vec3 dr[1]; // dr/dq_0 of the point at which the weight acts
-       ...
-       vm_lagrange_add_force(1, weight, dr, no_moment, NULL, Q);
+       vm_lagrange_add_force(1, weight, dr, no_moment, NULL, Q); // Q[0] is -9.8
 
    Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H

@@ -9,14 +9,26 @@
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A derivative that lets the masses vary with q, as (244)-(247) may be read, is wrong.
 
-       static vm_real energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
+       #include "varmass.h"
+       static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
        {
-           return masses[0] * rates[0] * rates[0] / 2; // and t, q, ctx as they are needed
+           (void)q;
+           (void)ctx;
+           m[0] = 3 - t / 10; // kg
        }
-       ...
-       vm_real y[2], work[VM_LAGRANGE_RHS_WORK(1, 1)];
-       vm_lagrange_system system = {1, 1, masses, energy, forces, NULL, NULL, work};
-       status = vm_lagrange_start(&system, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &system, 2, ...)
+       static vm_real energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *m, void *ctx)
+       {
+           (void)t;
+           (void)q;
+           (void)ctx;
+           return m[0] * rates[0] * rates[0] / 2;
+       }
+       int main(void)
+       {
+           vm_real q[1] = {0}, rates[1] = {2}, y[2], work[VM_LAGRANGE_RHS_WORK(1, 1)];
+           vm_lagrange_system body = {1, 1, masses, energy, NULL, NULL, NULL, work};
+           return vm_lagrange_start(&body, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &body, 2, ...)
+       }
 
    Q holds what the streams bring, too. A pendulum of length l that leaks at its bob has Q = -m g l sin q + m' l^2 q'
    if the leaking mass moves on with the bob and takes its momentum along; without the last term the mass would leave

@@ -5,9 +5,10 @@
    matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i of the body's mass centre and turn[i] =
    d omega/dqdot_i, in inertial axes, (87)-(90).
 
-       vm_real before[4], after[4], part[2], qdot[2], work[VM_LAGRANGE_WORK(2)];
-       ... // vm_lagrange_mass and vm_lagrange_momentum add to arrays that are zero at first
-       status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
+       vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
+       vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // the part's momenta, and the velocities
+       vm_real work[VM_LAGRANGE_WORK(2)];
+       int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
    The coordinates may be quasi-coordinates, too: velocities qdot_i that are no derivatives, as those about body axes.
    Tests: tests/test_lagrange_jump.c. */

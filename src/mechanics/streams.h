@@ -5,12 +5,13 @@
    are the loads of an instant and the accelerations that follow from them, (159) and (160). To integrate a motion,
    take mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
 
+       vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
        vm_reactive loads;
        memset(&nozzle, 0, sizeof nozzle);
        nozzle.rate = -2;          // 2 kg/s leave
        nozzle.velocity.x = -2500; // m/s, relative to the body: VM_RELATIVE is 0
-       if (vm_reactive_loads(&body, centre, 1, &nozzle, &loads) == VM_OK) thrust = loads.force; // 5000 N
+       if (vm_reactive_loads(&body, centre, 1, &nozzle, &loads) == VM_OK) printf("%g N\n", loads.force.x); // 5000 N
 
    Tests: tests/test_streams.c. */
 #ifndef VARMASS_MECHANICS_STREAMS_H

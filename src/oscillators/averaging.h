@@ -4,8 +4,8 @@
    over a period: vm_osc_averaged computes them for each of the three waves, (314), (315), (337)-(339), (380)-(382).
        vm_osc_plan plan;
        vm_real A_rate, theta_rate, psi_rate;
-       int status = vm_osc_plan_init(&plan, &problem);
-       if (!status) status = vm_osc_averaged(&plan, VM_ROUTE_ATEB, t, A, &A_rate, &theta_rate, &psi_rate);
+       int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem; t = 10 s, A = 0.1 m
+       if (!status) status = vm_osc_averaged(&plan, VM_ROUTE_ATEB, 10, VM_C(0.1), &A_rate, &theta_rate, &psi_rate);
    vmi_osc_averaging_error estimates how far their solution is from the motion.
    Tests: tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_AVERAGING_H

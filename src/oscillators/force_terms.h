@@ -1,7 +1,7 @@
 /* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
 
    Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
-       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), x); // N s/m; the force is feed times the velocity
+       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
    Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c. */
 #ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
 #define VARMASS_OSCILLATORS_FORCE_TERMS_H

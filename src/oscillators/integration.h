@@ -5,7 +5,9 @@
    pair of Runge and Kutta (rk45 or rk87) and the numbers that suit this pair; oscillators/routes.h lists those that
    are used. vmi_osc_integrate runs a method twice, the second time more strictly, and estimates the error by the
    difference, until that is within the tolerance.
-       status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, t, tolerance, &motion);
+       vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
+       vm_osc_motion motion;
+       int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
    Tests: tests/test_routes.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_INTEGRATION_H
 #define VARMASS_OSCILLATORS_INTEGRATION_H

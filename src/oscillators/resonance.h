@@ -6,7 +6,7 @@
    resonance w(A) = nu. Mass, stiffness, frequency, force and their rates are taken as they are at one time t.
 
        vm_steady_state steady[3];
-       int n = vm_forced_steady_states(&f, 0, steady); // f: a vm_forced after vm_forced_init
+       int n = vm_forced_steady_states(&forced, 0, steady); // forced is a vm_forced after vm_forced_init
 
    Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_RESONANCE_H

@@ -5,7 +5,7 @@
    oscillators/panels.h. On the way it also gathers what the estimates of the error need: how fast the small parameter
    epsilon = q/Om changes with the phase, and how the derivatives of tables jump at their points.
        vmi_osc_walk w;
-       int status = vmi_osc_walk_to(&w, &plan, t); // w.integral.phase, w.integral.drift, ...
+       int status = vmi_osc_walk_to(&w, &plan, 10); // plan is a vm_osc_plan; w.integral.phase, w.integral.drift, ...
    Tests: tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_WALK_H
 #define VARMASS_OSCILLATORS_WALK_H

@@ -7,7 +7,8 @@
    for a force F on the mass m, where q is the rate at which stiffness, mass and damping change the motion.
    A new form is a function that evaluates it and a constructor.
        vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
-       vmi_osc_wave_at(&w, psi, &c, &s); // x = A c, x' = -w.speed vmax(A) s
+       vm_real c, s;
+       vmi_osc_wave_at(&w, VM_C(0.5), &c, &s); // at psi = 0.5: x = A c, x' = -w.speed vmax(A) s
    Tests: tests/test_constant_mass.c, tests/test_averaging.c. */
 #ifndef VARMASS_OSCILLATORS_WAVES_H
 #define VARMASS_OSCILLATORS_WAVES_H

@@ -4,10 +4,13 @@
    of the effects, and what streams bring. At any time, what is there must be what was there at the start plus what
    came in. The difference, the defect, shows the error of a run, and what constraints take.
 
+       vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
-       vm_scene_keep_budget(&scene, &budget);           // before vm_scene_start; y has VM_BUDGET_STATES numbers more
-       ...                                              // vm_scene_start, vm_scene_run
-       vm_scene_budget_at(&scene, t, y, &now);          // now.momentum_defect, now.energy_defect
+       int status;
+       vm_scene_keep_budget(&scene, &budget); // scene is a vm_scene, not yet started
+       status = vm_scene_start(&scene, t, y, NULL);
+       if (status == VM_OK) status = vm_scene_run(&scene, &t, 10, y, work, NULL);
+       if (status >= 0) vm_scene_budget_at(&scene, t, y, &now); // now.momentum_defect, now.energy_defect
 
    Tests: tests/test_scene_runs.c, tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_BALANCE_H

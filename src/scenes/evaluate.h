@@ -3,7 +3,9 @@
    An evaluation clears the loads of all bodies, lets each effect add to them, and accelerates each body by its load.
    vm_scene_rhs is an ode_rhs, so that any integrator can run a scene without events:
 
-       rk87_init(&run, vm_scene_rhs, &scene, vm_scene_size(&scene), t, y, &options, work); // after vm_scene_start
+       vm_real work[RK87_WORK(2)]; // 2 = vm_scene_size(&scene)
+       rk87 run;
+       rk87_init(&run, vm_scene_rhs, &scene, 2, 0, y, NULL, work); // scene and y after vm_scene_start
 
    Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_EVALUATE_H

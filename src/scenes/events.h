@@ -7,6 +7,8 @@
        vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
                             vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
        ode_event located[2];                                                    // as many
+       vm_scene scene;
+       memset(&scene, 0, sizeof scene);                                         // its bodies and effects: see scene.h
        scene.events = events;
        scene.located = located;
        scene.n_events = 2;

@@ -5,7 +5,8 @@
    rate. Nothing is checked: an argument that is NaN gives NaN. The results are right to some eps of the terms that are
    added.
 
-       dydt[1] = (vm_force_spring(y[0], 50, 3) + vm_force_damper(y[1], 2)) / mass; // -50 x^3 - 2 v
+       vm_real x = VM_C(0.1), v = 2, mass = 3;
+       vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
 
    Tests: tests/test_forces.c. */
 #ifndef VARMASS_SCENES_FORCES_H

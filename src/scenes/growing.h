@@ -4,8 +4,9 @@
    can cross at its points (streams.h). It moves in the plane or in space. A body without extension (a rod, a point)
    cannot grow.
 
+       vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_growing_plane(vm_scene_body_plane(2, 1, zero, 0, zero, 0))};
-       vm_effect effects[] = {vm_effect_stream_mass(0, &stream), vm_effect_stream_force(0, &stream)};
+       vm_effect effects[] = {vm_effect_stream_mass(0, &nozzle), vm_effect_stream_force(0, &nozzle)}; // a vm_stream
 
    Tests: tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_GROWING_H

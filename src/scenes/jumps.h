@@ -5,7 +5,8 @@
    body is absent afterwards.
 
        vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
-       vm_body part = {0};
+       vm_body part;
+       memset(&part, 0, sizeof part);
        part.mass = 1;   // kg
        part.v.x = 2;    // m/s faster than the body
        vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);

@@ -4,6 +4,7 @@
    a function. Here it is the mass of a body of a scene, of any motion. mass.h explains u and reactive, and what a
    switch does; a law that depends on position or velocity is vm_effect_mass_law.
 
+       vm_vec3 zero = {0, 0, 0};
        vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
        vm_effect leak = vm_effect_mass_of_time(0, &mass, zero, 0);     // what leaves keeps the velocity of body 0
 

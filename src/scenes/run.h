@@ -2,7 +2,9 @@
 
    vm_scene_run integrates a scene by rk45 from one event to the next, and applies the events.
 
-       status = vm_scene_run(&scene, &t, 10, y, work, NULL); // from t to 10 s; work: VM_SCENE_WORK(size) numbers
+       vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                               // 2 = vm_scene_size(&scene)
+       int status = vm_scene_start(&scene, t, y, NULL);                           // scene is a vm_scene
+       if (status == VM_OK) status = vm_scene_run(&scene, &t, 10, y, work, NULL); // to 10 s
 
    Tests: tests/test_scene_runs.c, tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_RUN_H

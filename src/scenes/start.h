@@ -2,8 +2,9 @@
 
    vm_scene_start checks a scene, fills its state, and connects effects and events with the bodies on which they act.
 
+       vm_real y[2]; // 2 = vm_scene_size(&scene)
        vm_scene_fault fault;
-       int status = vm_scene_start(&scene, t, y, &fault); // y: vm_scene_size(&scene) numbers
+       int status = vm_scene_start(&scene, 0, y, &fault); // at t = 0
 
    Tests: tests/test_scene_runs.c. */
 #ifndef VARMASS_SCENES_START_H

@@ -10,7 +10,8 @@
    mechanics/streams.h explains the symbols.
 
        vm_scene_body bodies[] = {vm_scene_body_with_mass_state(vm_scene_body_line(20, 0, 3))}; // a wagon in the rain
-       vm_effect effects[] = {vm_effect_stream(0, 5, falls, 1)}; // 5 kg/s of velocity falls, a vm_vec3
+       vm_vec3 falls = {0, -8, 0};                               // 8 m/s downwards, no velocity along the line
+       vm_effect effects[] = {vm_effect_stream(0, 5, falls, 1)}; // 5 kg/s
 
    Tests: tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_STREAMS_H
