@@ -333,7 +333,7 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
    program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
    rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
-       if (!vm_self_check()) return 1; // once, when the program starts
+       int trustworthy = vm_self_check(); // once, when the program starts
 
    Tests: tests/test_options.sh. */
 #ifndef VARMASS_BASE_SELF_CHECK_H
@@ -1996,6 +1996,7 @@ VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
    is shorter and quicker. A plan is plain data: it may be copied, and it may be a constant in flash.
 
        ateb_plan p;
+       vm_real sa, ca;
        if (ateb_plan_init(&p, VM_C(1.5)) == 0) ateb_plan_saca(&p, VM_C(0.7), &sa, &ca);
 
    Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). With

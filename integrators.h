@@ -330,7 +330,7 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
    program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
    rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
-       if (!vm_self_check()) return 1; // once, when the program starts
+       int trustworthy = vm_self_check(); // once, when the program starts
 
    Tests: tests/test_options.sh. */
 #ifndef VARMASS_BASE_SELF_CHECK_H
@@ -447,6 +447,7 @@ VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 /* integrators/ode.h - ordinary differential equations y' = f(t, y): right-hand sides and statuses
    The type of every right-hand side f, and the statuses of all functions that begin with rk4_, rk45_, rk87_ or ode_.
 
+       #include "integrators.h"
        static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x as y = (x, x')
        {
            (void)t;
@@ -454,6 +455,11 @@ VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
            dydt[0] = y[1];
            dydt[1] = -y[0];
            return 0;
+       }
+       int main(void)
+       {
+           double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
+           return rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // 1000 steps from t = 0 to 10
        }
 
    Tests: tests/test_rk4.c, tests/test_adaptive.c. */
@@ -507,7 +513,7 @@ VM_API const char *ode_strerror(int status)
    must take the same time, as in a control loop; rk45 needs less time for the same error.
 
        double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
-       rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // 1000 steps from t = 0 to 10
+       int status = rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // spring is the ode_rhs of ode.h; 1000 steps
 
    Tests: tests/test_rk4.c. */
 #ifndef VARMASS_INTEGRATORS_RK4_H
@@ -642,11 +648,11 @@ VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_
    A zeroed rk45_options means the defaults. An event is a change of sign of a function g(t, y) along a run, such as a
    bounce, g = height.
 
-       static double height(double t, const double *y, void *ctx) { (void)t; (void)ctx; return y[0]; }
-       ...
-       ode_event touch = {0};
-       rk45_options options = {0};
-       touch.g = height;
+       ode_event touch;
+       rk45_options options;
+       memset(&touch, 0, sizeof touch);
+       memset(&options, 0, sizeof options);
+       touch.g = height; // double height(double t, const double *y, void *ctx) returns y[0]
        touch.action = ODE_STOP;
        options.rtol = 1e-9;
        options.events = &touch;
@@ -1941,8 +1947,13 @@ VM_INLINE int vmi_advance_small(rk45 *s, int method, vmi_rk_system sys, vm_real 
    its side, the place is located to rounding. The first event that stops or restarts the run cuts the step there.
    Events whose times rounding cannot tell apart happen together. Users set the events of the options: options.h.
 
-       ode_event touch = {0};
-       touch.g = height;
+       double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
+       rk45 s;
+       ode_event touch;
+       rk45_options options;
+       memset(&touch, 0, sizeof touch);
+       memset(&options, 0, sizeof options);
+       touch.g = height; // height and fall are functions of the user: an ode_event_function and an ode_rhs
        touch.action = ODE_STOP;
        options.events = &touch;
        options.n_events = 1;
@@ -2494,18 +2505,9 @@ VM_INLINE int vmi_solve(rk45 *s, int method, vm_real t_end)
    smooth, and for many events. rk87 is Verner's pair of orders 8 and 7 [4]: 13 evaluations in a step, and seven more
    for states between steps. It is the pair for a smooth f in double and small errors.
 
-       static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x^3 as y = (x, x')
-       {
-           (void)t;
-           (void)ctx;
-           dydt[0] = y[1];
-           dydt[1] = -y[0] * y[0] * y[0];
-           return 0;
-       }
-       ...
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
-       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work);
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
        if (rk45_solve(&s, 10.0) >= 0) printf("x(10) = %g\n", s.y[0]);
 
    Tests: tests/test_adaptive.c, tests/test_dense.c, tests/test_events.c. */

@@ -326,7 +326,7 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
    program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
    rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
-       if (!vm_self_check()) return 1; // once, when the program starts
+       int trustworthy = vm_self_check(); // once, when the program starts
 
    Tests: tests/test_options.sh. */
 #ifndef VARMASS_BASE_SELF_CHECK_H
@@ -1799,6 +1799,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
    data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
+       vm_real sn, cn, dn;
        if (jacobi_plan_init(&p, VM_C(0.3)) == 0) jacobi_plan_sncndn(&p, VM_C(1.2), &sn, &cn, &dn);
 
    Tests: tests/test_jacobi.c, tests/test_plans.sh. Example: examples/jacobi_plan.c. */
@@ -2258,6 +2259,7 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
    The classical method, in which the number of steps shows what accuracy costs. jacobi_sncndn is faster and more
    accurate; this is for comparison and teaching.
 
+       vm_real sn, cn, dn;
        jacobi_agm_sncndn(VM_C(1.2), VM_C(0.3), 3, &sn, &cn, &dn); // with three steps
 
    Source: DLMF 19.8; Bulirsch, Numer. Math. 7 (1965). Tests: tests/test_jacobi.c. */

@@ -455,6 +455,8 @@
        an inertia that no body can have                                  VM_BAD_INERTIA
        an exponent or another parameter outside its domain               VM_DOMAIN
 
+       vm_body rest;
+       int status = vm_separate(&whole, &part, NULL, &rest); // whole and part are vm_bodies
        if (status < 0) printf("%s\n", vm_strerror(status));
 
    Tests: tests/test_refusals_*.c. */
@@ -644,7 +646,7 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #endif
 /* base/zero.h - a zero of a function between two points where its signs differ
 
-       vm_real x = vmi_find_zero(f, ctx, 0, 2, f(0, ctx), f(2, ctx));
+       vm_real x = vmi_find_zero(f, NULL, 0, 2, f(0, NULL), f(2, NULL)); // f(x, ctx) has a zero between 0 and 2
 
    Tests: tests/test_jeffcott.c, tests/test_diagnostics.c. */
 #ifndef VARMASS_BASE_ZERO_H
@@ -2854,7 +2856,8 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
        vm_broken_rotor_break result;
-       status = vm_broken_rotor_break_off(&whole, y, &piece, &result); // result.rest moves on from result.state
+       vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
+       int status = vm_broken_rotor_break_off(&whole, y, &piece, &result); // result.rest moves on from result.state
 
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_H
@@ -3159,8 +3162,9 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
    complete and in the form (70)-(72) of the dissertation, which leaves out a term. For long times integrate
    vm_broken_rotor_rhs.
 
+       vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
-       status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
+       int status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
    The linearised equations are, with omega, p, k*, M* of vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
@@ -3448,6 +3452,7 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
    of a rotor that starts from rest grows, and vm_broken_rotor_resonance_radius says how. In the formulas omega^2 =
    stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
 
+       vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
        int stable = vm_broken_rotor_is_stable(&rest, 2);
 
@@ -3659,10 +3664,10 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
    What a force and a moment do in generalized coordinates (235): used by Lagrange's equations (mechanics/lagrange.h)
    and by their jumps (mechanics/lagrange_jump.h), where the "forces" are momenta and impulses.
 
+       vm_vec3 weight = {0, 0, VM_C(-9.8)}, no_moment = {0, 0, 0};
+       vm_vec3 dr[1] = {{0, 0, 1}}; // dr/dq_0 of the point at which the weight acts
        vm_real Q[1] = {0};
-       vm_vec3 dr[1]; // dr/dq_0 of the point at which the weight acts
-       ...
-       vm_lagrange_add_force(1, weight, dr, no_moment, NULL, Q);
+       vm_lagrange_add_force(1, weight, dr, no_moment, NULL, Q); // Q[0] is -9.8
 
    Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
@@ -3693,9 +3698,10 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
    matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i of the body's mass centre and turn[i] =
    d omega/dqdot_i, in inertial axes, (87)-(90).
 
-       vm_real before[4], after[4], part[2], qdot[2], work[VM_LAGRANGE_WORK(2)];
-       ... // vm_lagrange_mass and vm_lagrange_momentum add to arrays that are zero at first
-       status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
+       vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
+       vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // the part's momenta, and the velocities
+       vm_real work[VM_LAGRANGE_WORK(2)];
+       int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
    The coordinates may be quasi-coordinates, too: velocities qdot_i that are no derivatives, as those about body axes.
    Tests: tests/test_lagrange_jump.c. */
@@ -3825,7 +3831,7 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
 
        vm_pendulum rod = {3, 1, VM_C(0.5), 2, VM_AXES_COS_SIN}; // 3 kg, 1 m, 0.5 rad, 2 rad/s
        vm_pendulum_cut cut;
-       status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
+       int status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
 
    Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
@@ -4683,12 +4689,13 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
    are the loads of an instant and the accelerations that follow from them, (159) and (160). To integrate a motion,
    take mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
 
+       vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
        vm_reactive loads;
        memset(&nozzle, 0, sizeof nozzle);
        nozzle.rate = -2;          // 2 kg/s leave
        nozzle.velocity.x = -2500; // m/s, relative to the body: VM_RELATIVE is 0
-       if (vm_reactive_loads(&body, centre, 1, &nozzle, &loads) == VM_OK) thrust = loads.force; // 5000 N
+       if (vm_reactive_loads(&body, centre, 1, &nozzle, &loads) == VM_OK) printf("%g N\n", loads.force.x); // 5000 N
 
    Tests: tests/test_streams.c. */
 #ifndef VARMASS_MECHANICS_STREAMS_H
@@ -5389,10 +5396,11 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
        vm_real y[VM_FLOW2_STATES] = {0, 0, 0, 0, 0, 1, 100, 0, 0, 20}; // spins slowly, 100 kg, 20 kg m^2
+       vm_real dydt[VM_FLOW2_STATES];
        memset(&flow, 0, sizeof flow);
        flow.n = 1;
        flow.streams = &jet;
-       status = vm_flow2_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow2_rhs, &flow, ...)
+       int status = vm_flow2_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow2_rhs, &flow, ...)
 
    Tests: tests/test_flow2.c. */
 #ifndef VARMASS_MECHANICS_FLOW2_H
@@ -5589,10 +5597,11 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
        vm_real y[VM_FLOW1_STATES] = {0, 0, 100}; // at rest, 100 kg
+       vm_real dydt[VM_FLOW1_STATES];
        memset(&flow, 0, sizeof flow);
        flow.n = 1;
        flow.streams = &jet;
-       status = vm_flow1_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow1_rhs, &flow, ...)
+       int status = vm_flow1_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow1_rhs, &flow, ...)
 
    Tests: tests/test_flow1.c. */
 #ifndef VARMASS_MECHANICS_FLOW1_H
@@ -6285,14 +6294,26 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A derivative that lets the masses vary with q, as (244)-(247) may be read, is wrong.
 
-       static vm_real energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
+       #include "varmass.h"
+       static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
        {
-           return masses[0] * rates[0] * rates[0] / 2; // and t, q, ctx as they are needed
+           (void)q;
+           (void)ctx;
+           m[0] = 3 - t / 10; // kg
        }
-       ...
-       vm_real y[2], work[VM_LAGRANGE_RHS_WORK(1, 1)];
-       vm_lagrange_system system = {1, 1, masses, energy, forces, NULL, NULL, work};
-       status = vm_lagrange_start(&system, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &system, 2, ...)
+       static vm_real energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *m, void *ctx)
+       {
+           (void)t;
+           (void)q;
+           (void)ctx;
+           return m[0] * rates[0] * rates[0] / 2;
+       }
+       int main(void)
+       {
+           vm_real q[1] = {0}, rates[1] = {2}, y[2], work[VM_LAGRANGE_RHS_WORK(1, 1)];
+           vm_lagrange_system body = {1, 1, masses, energy, NULL, NULL, NULL, work};
+           return vm_lagrange_start(&body, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &body, 2, ...)
+       }
 
    Q holds what the streams bring, too. A pendulum of length l that leaks at its bob has Q = -m g l sin q + m' l^2 q'
    if the leaking mass moves on with the bob and takes its momentum along; without the last term the mass would leave
@@ -6570,7 +6591,8 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
    for a force F on the mass m, where q is the rate at which stiffness, mass and damping change the motion.
    A new form is a function that evaluates it and a constructor.
        vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
-       vmi_osc_wave_at(&w, psi, &c, &s); // x = A c, x' = -w.speed vmax(A) s
+       vm_real c, s;
+       vmi_osc_wave_at(&w, VM_C(0.5), &c, &s); // at psi = 0.5: x = A c, x' = -w.speed vmax(A) s
    Tests: tests/test_constant_mass.c, tests/test_averaging.c. */
 #ifndef VARMASS_OSCILLATORS_WAVES_H
 #define VARMASS_OSCILLATORS_WAVES_H
@@ -7921,7 +7943,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
    oscillators/panels.h. On the way it also gathers what the estimates of the error need: how fast the small parameter
    epsilon = q/Om changes with the phase, and how the derivatives of tables jump at their points.
        vmi_osc_walk w;
-       int status = vmi_osc_walk_to(&w, &plan, t); // w.integral.phase, w.integral.drift, ...
+       int status = vmi_osc_walk_to(&w, &plan, 10); // plan is a vm_osc_plan; w.integral.phase, w.integral.drift, ...
    Tests: tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_WALK_H
 #define VARMASS_OSCILLATORS_WALK_H
@@ -8336,8 +8358,8 @@ VM_API int vmi_osc_second_order(const vm_osc_plan *p, int route, const vmi_osc_w
    over a period: vm_osc_averaged computes them for each of the three waves, (314), (315), (337)-(339), (380)-(382).
        vm_osc_plan plan;
        vm_real A_rate, theta_rate, psi_rate;
-       int status = vm_osc_plan_init(&plan, &problem);
-       if (!status) status = vm_osc_averaged(&plan, VM_ROUTE_ATEB, t, A, &A_rate, &theta_rate, &psi_rate);
+       int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem; t = 10 s, A = 0.1 m
+       if (!status) status = vm_osc_averaged(&plan, VM_ROUTE_ATEB, 10, VM_C(0.1), &A_rate, &theta_rate, &psi_rate);
    vmi_osc_averaging_error estimates how far their solution is from the motion.
    Tests: tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_AVERAGING_H
@@ -8614,7 +8636,9 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
    pair of Runge and Kutta (rk45 or rk87) and the numbers that suit this pair; oscillators/routes.h lists those that
    are used. vmi_osc_integrate runs a method twice, the second time more strictly, and estimates the error by the
    difference, until that is within the tolerance.
-       status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, t, tolerance, &motion);
+       vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
+       vm_osc_motion motion;
+       int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
    Tests: tests/test_routes.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_INTEGRATION_H
 #define VARMASS_OSCILLATORS_INTEGRATION_H
@@ -9372,7 +9396,7 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 /* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
 
    Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
-       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), x); // N s/m; the force is feed times the velocity
+       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
    Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c. */
 #ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
 #define VARMASS_OSCILLATORS_FORCE_TERMS_H
@@ -10454,7 +10478,7 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
    resonance w(A) = nu. Mass, stiffness, frequency, force and their rates are taken as they are at one time t.
 
        vm_steady_state steady[3];
-       int n = vm_forced_steady_states(&f, 0, steady); // f: a vm_forced after vm_forced_init
+       int n = vm_forced_steady_states(&forced, 0, steady); // forced is a vm_forced after vm_forced_init
 
    Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_RESONANCE_H
@@ -11117,6 +11141,7 @@ VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
    the state, get reads it from there, accelerate computes the derivatives of the state from the load, and check refuses
    an inertia that it cannot have.
 
+       vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
                                  vm_scene_body_axle(0.5, 0, 30),                             // 0.5 kg m^2 at 30 rad/s
                                  vm_scene_body_absent(vm_scene_body_point(1, zero, zero))};  // an event brings it in
@@ -11484,8 +11509,9 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
    can cross at its points (streams.h). It moves in the plane or in space. A body without extension (a rod, a point)
    cannot grow.
 
+       vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_growing_plane(vm_scene_body_plane(2, 1, zero, 0, zero, 0))};
-       vm_effect effects[] = {vm_effect_stream_mass(0, &stream), vm_effect_stream_force(0, &stream)};
+       vm_effect effects[] = {vm_effect_stream_mass(0, &nozzle), vm_effect_stream_force(0, &nozzle)}; // a vm_stream
 
    Tests: tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_GROWING_H
@@ -11635,7 +11661,8 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
    rate. Nothing is checked: an argument that is NaN gives NaN. The results are right to some eps of the terms that are
    added.
 
-       dydt[1] = (vm_force_spring(y[0], 50, 3) + vm_force_damper(y[1], 2)) / mass; // -50 x^3 - 2 v
+       vm_real x = VM_C(0.1), v = 2, mass = 3;
+       vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
 
    Tests: tests/test_forces.c. */
 #ifndef VARMASS_SCENES_FORCES_H
@@ -12181,6 +12208,7 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
    a function. Here it is the mass of a body of a scene, of any motion. mass.h explains u and reactive, and what a
    switch does; a law that depends on position or velocity is vm_effect_mass_law.
 
+       vm_vec3 zero = {0, 0, 0};
        vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
        vm_effect leak = vm_effect_mass_of_time(0, &mass, zero, 0);     // what leaves keeps the velocity of body 0
 
@@ -12227,7 +12255,8 @@ VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, 
    mechanics/streams.h explains the symbols.
 
        vm_scene_body bodies[] = {vm_scene_body_with_mass_state(vm_scene_body_line(20, 0, 3))}; // a wagon in the rain
-       vm_effect effects[] = {vm_effect_stream(0, 5, falls, 1)}; // 5 kg/s of velocity falls, a vm_vec3
+       vm_vec3 falls = {0, -8, 0};                               // 8 m/s downwards, no velocity along the line
+       vm_effect effects[] = {vm_effect_stream(0, 5, falls, 1)}; // 5 kg/s
 
    Tests: tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_STREAMS_H
@@ -12762,7 +12791,9 @@ VM_API void vmi_scene_presence(vm_scene *s)
    An evaluation clears the loads of all bodies, lets each effect add to them, and accelerates each body by its load.
    vm_scene_rhs is an ode_rhs, so that any integrator can run a scene without events:
 
-       rk87_init(&run, vm_scene_rhs, &scene, vm_scene_size(&scene), t, y, &options, work); // after vm_scene_start
+       vm_real work[RK87_WORK(2)]; // 2 = vm_scene_size(&scene)
+       rk87 run;
+       rk87_init(&run, vm_scene_rhs, &scene, 2, 0, y, NULL, work); // scene and y after vm_scene_start
 
    Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_EVALUATE_H
@@ -13045,8 +13076,9 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 
    vm_scene_start checks a scene, fills its state, and connects effects and events with the bodies on which they act.
 
+       vm_real y[2]; // 2 = vm_scene_size(&scene)
        vm_scene_fault fault;
-       int status = vm_scene_start(&scene, t, y, &fault); // y: vm_scene_size(&scene) numbers
+       int status = vm_scene_start(&scene, 0, y, &fault); // at t = 0
 
    Tests: tests/test_scene_runs.c. */
 #ifndef VARMASS_SCENES_START_H
@@ -13162,10 +13194,13 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
    of the effects, and what streams bring. At any time, what is there must be what was there at the start plus what
    came in. The difference, the defect, shows the error of a run, and what constraints take.
 
+       vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
-       vm_scene_keep_budget(&scene, &budget);           // before vm_scene_start; y has VM_BUDGET_STATES numbers more
-       ...                                              // vm_scene_start, vm_scene_run
-       vm_scene_budget_at(&scene, t, y, &now);          // now.momentum_defect, now.energy_defect
+       int status;
+       vm_scene_keep_budget(&scene, &budget); // scene is a vm_scene, not yet started
+       status = vm_scene_start(&scene, t, y, NULL);
+       if (status == VM_OK) status = vm_scene_run(&scene, &t, 10, y, work, NULL);
+       if (status >= 0) vm_scene_budget_at(&scene, t, y, &now); // now.momentum_defect, now.energy_defect
 
    Tests: tests/test_scene_runs.c, tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_BALANCE_H
@@ -13322,6 +13357,8 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
        vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
                             vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
        ode_event located[2];                                                    // as many
+       vm_scene scene;
+       memset(&scene, 0, sizeof scene);                                         // its bodies and effects: see scene.h
        scene.events = events;
        scene.located = located;
        scene.n_events = 2;
@@ -13507,7 +13544,8 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
    body is absent afterwards.
 
        vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
-       vm_body part = {0};
+       vm_body part;
+       memset(&part, 0, sizeof part);
        part.mass = 1;   // kg
        part.v.x = 2;    // m/s faster than the body
        vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);
@@ -13767,7 +13805,9 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 
    vm_scene_run integrates a scene by rk45 from one event to the next, and applies the events.
 
-       status = vm_scene_run(&scene, &t, 10, y, work, NULL); // from t to 10 s; work: VM_SCENE_WORK(size) numbers
+       vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                               // 2 = vm_scene_size(&scene)
+       int status = vm_scene_start(&scene, t, y, NULL);                           // scene is a vm_scene
+       if (status == VM_OK) status = vm_scene_run(&scene, &t, 10, y, work, NULL); // to 10 s
 
    Tests: tests/test_scene_runs.c, tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_RUN_H
