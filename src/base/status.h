@@ -14,7 +14,7 @@
 
        if (status < 0) printf("%s\n", vm_strerror(status));
 
-   Tests: tests/test_refusals_*.c. */
+   Tests: tests/test_errors.sh, tests/test_refusals_*.c. */
 #ifndef VARMASS_BASE_STATUS_H
 #define VARMASS_BASE_STATUS_H
 
