@@ -12694,12 +12694,21 @@ enum { VM_BUDGET_STATES = 15 }; /* how many numbers a budget adds to the state *
 /* How many numbers of work vm_scene_run needs for a state of so many numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
+/* Whether a list of so many elements can be there */
+VM_INLINE int vmi_scene_is_list(int n, const void *list) { return n == 0 || (n > 0 && list); }
+
+/* Whether the lists that an evaluation reads can be there */
+VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
+{
+    return vmi_scene_is_list(s->n_bodies, s->bodies) && vmi_scene_is_list(s->n_effects, s->effects);
+}
+
 /* How many numbers the state of a scene has. It depends on the bodies and on whether the scene keeps a budget.
-   VM_BAD_ARGUMENT where scene is NULL or its bodies are missing. */
+   VM_BAD_ARGUMENT where scene is NULL, its bodies are missing or their number is negative. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
     int i, size = 0;
-    if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
+    if (!scene || !vmi_scene_is_list(scene->n_bodies, scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
     if (scene->budget) size += VM_BUDGET_STATES;
     return size;
@@ -12721,7 +12730,7 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
 {
     const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
     if (!now) return;
-    if (scene && scene->size && y && body >= 0 && body < scene->n_bodies) {
+    if (scene && scene->bodies && scene->size && y && body >= 0 && body < scene->n_bodies) {
         vmi_scene_body_now(scene, body, y, now);
         return;
     }
@@ -12827,14 +12836,14 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 }
 
 /* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. It returns 0, or
-   VM_BAD_ARGUMENT for a NULL pointer. Where a body cannot be accelerated (its mass or inertia is not positive, for one)
-   or an effect cannot act, scene.status says why and all derivatives are NaN, so that an integrator tries a shorter
-   step. */
+   VM_BAD_ARGUMENT for a NULL pointer or a negative number of bodies or effects. Where a body cannot be accelerated
+   (its mass or inertia is not positive, for one) or an effect cannot act, scene.status says why and all derivatives are
+   NaN, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
     int i, k, before;
-    if (!s || !y || !dydt) return VM_BAD_ARGUMENT;
+    if (!s || !y || !dydt || !vmi_scene_has_lists(s)) return VM_BAD_ARGUMENT;
     before = s->status;
     s->status = VM_OK;
     vmi_scene_evaluate(s, t, y);
@@ -13282,13 +13291,13 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 
 /* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
    are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
-   bodies. VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
+   bodies. VM_BAD_ARGUMENT where the scene keeps no budget, a pointer is NULL or a count negative; VM_NOT_STARTED. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
     const vm_real *sums;
     vm_budget b;
-    if (!start || !y || !budget) return VM_BAD_ARGUMENT;
+    if (!start || !y || !budget || !vmi_scene_has_lists(scene) || scene->n_events < 0) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     b = *start;
     sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
@@ -13943,6 +13952,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
 VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_end)
 {
     int size;
+    if (!vmi_scene_has_lists(s) || !vmi_scene_is_list(s->n_events, s->events)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(*t) || !VM_IS_FINITE(t_end)) return VM_NOT_FINITE;
     if (t_end < *t) return VM_BAD_TIMES;
     if (!vmi_scene_is_started(s)) return VM_NOT_STARTED;
