@@ -12887,6 +12887,7 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_is_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
+    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* its mass is the inertia */
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->check) return (b->check)(&b->start);
     return VM_OK;
@@ -13291,7 +13292,8 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 
 /* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
    are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
-   bodies. VM_BAD_ARGUMENT where the scene keeps no budget, a pointer is NULL or a count negative; VM_NOT_STARTED. */
+   bodies. VM_BAD_ARGUMENT where the scene keeps no budget, a pointer is NULL or a count negative; VM_NOT_STARTED;
+   VM_NOT_FINITE for such a state. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
@@ -13299,6 +13301,7 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
     vm_budget b;
     if (!start || !y || !budget || !vmi_scene_has_lists(scene) || scene->n_events < 0) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
+    if (!vmi_all_finite(vm_scene_size(scene), y)) return VM_NOT_FINITE;
     b = *start;
     sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
     vmi_scene_evaluate(scene, t, y);
