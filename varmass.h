@@ -2934,15 +2934,17 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor, whose fields are not checked.
-   VM_BAD_ARGUMENT for a null pointer. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor.
+   VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative one), VM_BAD_INERTIA. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
+    const int status = vmi_check_broken_rotor(r);
     vm_real sine, cosine, fx, fy; /* fx, fy: force of the shaft (66) */
     (void)t;
+    if (status) return status;
     vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
     fx = -r->stiffness * (y[VM_BROKEN_ROTOR_X] + r->s * cosine);
     fy = -r->stiffness * (y[VM_BROKEN_ROTOR_X + 1] + r->s * sine);
@@ -2956,16 +2958,19 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor, whose fields
-   are not checked. VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN, which ends the run, where r is not positive. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor.
+   The statuses are those of vm_broken_rotor_rhs, and VM_DOMAIN, which ends the run, where r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real w2 = r->stiffness / r->mass, radius = y[VM_BROKEN_ROTOR_RADIUS], omega = y[VM_BROKEN_ROTOR_OMEGA];
     const vm_real radius_rate = y[VM_BROKEN_ROTOR_RADIUS_RATE], rate = y[VM_BROKEN_ROTOR_DIRECTION_RATE];
+    const int status = vmi_check_broken_rotor(r);
     vm_real sine, cosine;
     (void)t;
+    if (radius != radius) return VM_NOT_FINITE;
+    if (status) return status;
     if (!(radius > 0)) return VM_DOMAIN;
     vmi_sincos(y[VM_BROKEN_ROTOR_DIRECTION] - y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
     dydt[VM_BROKEN_ROTOR_RADIUS] = radius_rate;
@@ -5952,7 +5957,7 @@ typedef struct VM_TAG(vmi_drum_mass) {
 } vmi_drum_mass;
 
 /* Sets *m for the angle phi, s = sin(phi/2). With s = 0 the distance S S1 is neglected. VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA */
+   VM_BAD_STIFFNESS, VM_BAD_INERTIA */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -5961,6 +5966,7 @@ VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_m
     m->steiner = q / m->M * q; /* q^2 alone could underflow */
     if (!VM_IS_FINITE(m->M) || !VM_IS_FINITE(m->J)) return VM_NOT_FINITE;
     if (!(m->M > 0)) return VM_BAD_MASS;
+    if (d->stiffness < 0) return VM_BAD_STIFFNESS;
     if (!(m->J - m->steiner > 0)) return VM_BAD_INERTIA;
     return VM_OK;
 }
@@ -5974,7 +5980,8 @@ VM_API int vmi_drum_finite(const vm_drum *d)
 
 /* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
    phi >= 0 in rad.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (phi < 0). */
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative one), VM_BAD_INERTIA, VM_DOMAIN
+   (phi < 0). */
 VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 {
     vm_real s, c;
@@ -5983,6 +5990,7 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
     if (!d || !g) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(phi) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
+    if (d->stiffness < 0) return VM_BAD_STIFFNESS;
     if (d->inertia <= 0) return VM_BAD_INERTIA;
     if (phi < 0) return VM_DOMAIN;
     vmi_sincos(phi / 2, &s, &c);
@@ -6002,8 +6010,8 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
    mass centre and have the shaft's torque with the other sign. With q = mu R (sin phi, 1 - cos phi):
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
-   VM_BAD_ARGUMENT for a null pointer, and VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, where the drum cannot be at
-   this angle, end the run. */
+   VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_INERTIA, where the drum cannot be at this angle, end the run. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -10230,7 +10238,8 @@ typedef struct VM_TAG(vmi_forced_parameters) {
     vm_real force;           /* N */
 } vmi_forced_parameters;
 
-/* The parameters at time t. Of several statuses the first in the order of base/status.h. */
+/* The parameters at time t, and whether the fields that do not vary are in their domains. Of several statuses the first
+   in the order of base/status.h. */
 VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n)
 {
     vm_real force_rate;
@@ -10241,11 +10250,13 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
     if (mass == VM_BAD_ARGUMENT || stiffness == VM_BAD_ARGUMENT || frequency == VM_BAD_ARGUMENT ||
         force == VM_BAD_ARGUMENT)
         return VM_BAD_ARGUMENT;
-    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE)
+    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE ||
+        !VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive))
         return VM_NOT_FINITE;
     if (mass) return mass;
     if (stiffness) return stiffness;
     if (frequency) return frequency;
+    if (!(f->alpha >= 0)) return VM_DOMAIN;
     return force;
 }
 
@@ -10292,10 +10303,7 @@ VM_API int vm_forced_init(vm_forced *f)
     int status;
     if (!f) return VM_BAD_ARGUMENT;
     status = vmi_forced_at(f, 0, &now);
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
     if (status) return status;
-    if (!(f->alpha >= 0)) return VM_DOMAIN;
     f->pi = ateb_pi(f->alpha);
     f->Om1 = VM_PI / f->pi * VM_SQRT((f->alpha + 1) / 2);
     vmi_forced_fourier(f);
@@ -10317,8 +10325,8 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
    vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive or t is outside a table; these
-   statuses stop the run. */
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0, the frequency is not positive or t is outside a table;
+   these statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -10411,8 +10419,9 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     const vm_real theta = motion[2];
     vm_real exact, A, phi;
     int i;
-    if (status) return status;
+    if (status == VM_BAD_ARGUMENT) return status;
     if (!vmi_all_finite(3, motion)) return VM_NOT_FINITE;
+    if (status) return status;
     vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
     phi *= VM_PI / f->pi;
     A = exact;
@@ -10434,8 +10443,9 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
     const int status = vmi_forced_at(f, t, &n);
     const vm_real theta = y[2], phi = y[1] + theta;
     vm_real A, r[3];
-    if (status) return status;
+    if (status == VM_BAD_ARGUMENT) return status;
     if (!vmi_all_finite(3, y)) return VM_NOT_FINITE;
+    if (status) return status;
     A = y[0] + vmi_forced_ripple(f, &n, y[0], phi, theta);
     if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &r[0], &r[1]);
@@ -10589,7 +10599,7 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
    Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their
    number, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A
-   is not positive and finite. Results that overflow are NaN. */
+   is not positive. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -10598,8 +10608,10 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
     vmi_resonance z;
     vm_real w, hold, width, p;
     int found = 0;
+    if (status == VM_BAD_ARGUMENT) return status;
+    if (!VM_IS_FINITE(A)) return VM_NOT_FINITE;
     if (status) return status;
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
+    if (!(A > 0)) return VM_DOMAIN;
     z = vmi_resonance_of(f, &n);
     w = vmi_forced_natural(f, &n, A);
     hold = VM_FABS(z.push) / (w * A);
