@@ -2356,7 +2356,7 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 
 /* Prepares a plan for alpha >= 0 and a given accuracy. `accuracy` is the largest absolute error of sa and ca that is
    allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or
-   -1 for alpha < 0, NaN and infinite alpha; then the plan stays as it was. Time: 15 us. */
+   -1 for alpha < 0 and where a number is NaN or infinite; then the plan stays as it was. Time: 15 us. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
     /* Beyond the change-over sa comes from X, whose rounding errors count X/(2 sa) times. That is 0.33 for a
@@ -2366,7 +2366,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     vm_real tolerance = VM_EPSILON / 16, unit = 1;
     int length, length_beyond;
     vmi_ateb c;
-    if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return -1;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(accuracy)) return -1;
     if (accuracy > VM_EPSILON) tolerance = accuracy / 2;
     vmi_ateb_constants(&c, alpha);
     vmi_ateb_plan_period(p, &c);

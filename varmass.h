@@ -459,7 +459,7 @@
        int status = vm_separate(&whole, &part, NULL, &rest); // whole and part are vm_bodies
        if (status < 0) printf("%s\n", vm_strerror(status));
 
-   Tests: tests/test_refusals_*.c. */
+   Tests: tests/test_errors.sh, tests/test_refusals_*.c. */
 #ifndef VARMASS_BASE_STATUS_H
 #define VARMASS_BASE_STATUS_H
 
@@ -2939,15 +2939,17 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor, whose fields are not checked.
-   VM_BAD_ARGUMENT for a null pointer. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor.
+   VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative one), VM_BAD_INERTIA. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
+    const int status = vmi_check_broken_rotor(r);
     vm_real sine, cosine, fx, fy; /* fx, fy: force of the shaft (66) */
     (void)t;
+    if (status) return status;
     vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
     fx = -r->stiffness * (y[VM_BROKEN_ROTOR_X] + r->s * cosine);
     fy = -r->stiffness * (y[VM_BROKEN_ROTOR_X + 1] + r->s * sine);
@@ -2961,16 +2963,19 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor, whose fields
-   are not checked. VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN, which ends the run, where r is not positive. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor.
+   The statuses are those of vm_broken_rotor_rhs, and VM_DOMAIN, which ends the run, where r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real w2 = r->stiffness / r->mass, radius = y[VM_BROKEN_ROTOR_RADIUS], omega = y[VM_BROKEN_ROTOR_OMEGA];
     const vm_real radius_rate = y[VM_BROKEN_ROTOR_RADIUS_RATE], rate = y[VM_BROKEN_ROTOR_DIRECTION_RATE];
+    const int status = vmi_check_broken_rotor(r);
     vm_real sine, cosine;
     (void)t;
+    if (radius != radius) return VM_NOT_FINITE;
+    if (status) return status;
     if (!(radius > 0)) return VM_DOMAIN;
     vmi_sincos(y[VM_BROKEN_ROTOR_DIRECTION] - y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
     dydt[VM_BROKEN_ROTOR_RADIUS] = radius_rate;
@@ -5963,7 +5968,7 @@ typedef struct VM_TAG(vmi_drum_mass) {
 } vmi_drum_mass;
 
 /* Sets *m for the angle phi, s = sin(phi/2). With s = 0 the distance S S1 is neglected. VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA */
+   VM_BAD_STIFFNESS, VM_BAD_INERTIA */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -5972,6 +5977,7 @@ VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_m
     m->steiner = q / m->M * q; /* q^2 alone could underflow */
     if (!VM_IS_FINITE(m->M) || !VM_IS_FINITE(m->J)) return VM_NOT_FINITE;
     if (!(m->M > 0)) return VM_BAD_MASS;
+    if (d->stiffness < 0) return VM_BAD_STIFFNESS;
     if (!(m->J - m->steiner > 0)) return VM_BAD_INERTIA;
     return VM_OK;
 }
@@ -5985,7 +5991,8 @@ VM_API int vmi_drum_finite(const vm_drum *d)
 
 /* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
    phi >= 0 in rad.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (phi < 0). */
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative one), VM_BAD_INERTIA, VM_DOMAIN
+   (phi < 0). */
 VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 {
     vm_real s, c;
@@ -5994,6 +6001,7 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
     if (!d || !g) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(phi) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
+    if (d->stiffness < 0) return VM_BAD_STIFFNESS;
     if (d->inertia <= 0) return VM_BAD_INERTIA;
     if (phi < 0) return VM_DOMAIN;
     vmi_sincos(phi / 2, &s, &c);
@@ -6013,8 +6021,8 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
    mass centre and have the shaft's torque with the other sign. With q = mu R (sin phi, 1 - cos phi):
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
-   VM_BAD_ARGUMENT for a null pointer, and VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, where the drum cannot be at
-   this angle, end the run. */
+   VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_INERTIA, where the drum cannot be at this angle, end the run. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -10256,7 +10264,8 @@ typedef struct VM_TAG(vmi_forced_parameters) {
     vm_real force;           /* N */
 } vmi_forced_parameters;
 
-/* The parameters at time t. Of several statuses the first in the order of base/status.h. */
+/* The parameters at time t, and whether the fields that do not vary are in their domains. Of several statuses the first
+   in the order of base/status.h. */
 VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n)
 {
     vm_real force_rate;
@@ -10267,11 +10276,13 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
     if (mass == VM_BAD_ARGUMENT || stiffness == VM_BAD_ARGUMENT || frequency == VM_BAD_ARGUMENT ||
         force == VM_BAD_ARGUMENT)
         return VM_BAD_ARGUMENT;
-    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE)
+    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE ||
+        !VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive))
         return VM_NOT_FINITE;
     if (mass) return mass;
     if (stiffness) return stiffness;
     if (frequency) return frequency;
+    if (!(f->alpha >= 0)) return VM_DOMAIN;
     return force;
 }
 
@@ -10318,10 +10329,7 @@ VM_API int vm_forced_init(vm_forced *f)
     int status;
     if (!f) return VM_BAD_ARGUMENT;
     status = vmi_forced_at(f, 0, &now);
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
     if (status) return status;
-    if (!(f->alpha >= 0)) return VM_DOMAIN;
     f->pi = ateb_pi(f->alpha);
     f->Om1 = VM_PI / f->pi * VM_SQRT((f->alpha + 1) / 2);
     vmi_forced_fourier(f);
@@ -10343,8 +10351,8 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
    vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive or t is outside a table; these
-   statuses stop the run. */
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0, the frequency is not positive or t is outside a table;
+   these statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -10437,8 +10445,9 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     const vm_real theta = motion[2];
     vm_real exact, A, phi;
     int i;
-    if (status) return status;
+    if (status == VM_BAD_ARGUMENT) return status;
     if (!vmi_all_finite(3, motion)) return VM_NOT_FINITE;
+    if (status) return status;
     vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
     phi *= VM_PI / f->pi;
     A = exact;
@@ -10460,8 +10469,9 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
     const int status = vmi_forced_at(f, t, &n);
     const vm_real theta = y[2], phi = y[1] + theta;
     vm_real A, r[3];
-    if (status) return status;
+    if (status == VM_BAD_ARGUMENT) return status;
     if (!vmi_all_finite(3, y)) return VM_NOT_FINITE;
+    if (status) return status;
     A = y[0] + vmi_forced_ripple(f, &n, y[0], phi, theta);
     if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &r[0], &r[1]);
@@ -10615,7 +10625,7 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
    Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their
    number, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A
-   is not positive and finite. Results that overflow are NaN. */
+   is not positive. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -10624,8 +10634,10 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
     vmi_resonance z;
     vm_real w, hold, width, p;
     int found = 0;
+    if (status == VM_BAD_ARGUMENT) return status;
+    if (!VM_IS_FINITE(A)) return VM_NOT_FINITE;
     if (status) return status;
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
+    if (!(A > 0)) return VM_DOMAIN;
     z = vmi_resonance_of(f, &n);
     w = vmi_forced_natural(f, &n, A);
     hold = VM_FABS(z.push) / (w * A);
@@ -12726,12 +12738,21 @@ enum { VM_BUDGET_STATES = 15 }; /* how many numbers a budget adds to the state *
 /* How many numbers of work vm_scene_run needs for a state of so many numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
+/* Whether a list of so many elements can be there */
+VM_INLINE int vmi_scene_is_list(int n, const void *list) { return n == 0 || (n > 0 && list); }
+
+/* Whether the lists that an evaluation reads can be there */
+VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
+{
+    return vmi_scene_is_list(s->n_bodies, s->bodies) && vmi_scene_is_list(s->n_effects, s->effects);
+}
+
 /* How many numbers the state of a scene has. It depends on the bodies and on whether the scene keeps a budget.
-   VM_BAD_ARGUMENT where scene is NULL or its bodies are missing. */
+   VM_BAD_ARGUMENT where scene is NULL, its bodies are missing or their number is negative. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
     int i, size = 0;
-    if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
+    if (!scene || !vmi_scene_is_list(scene->n_bodies, scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
     if (scene->budget) size += VM_BUDGET_STATES;
     return size;
@@ -12753,7 +12774,7 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
 {
     const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
     if (!now) return;
-    if (scene && scene->size && y && body >= 0 && body < scene->n_bodies) {
+    if (scene && scene->bodies && scene->size && y && body >= 0 && body < scene->n_bodies) {
         vmi_scene_body_now(scene, body, y, now);
         return;
     }
@@ -12861,14 +12882,14 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 }
 
 /* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. It returns 0, or
-   VM_BAD_ARGUMENT for a NULL pointer. Where a body cannot be accelerated (its mass or inertia is not positive, for one)
-   or an effect cannot act, scene.status says why and all derivatives are NaN, so that an integrator tries a shorter
-   step. */
+   VM_BAD_ARGUMENT for a NULL pointer or a negative number of bodies or effects. Where a body cannot be accelerated
+   (its mass or inertia is not positive, for one) or an effect cannot act, scene.status says why and all derivatives are
+   NaN, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
     int i, k, before;
-    if (!s || !y || !dydt) return VM_BAD_ARGUMENT;
+    if (!s || !y || !dydt || !vmi_scene_has_lists(s)) return VM_BAD_ARGUMENT;
     before = s->status;
     s->status = VM_OK;
     vmi_scene_evaluate(s, t, y);
@@ -12912,6 +12933,7 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_is_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
+    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* its mass is the inertia */
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->check) return (b->check)(&b->start);
     return VM_OK;
@@ -13318,16 +13340,18 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects.
-   Defects are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane
-   hold their bodies. VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
+/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
+   are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
+   bodies. VM_BAD_ARGUMENT where the scene keeps no budget, a pointer is NULL or a count negative; VM_NOT_STARTED;
+   VM_NOT_FINITE for such a state. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
     const vm_real *sums;
     vm_budget b;
-    if (!start || !y || !budget) return VM_BAD_ARGUMENT;
+    if (!start || !y || !budget || !vmi_scene_has_lists(scene) || scene->n_events < 0) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
+    if (!vmi_all_finite(vm_scene_size(scene), y)) return VM_NOT_FINITE;
     b = *start;
     sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
     vmi_scene_evaluate(scene, t, y);
@@ -13986,6 +14010,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
 VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_end)
 {
     int size;
+    if (!vmi_scene_has_lists(s) || !vmi_scene_is_list(s->n_events, s->events)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(*t) || !VM_IS_FINITE(t_end)) return VM_NOT_FINITE;
     if (t_end < *t) return VM_BAD_TIMES;
     if (!vmi_scene_is_started(s)) return VM_NOT_STARTED;

@@ -273,8 +273,8 @@ static void test_forced(void)
     vm_passage passage;
     vm_real motion[3];
     CHECK(vm_forced_from_averaged(&f, 0, y, motion) == VM_DOMAIN);
-    CHECK(vm_forced_curve(&f, 0, VM_NAN, curve) == VM_DOMAIN);
-    CHECK(vm_forced_curve(&f, 0, VM_INFINITY, curve) == VM_DOMAIN && vm_forced_curve(&f, 0, 0, curve) == VM_DOMAIN);
+    CHECK(vm_forced_curve(&f, 0, VM_NAN, curve) == VM_NOT_FINITE);
+    CHECK(vm_forced_curve(&f, 0, VM_INFINITY, curve) == VM_NOT_FINITE && vm_forced_curve(&f, 0, 0, curve) == VM_DOMAIN);
     f.force = vm_law_linear(0, 0);
     CHECK(vm_forced_curve(&f, 0, 1, curve) == 0 && vm_forced_passage(&f, 0, 1, &passage) == VM_DOMAIN);
     f = a_forced();

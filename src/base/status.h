@@ -16,7 +16,7 @@
        int status = vm_separate(&whole, &part, NULL, &rest); // whole and part are vm_bodies
        if (status < 0) printf("%s\n", vm_strerror(status));
 
-   Tests: tests/test_refusals_*.c. */
+   Tests: tests/test_errors.sh, tests/test_refusals_*.c. */
 #ifndef VARMASS_BASE_STATUS_H
 #define VARMASS_BASE_STATUS_H
 

@@ -98,15 +98,17 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor, whose fields are not checked.
-   VM_BAD_ARGUMENT for a null pointer. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor.
+   VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative one), VM_BAD_INERTIA. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
+    const int status = vmi_check_broken_rotor(r);
     vm_real sine, cosine, fx, fy; /* fx, fy: force of the shaft (66) */
     (void)t;
+    if (status) return status;
     vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
     fx = -r->stiffness * (y[VM_BROKEN_ROTOR_X] + r->s * cosine);
     fy = -r->stiffness * (y[VM_BROKEN_ROTOR_X + 1] + r->s * sine);
@@ -120,16 +122,19 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor, whose fields
-   are not checked. VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN, which ends the run, where r is not positive. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor.
+   The statuses are those of vm_broken_rotor_rhs, and VM_DOMAIN, which ends the run, where r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real w2 = r->stiffness / r->mass, radius = y[VM_BROKEN_ROTOR_RADIUS], omega = y[VM_BROKEN_ROTOR_OMEGA];
     const vm_real radius_rate = y[VM_BROKEN_ROTOR_RADIUS_RATE], rate = y[VM_BROKEN_ROTOR_DIRECTION_RATE];
+    const int status = vmi_check_broken_rotor(r);
     vm_real sine, cosine;
     (void)t;
+    if (radius != radius) return VM_NOT_FINITE;
+    if (status) return status;
     if (!(radius > 0)) return VM_DOMAIN;
     vmi_sincos(y[VM_BROKEN_ROTOR_DIRECTION] - y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
     dydt[VM_BROKEN_ROTOR_RADIUS] = radius_rate;

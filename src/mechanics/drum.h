@@ -86,7 +86,7 @@ typedef struct VM_TAG(vmi_drum_mass) {
 } vmi_drum_mass;
 
 /* Sets *m for the angle phi, s = sin(phi/2). With s = 0 the distance S S1 is neglected. VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA */
+   VM_BAD_STIFFNESS, VM_BAD_INERTIA */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -95,6 +95,7 @@ VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_m
     m->steiner = q / m->M * q; /* q^2 alone could underflow */
     if (!VM_IS_FINITE(m->M) || !VM_IS_FINITE(m->J)) return VM_NOT_FINITE;
     if (!(m->M > 0)) return VM_BAD_MASS;
+    if (d->stiffness < 0) return VM_BAD_STIFFNESS;
     if (!(m->J - m->steiner > 0)) return VM_BAD_INERTIA;
     return VM_OK;
 }
@@ -108,7 +109,8 @@ VM_API int vmi_drum_finite(const vm_drum *d)
 
 /* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
    phi >= 0 in rad.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (phi < 0). */
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative one), VM_BAD_INERTIA, VM_DOMAIN
+   (phi < 0). */
 VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 {
     vm_real s, c;
@@ -117,6 +119,7 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
     if (!d || !g) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(phi) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
+    if (d->stiffness < 0) return VM_BAD_STIFFNESS;
     if (d->inertia <= 0) return VM_BAD_INERTIA;
     if (phi < 0) return VM_DOMAIN;
     vmi_sincos(phi / 2, &s, &c);
@@ -136,8 +139,8 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
    mass centre and have the shaft's torque with the other sign. With q = mu R (sin phi, 1 - cos phi):
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
-   VM_BAD_ARGUMENT for a null pointer, and VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, where the drum cannot be at
-   this angle, end the run. */
+   VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_INERTIA, where the drum cannot be at this angle, end the run. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;

@@ -58,7 +58,8 @@ typedef struct VM_TAG(vmi_forced_parameters) {
     vm_real force;           /* N */
 } vmi_forced_parameters;
 
-/* The parameters at time t. Of several statuses the first in the order of base/status.h. */
+/* The parameters at time t, and whether the fields that do not vary are in their domains. Of several statuses the first
+   in the order of base/status.h. */
 VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n)
 {
     vm_real force_rate;
@@ -69,11 +70,13 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
     if (mass == VM_BAD_ARGUMENT || stiffness == VM_BAD_ARGUMENT || frequency == VM_BAD_ARGUMENT ||
         force == VM_BAD_ARGUMENT)
         return VM_BAD_ARGUMENT;
-    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE)
+    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE ||
+        !VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive))
         return VM_NOT_FINITE;
     if (mass) return mass;
     if (stiffness) return stiffness;
     if (frequency) return frequency;
+    if (!(f->alpha >= 0)) return VM_DOMAIN;
     return force;
 }
 
@@ -120,10 +123,7 @@ VM_API int vm_forced_init(vm_forced *f)
     int status;
     if (!f) return VM_BAD_ARGUMENT;
     status = vmi_forced_at(f, 0, &now);
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
     if (status) return status;
-    if (!(f->alpha >= 0)) return VM_DOMAIN;
     f->pi = ateb_pi(f->alpha);
     f->Om1 = VM_PI / f->pi * VM_SQRT((f->alpha + 1) / 2);
     vmi_forced_fourier(f);
@@ -145,8 +145,8 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
    vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive or t is outside a table; these
-   statuses stop the run. */
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0, the frequency is not positive or t is outside a table;
+   these statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -239,8 +239,9 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     const vm_real theta = motion[2];
     vm_real exact, A, phi;
     int i;
-    if (status) return status;
+    if (status == VM_BAD_ARGUMENT) return status;
     if (!vmi_all_finite(3, motion)) return VM_NOT_FINITE;
+    if (status) return status;
     vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
     phi *= VM_PI / f->pi;
     A = exact;
@@ -262,8 +263,9 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
     const int status = vmi_forced_at(f, t, &n);
     const vm_real theta = y[2], phi = y[1] + theta;
     vm_real A, r[3];
-    if (status) return status;
+    if (status == VM_BAD_ARGUMENT) return status;
     if (!vmi_all_finite(3, y)) return VM_NOT_FINITE;
+    if (status) return status;
     A = y[0] + vmi_forced_ripple(f, &n, y[0], phi, theta);
     if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &r[0], &r[1]);

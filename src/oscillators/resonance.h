@@ -153,7 +153,7 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
    Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their
    number, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A
-   is not positive and finite. Results that overflow are NaN. */
+   is not positive. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -162,8 +162,10 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
     vmi_resonance z;
     vm_real w, hold, width, p;
     int found = 0;
+    if (status == VM_BAD_ARGUMENT) return status;
+    if (!VM_IS_FINITE(A)) return VM_NOT_FINITE;
     if (status) return status;
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
+    if (!(A > 0)) return VM_DOMAIN;
     z = vmi_resonance_of(f, &n);
     w = vmi_forced_natural(f, &n, A);
     hold = VM_FABS(z.push) / (w * A);

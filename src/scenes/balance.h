@@ -18,6 +18,7 @@
 
 #include <string.h>
 
+#include "../base/arrays.h"
 #include "../base/real.h"
 #include "../base/status.h"
 #include "../mechanics/bodies.h"
@@ -138,16 +139,18 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects.
-   Defects are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane
-   hold their bodies. VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
+/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
+   are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
+   bodies. VM_BAD_ARGUMENT where the scene keeps no budget, a pointer is NULL or a count negative; VM_NOT_STARTED;
+   VM_NOT_FINITE for such a state. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
     const vm_real *sums;
     vm_budget b;
-    if (!start || !y || !budget) return VM_BAD_ARGUMENT;
+    if (!start || !y || !budget || !vmi_scene_has_lists(scene) || scene->n_events < 0) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
+    if (!vmi_all_finite(vm_scene_size(scene), y)) return VM_NOT_FINITE;
     b = *start;
     sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
     vmi_scene_evaluate(scene, t, y);

@@ -78,14 +78,14 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 }
 
 /* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. It returns 0, or
-   VM_BAD_ARGUMENT for a NULL pointer. Where a body cannot be accelerated (its mass or inertia is not positive, for one)
-   or an effect cannot act, scene.status says why and all derivatives are NaN, so that an integrator tries a shorter
-   step. */
+   VM_BAD_ARGUMENT for a NULL pointer or a negative number of bodies or effects. Where a body cannot be accelerated
+   (its mass or inertia is not positive, for one) or an effect cannot act, scene.status says why and all derivatives are
+   NaN, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
     int i, k, before;
-    if (!s || !y || !dydt) return VM_BAD_ARGUMENT;
+    if (!s || !y || !dydt || !vmi_scene_has_lists(s)) return VM_BAD_ARGUMENT;
     before = s->status;
     s->status = VM_OK;
     vmi_scene_evaluate(s, t, y);

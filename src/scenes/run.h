@@ -194,6 +194,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
 VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_end)
 {
     int size;
+    if (!vmi_scene_has_lists(s) || !vmi_scene_is_list(s->n_events, s->events)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(*t) || !VM_IS_FINITE(t_end)) return VM_NOT_FINITE;
     if (t_end < *t) return VM_BAD_TIMES;
     if (!vmi_scene_is_started(s)) return VM_NOT_STARTED;

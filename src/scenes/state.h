@@ -22,12 +22,21 @@ enum { VM_BUDGET_STATES = 15 }; /* how many numbers a budget adds to the state *
 /* How many numbers of work vm_scene_run needs for a state of so many numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
+/* Whether a list of so many elements can be there */
+VM_INLINE int vmi_scene_is_list(int n, const void *list) { return n == 0 || (n > 0 && list); }
+
+/* Whether the lists that an evaluation reads can be there */
+VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
+{
+    return vmi_scene_is_list(s->n_bodies, s->bodies) && vmi_scene_is_list(s->n_effects, s->effects);
+}
+
 /* How many numbers the state of a scene has. It depends on the bodies and on whether the scene keeps a budget.
-   VM_BAD_ARGUMENT where scene is NULL or its bodies are missing. */
+   VM_BAD_ARGUMENT where scene is NULL, its bodies are missing or their number is negative. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
     int i, size = 0;
-    if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
+    if (!scene || !vmi_scene_is_list(scene->n_bodies, scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
     if (scene->budget) size += VM_BUDGET_STATES;
     return size;
@@ -49,7 +58,7 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
 {
     const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
     if (!now) return;
-    if (scene && scene->size && y && body >= 0 && body < scene->n_bodies) {
+    if (scene && scene->bodies && scene->size && y && body >= 0 && body < scene->n_bodies) {
         vmi_scene_body_now(scene, body, y, now);
         return;
     }

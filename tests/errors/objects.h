@@ -112,9 +112,9 @@ static inline vm_real a_force(vm_real t, vm_real x, vm_real v, void *ctx)
     return t - x - v;
 }
 
-static inline vm_mass_now a_mass_now(vm_real t, vm_real x, vm_real v, void *ctx)
+static inline vm_mass_law_values a_mass_now(vm_real t, vm_real x, vm_real v, void *ctx)
 {
-    const vm_mass_now now = {2, 0, 0, 0};
+    const vm_mass_law_values now = {2, 0, 0, 0};
     (void)t;
     (void)x;
     (void)v;
@@ -181,7 +181,7 @@ static inline rk45 a_run(void)
 static vm_budget a_budget;
 
 /* A scene of two bodies on a line, started */
-static vm_real scene_y[4 + VM_BUDGET];
+static vm_real scene_y[4 + VM_BUDGET_STATES];
 static inline vm_scene a_scene(void)
 {
     static vm_scene_body bodies[2];
