@@ -48,7 +48,7 @@ enum {
     VM_MASS_IS_NO_STATE = -15,   /* scenes: a stream acts on a body whose mass is not a state */
     VM_TOO_MANY_EVENTS = -16,    /* scenes: events follow each other without end */
     VM_BAD_OPTIONS = -17,        /* scenes: the integrator refuses its options */
-    VM_STEP_TOO_SMALL = -18,     /* scenes: the tolerance needs steps too short to change the time */
+    VM_STEP_TOO_SMALL = -18,     /* scenes: the tolerance needs steps so short that t + h is t */
     VM_MAX_STEPS = -19,          /* scenes: max_steps steps were tried before t_end was reached */
     VM_SHORT_ARRAY = -20,        /* scenes and flows: an array is shorter than what is written into it */
     VM_BAD_TIMES = -21,          /* scenes: the times of output do not rise, or t_end lies before the present time */

@@ -196,8 +196,9 @@ VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
     e->quiet = VMI_QUIET * VM_FABS(s->h_done);
 }
 
-/* To be called when g has passed 0 before x in the direction that does not count, to `side`. Returns whether rounding
-   could have made that side; then it stays unknown for a while, so that it is not left again by rounding. */
+/* To be called when g has passed 0 before x in the direction that does not count; `side` is where g is now. If rounding
+   alone could have brought g there, the side stays unknown for a while, so that rounding does not make an event when it
+   takes g back, and the result is 1; else 0. */
 VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
 {
     ode_event look = *e;

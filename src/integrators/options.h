@@ -101,7 +101,7 @@ VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
     return 1;
 }
 
-/* Whether a run of n components can begin with these options, which have their defaults */
+/* Whether a run of n components can begin with these options, after vmi_defaults has replaced the zeros */
 VM_API int vmi_options_are_valid(const rk45_options *o, int n)
 {
     int i;

@@ -264,8 +264,8 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 #define VMI_KEEP_TO VM_C(0.75)     /* after a step whose error is below this part of the tolerance the size may stay */
 #define VMI_LEAST_ERROR VM_C(1e-8) /* smaller errors, in tolerances, count as this one */
 
-/* Sets the size of the step after an accepted one. If the error is within keep_from .. VMI_KEEP_TO, the size stays,
-   which the processor can predict: it does not wait for the error before it goes on. */
+/* Sets the size of the step after an accepted one. If the error is within keep_from .. VMI_KEEP_TO, the size stays:
+   the processor can guess this branch, and go on with the next step before the error is known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;

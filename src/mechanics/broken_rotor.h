@@ -30,7 +30,7 @@ typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* M > 0, kg */
     vm_real inertia;   /* I > 0, about its own mass centre, kg m^2 */
     vm_real stiffness; /* c >= 0 of the shaft, N/m */
-    vm_real damping;   /* k of the rotation, N m s */
+    vm_real damping;   /* k, N m s: the torque -k psi' acts on the rotation */
     vm_real torque;    /* N m */
     vm_real s;         /* m: the shaft passes at r + s (cos psi, sin psi), r the mass centre */
 } vm_broken_rotor;

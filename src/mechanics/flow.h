@@ -46,7 +46,7 @@
 #include "streams.h"
 #include "vectors.h"
 
-/* Where the states stand in y, inertial axes unless it says body axes; and how many states there are */
+/* Indices of the states in y, and how many states there are. Axes are inertial where nothing else is said. */
 enum {
     VM_Y_R = 0,        /* r, 3 numbers, m */
     VM_Y_Q = 3,        /* attitude q = w, x, y, z */
@@ -81,7 +81,7 @@ typedef struct VM_TAG(vm_flow) {
     vm_vec3 centre;        /* c(t), m, body axes: vm_flow_given_rhs, and at the start vm_flow_start */
     vm_inertia inertia;    /* I(t), kg m^2, body axes: vm_flow_given_rhs, vm_flow_carried_rhs */
     vm_vec3 drift;         /* c'(t), m/s, body axes: vm_flow_carried_rhs */
-    vm_real least_mass;    /* kg, where vm_flow_mass_left is 0 */
+    vm_real least_mass;    /* kg: the mass at which vm_flow_mass_left is 0 */
     vm_real least_inertia; /* kg m^2, where vm_flow_inertia_left is 0 */
     /* VM_OK, or why the last evaluations gave NaN or ended the run. In a trial step beyond the end the mass may not be
        positive, or the inertia may be one that no body has; the derivatives are then NaN, so that the integrator
@@ -147,7 +147,8 @@ VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const v
     return b;
 }
 
-/* Rotation, velocity and angular velocity of a state. VM_BAD_MASS, VM_BAD_INERTIA */
+/* From a state y: the rotation to *turn; velocity, angular velocity and the like to *seen. Returns VM_OK,
+   VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {

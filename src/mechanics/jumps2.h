@@ -15,7 +15,7 @@
 #include "jumps.h"
 #include "vectors.h"
 
-/* The impulse of the plane in space */
+/* An impulse in the plane, written as one in space */
 VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 {
     vm_impulse lifted;

@@ -130,7 +130,7 @@ typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* sum M' */
     vm_real carried;    /* sum M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* sum M' (u - v) of these streams */
-    vm_vec3 absolute;   /* sum M' u of the other streams, inertial axes: exactly 0 for mass at rest */
+    vm_vec3 absolute;   /* sum M' u of streams whose own velocity is absolute, inertial axes; 0 for mass at rest */
     vm_vec3 moment;     /* sum d x M' (u - v) of all streams */
     vm_vec3 own;        /* sum M' kappa omega2 */
     vm_vec3 crossing;   /* sum M' d, d to the point of crossing */
@@ -140,8 +140,9 @@ typedef struct VM_TAG(vmi_stream_sum) {
     vm_real lost;       /* the same sum of velocities relative to the body: twice the power that mixing takes */
 } vmi_stream_sum;
 
-/* One stream of known motion: sets *push = M' (u - v) and *spin = omega2, body axes, and adds its part to the sums
-   from which the force is made. `carried` is the velocity of the point of crossing, less v, body axes. */
+/* Takes up one stream whose `motion` exists: sets *push = M' (u - v), u the velocity of its mass, and *spin = omega2,
+   the angular velocity of its mass, and adds its part to the sums from which the force is made. `carried` is the
+   velocity of the body's point at which the mass crosses, minus v. All in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {

@@ -86,7 +86,7 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
    sharply at u = 0. cos((2j+1) x) follows from its two predecessors by the recurrence with 2 cos(2x). */
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
-    const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* points in a unit of t */
+    const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* points of the rule in a unit of t */
     const int n = 13 * steps / 4;                /* |t| <= 3.25: the rest of the integral is below eps */
     vm_real sum[VMI_FORCED_HARMONICS] = {0, 0, 0, 0, 0}, total = 0;
     int i, j;

@@ -57,8 +57,8 @@ typedef struct VM_TAG(vm_jeffcott) {
 
 /* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
 enum {
-    VMI_JEFFCOTT_P = 0,   /* and 1: forward whirl P */
-    VMI_JEFFCOTT_N = 2,   /* and 3: backward whirl N */
+    VMI_JEFFCOTT_P = 0,   /* slots 0 and 1: forward whirl P, a complex number */
+    VMI_JEFFCOTT_N = 2,   /* slots 2 and 3: backward whirl N, a complex number */
     VMI_JEFFCOTT_PHI = 4, /* fast phase */
     VMI_JEFFCOTT_SIZE = 5
 };
@@ -329,8 +329,9 @@ VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_rea
     return vmi_c_scale(1 / (vm_real)nodes, sum);
 }
 
-/* (504), (505) averaged, y = (A, psi). With the mean load L, the tangential balance is (A^2 (m W - g))' = (1 - r) m'
-   A^2 W + A Im L, the radial balance is psi' - W = -Re L/(2 A (m W - g)); m W - g = +-S with S^2 = g^2 + m F_e'. */
+/* (504), (505) averaged, y = (A, psi). W is the frequency of circular whirl of radius A, L the mean load, and
+   S = m W - g = +-sqrt(g^2 + m F_e'), + for forward whirl.
+     along the circle: (A^2 S)' = (1 - r) m' A^2 W + A Im L,   across it: psi' = W - Re L/(2 A S) */
 VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
 {
     vm_real mass, rate, stiffness, slope, W, S, growth;
@@ -371,7 +372,8 @@ VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* The invariant A^4 (g^2 + m F_e'(A)) of circular whirl, for the search of the radius */
+/* What the search for the radius A of circular whirl needs, when the mass is now another than at first: the invariant
+   A^4 (g^2 + m F_e'(A)) keeps its value */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius, m, of the mass at first */

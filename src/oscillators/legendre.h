@@ -84,7 +84,7 @@ VM_API vm_real vmi_legendre_integral(const vm_real *coefficient, vm_real x)
 /* Replaces the series by its derivative: coefficient d_k = (2k+1) (c_(k+1) + c_(k+3) + ...) */
 VM_API void vmi_legendre_derive(vm_real *coefficient)
 {
-    vm_real sums[2] = {0, 0}; /* of the coefficients above k with even and with odd index */
+    vm_real sums[2] = {0, 0}; /* sums of the coefficients with an index above k: even ones, odd ones */
     int k;
     for (k = VMI_GAUSS - 1; k >= 0; k--) {
         const vm_real own = coefficient[k];

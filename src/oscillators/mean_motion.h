@@ -25,7 +25,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real fourth;             /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi, epsilon = q/Om */
     vm_real ln_A, ratio;        /* ln(A/A0) and Om/Om0 by the adiabatic law */
     vm_real kick2, kick3;       /* of the points of tables, see vmi_osc_walk */
-    vm_real fast;               /* bound of the change of ln of the action by the fastest changes of m and k */
+    vm_real fast;               /* fast changes of m and k change ln J, J the action, by no more than this */
     vm_real phase_error;        /* error of the phase by that of integral.phase */
 } vmi_osc_mean;
 

@@ -113,7 +113,7 @@ VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal
     const int side = vmi_time_side(length);
     vm_real at_start = 0, at_end = 0, f[VMI_LAW_ORDERS];
     int k, status;
-    for (k = 0; k < VMI_GAUSS; k += 2) { /* P_k(1) = 1, P_k(-1) = (-1)^k */
+    for (k = 0; k < VMI_GAUSS; k += 2) { /* Legendre's P_k(1) is 1, P_k(-1) is (-1)^k */
         at_start = at_start + series[k] - series[k + 1];
         at_end = at_end + series[k] + series[k + 1];
     }

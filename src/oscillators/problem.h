@@ -45,7 +45,7 @@ typedef struct VM_TAG(vm_osc_problem) {
                            velocity, as in a leak; numbers between mean a part of the force */
     vm_real damping;    /* b, kg/s, the dissertation's eps b; > 0 takes energy out */
     vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
-    vm_osc_force force; /* F, or null */
+    vm_osc_force force; /* a further small force F, or NULL */
     void *ctx;          /* last argument of force */
 } vm_osc_problem;
 

@@ -43,7 +43,7 @@ typedef struct VM_TAG(vmi_osc_panel) {
     vm_real ratio[VMI_GAUSS];   /* k at first, then Om/Om0 */
     vm_real epsilon[VMI_GAUSS]; /* q/Om */
     vm_real drift;              /* integral of q^2 Om0/Om dt */
-    vm_real fourth;             /* integral of epsilon^4 dpsi */
+    vm_real fourth;             /* integral of (q/Om)^4 dpsi, psi the mean phase */
 } vmi_osc_panel;
 
 /* Om/Om0 where mass and stiffness are m and k, and the integral of dt/m is inverse_mass */

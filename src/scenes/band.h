@@ -61,7 +61,8 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-/* A band that is not wound up, or NaN */
+/* The drum without a band: `radius` is its radius, and `others`, for all other numbers, is 0. Both are NaN where there
+   is no result. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -112,7 +113,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* The inertia of the drum by its law J(phi). On an axle u is an angular velocity. */
+/* Applies the law J(phi): on an axle the moment of inertia takes the place of the mass. u is the angular velocity
+   about the axle at which the band arrives. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);

@@ -54,8 +54,8 @@ VM_API int vmi_scene_mass_status(const vm_load *load)
     return VM_BAD_MASS;
 }
 
-/* The derivatives of a body's state; a status. A mass that is a state is looked at in y too, since an effect may have
-   added to load->mass. */
+/* Writes the derivatives of a body's state and returns a status. A mass that is a state must be positive in y as well:
+   load->mass may also hold what an effect has added. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;

@@ -122,9 +122,9 @@ typedef struct VM_TAG(vm_event) vm_event;
 /* What a mass law M(t, x, v) returns: the mass and its partial derivatives */
 typedef struct VM_TAG(vm_mass_law_values) {
     vm_real mass; /* kg (on an axle kg m^2) */
-    vm_real by_t; /* kg/s */
-    vm_real by_x; /* kg/m (on an axle kg m^2/rad) */
-    vm_real by_v; /* kg s/m (on an axle kg m^2 s/rad) */
+    vm_real by_t; /* dM/dt, kg/s (on an axle kg m^2/s) */
+    vm_real by_x; /* dM/dx, kg/m (on an axle kg m^2/rad) */
+    vm_real by_v; /* dM/dv, kg s/m (on an axle kg m^2 s/rad) */
 } vm_mass_law_values;
 
 /* The place of an effect in the list of effects on its body */
@@ -176,7 +176,8 @@ enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 /* An event: when it happens, made by vm_event_at and its like, and what happens then, by vm_then_stop and its like. */
 struct VM_TAG(vm_event) {
     vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; NULL: it happens at `time` */
-    int (*then)(vm_event *event, vm_real t, vm_real *y); /* a status; VM_STOPPED ends the run; NULL: only counted */
+    /* What happens then; returns a status, and VM_STOPPED ends the run. NULL: the event is only counted */
+    int (*then)(vm_event *event, vm_real t, vm_real *y);
     vm_real time;  /* s: when it happens, where `when` is NULL; else when it last happened, or when the scene started */
     int direction; /* > 0: `when` rises through zero; < 0: it falls; 0: both */
     /* of events that watch a body: they happen when its coordinate, velocity or mass crosses `value` */
@@ -250,7 +251,7 @@ struct VM_TAG(vm_scene) {
     /* called when a run starts and after each step, or at the times that follow; the run stops where it returns
        another number than 0 */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: n_times increasing times at which output is called instead */
+    const vm_real *times; /* s: NULL, or n_times rising times; output is then called at them, not after steps */
     int n_times;
     void *output_ctx; /* handed to output */
     int y_size;       /* how many numbers y has room for: a start and a run then check it. 0: they do not */
