@@ -836,7 +836,7 @@ enum {
     VMI_ATEB_G_COLUMNS = VM_MANT_DIG > 24 ? 12 : 8
 };
 
-/* The table of g(q), row 0 (q = 0, g = 2 ln 2) to row 32 (q = 1, g = 1) */
+/* A number from the table of g(q). Row 0 is for q = 0 (g = 2 ln 2), row 32 for q = 1 (g = 1). */
 VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24

@@ -745,7 +745,7 @@ VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
     return 1;
 }
 
-/* Whether a run of n components can begin with these options, which have their defaults */
+/* Whether a run of n components can begin with these options, after vmi_defaults has replaced the zeros */
 VM_API int vmi_options_are_valid(const rk45_options *o, int n)
 {
     int i;
@@ -1844,8 +1844,8 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 #define VMI_KEEP_TO VM_C(0.75)     /* after a step whose error is below this part of the tolerance the size may stay */
 #define VMI_LEAST_ERROR VM_C(1e-8) /* smaller errors, in tolerances, count as this one */
 
-/* Sets the size of the step after an accepted one. If the error is within keep_from .. VMI_KEEP_TO, the size stays,
-   which the processor can predict: it does not wait for the error before it goes on. */
+/* Sets the size of the step after an accepted one. If the error is within keep_from .. VMI_KEEP_TO, the size stays:
+   the processor can guess this branch, and go on with the next step before the error is known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;
@@ -2130,8 +2130,9 @@ VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
     e->quiet = VMI_QUIET * VM_FABS(s->h_done);
 }
 
-/* To be called when g has passed 0 before x in the direction that does not count, to `side`. Returns whether rounding
-   could have made that side; then it stays unknown for a while, so that it is not left again by rounding. */
+/* To be called when g has passed 0 before x in the direction that does not count; `side` is where g is now. If rounding
+   alone could have brought g there, the side stays unknown for a while, so that rounding does not make an event when it
+   takes g back, and the result is 1; else 0. */
 VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
 {
     ode_event look = *e;

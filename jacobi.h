@@ -2430,14 +2430,16 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* theta_4(z + i zy) with the nome Q = q^2 of the doubled lattice, z = pi u/(2K), zy = pi y/(2K), 0 <= y < K'. The
-   angle of this complex number is the part of the rotation of a torque-free body that its mean rate leaves. The
-   direct form serves where K <= 2K', so that Q <= exp(-pi):
-     1 + sum (-1)^n (C_n cos 2nz - i S_n sin 2nz),  C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)).
-   Elsewhere Jacobi's transformation with Qd = exp(-pi K/(2K')) < exp(-pi) gives, up to a real factor, e^(-i pi u
-   y/(4KK')) times the sum of
-     Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')),  v = (2n + 1) pi/(4K'),  |u| <= K.
-   Four terms of either leave 1e-19. Both are stored as polynomials: in cos 2z, and in exp(+-pi |u|/(2K')). */
+/* theta_4(z + i zy), up to a real factor, with the nome Q = q^2 of the doubled lattice, z = pi u/(2K), zy = pi y/(2K),
+   0 <= y < K'. A torque-free body turns at a mean rate and, about that, by a periodic angle: the angle of this complex
+   number. There are two forms. The direct form serves where K <= 2K', so that Q <= exp(-pi):
+     1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
+     C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)).
+   Elsewhere serves Jacobi's transformation, with Qd = exp(-pi K/(2K')) < exp(-pi), |u| <= K, v = (2n + 1) pi/(4K'):
+     e^(-i pi u y/(4KK')) times the sum over n >= 0 of
+     Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')).
+   Four terms of either leave an error of 1e-19. The sums are stored as polynomials: the direct one in cos 2z, the other
+   in exp(+-pi |u|/(2K')). */
 typedef struct VM_TAG(vmi_doubled_theta) {
     vm_real decay; /* the rate of the exponential per x = u/(4K) in the second form; 0 in the direct form */
     vm_real shift; /* turns per x of the factor e^(-i pi u y/(4KK')) */

@@ -488,7 +488,7 @@ enum {
     VM_MASS_IS_NO_STATE = -15,   /* scenes: a stream acts on a body whose mass is not a state */
     VM_TOO_MANY_EVENTS = -16,    /* scenes: events follow each other without end */
     VM_BAD_OPTIONS = -17,        /* scenes: the integrator refuses its options */
-    VM_STEP_TOO_SMALL = -18,     /* scenes: the tolerance needs steps too short to change the time */
+    VM_STEP_TOO_SMALL = -18,     /* scenes: the tolerance needs steps so short that t + h is t */
     VM_MAX_STEPS = -19,          /* scenes: max_steps steps were tried before t_end was reached */
     VM_SHORT_ARRAY = -20,        /* scenes and flows: an array is shorter than what is written into it */
     VM_BAD_TIMES = -21,          /* scenes: the times of output do not rise, or t_end lies before the present time */
@@ -2289,7 +2289,7 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 #ifndef VARMASS_MECHANICS_JUMPS2_H
 #define VARMASS_MECHANICS_JUMPS2_H
 
-/* The impulse of the plane in space */
+/* An impulse in the plane, written as one in space */
 VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 {
     vm_impulse lifted;
@@ -2871,7 +2871,7 @@ typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* M > 0, kg */
     vm_real inertia;   /* I > 0, about its own mass centre, kg m^2 */
     vm_real stiffness; /* c >= 0 of the shaft, N/m */
-    vm_real damping;   /* k of the rotation, N m s */
+    vm_real damping;   /* k, N m s: the torque -k psi' acts on the rotation */
     vm_real torque;    /* N m */
     vm_real s;         /* m: the shaft passes at r + s (cos psi, sin psi), r the mass centre */
 } vm_broken_rotor;
@@ -4813,7 +4813,7 @@ typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* sum M' */
     vm_real carried;    /* sum M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* sum M' (u - v) of these streams */
-    vm_vec3 absolute;   /* sum M' u of the other streams, inertial axes: exactly 0 for mass at rest */
+    vm_vec3 absolute;   /* sum M' u of streams whose own velocity is absolute, inertial axes; 0 for mass at rest */
     vm_vec3 moment;     /* sum d x M' (u - v) of all streams */
     vm_vec3 own;        /* sum M' kappa omega2 */
     vm_vec3 crossing;   /* sum M' d, d to the point of crossing */
@@ -4823,8 +4823,9 @@ typedef struct VM_TAG(vmi_stream_sum) {
     vm_real lost;       /* the same sum of velocities relative to the body: twice the power that mixing takes */
 } vmi_stream_sum;
 
-/* One stream of known motion: sets *push = M' (u - v) and *spin = omega2, body axes, and adds its part to the sums
-   from which the force is made. `carried` is the velocity of the point of crossing, less v, body axes. */
+/* Takes up one stream whose `motion` exists: sets *push = M' (u - v), u the velocity of its mass, and *spin = omega2,
+   the angular velocity of its mass, and adds its part to the sums from which the force is made. `carried` is the
+   velocity of the body's point at which the mass crosses, minus v. All in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -5044,7 +5045,7 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 #ifndef VARMASS_MECHANICS_FLOW_H
 #define VARMASS_MECHANICS_FLOW_H
 
-/* Where the states stand in y, inertial axes unless it says body axes; and how many states there are */
+/* Indices of the states in y, and how many states there are. Axes are inertial where nothing else is said. */
 enum {
     VM_Y_R = 0,        /* r, 3 numbers, m */
     VM_Y_Q = 3,        /* attitude q = w, x, y, z */
@@ -5079,7 +5080,7 @@ typedef struct VM_TAG(vm_flow) {
     vm_vec3 centre;        /* c(t), m, body axes: vm_flow_given_rhs, and at the start vm_flow_start */
     vm_inertia inertia;    /* I(t), kg m^2, body axes: vm_flow_given_rhs, vm_flow_carried_rhs */
     vm_vec3 drift;         /* c'(t), m/s, body axes: vm_flow_carried_rhs */
-    vm_real least_mass;    /* kg, where vm_flow_mass_left is 0 */
+    vm_real least_mass;    /* kg: the mass at which vm_flow_mass_left is 0 */
     vm_real least_inertia; /* kg m^2, where vm_flow_inertia_left is 0 */
     /* VM_OK, or why the last evaluations gave NaN or ended the run. In a trial step beyond the end the mass may not be
        positive, or the inertia may be one that no body has; the derivatives are then NaN, so that the integrator
@@ -5145,7 +5146,8 @@ VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const v
     return b;
 }
 
-/* Rotation, velocity and angular velocity of a state. VM_BAD_MASS, VM_BAD_INERTIA */
+/* From a state y: the rotation to *turn; velocity, angular velocity and the like to *seen. Returns VM_OK,
+   VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -7422,7 +7424,7 @@ typedef struct VM_TAG(vm_osc_problem) {
                            velocity, as in a leak; numbers between mean a part of the force */
     vm_real damping;    /* b, kg/s, the dissertation's eps b; > 0 takes energy out */
     vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
-    vm_osc_force force; /* F, or null */
+    vm_osc_force force; /* a further small force F, or NULL */
     void *ctx;          /* last argument of force */
 } vm_osc_problem;
 
@@ -7719,7 +7721,7 @@ VM_API vm_real vmi_legendre_integral(const vm_real *coefficient, vm_real x)
 /* Replaces the series by its derivative: coefficient d_k = (2k+1) (c_(k+1) + c_(k+3) + ...) */
 VM_API void vmi_legendre_derive(vm_real *coefficient)
 {
-    vm_real sums[2] = {0, 0}; /* of the coefficients above k with even and with odd index */
+    vm_real sums[2] = {0, 0}; /* sums of the coefficients with an index above k: even ones, odd ones */
     int k;
     for (k = VMI_GAUSS - 1; k >= 0; k--) {
         const vm_real own = coefficient[k];
@@ -7860,7 +7862,7 @@ VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal
     const int side = vmi_time_side(length);
     vm_real at_start = 0, at_end = 0, f[VMI_LAW_ORDERS];
     int k, status;
-    for (k = 0; k < VMI_GAUSS; k += 2) { /* P_k(1) = 1, P_k(-1) = (-1)^k */
+    for (k = 0; k < VMI_GAUSS; k += 2) { /* Legendre's P_k(1) is 1, P_k(-1) is (-1)^k */
         at_start = at_start + series[k] - series[k + 1];
         at_end = at_end + series[k] + series[k + 1];
     }
@@ -7980,7 +7982,7 @@ typedef struct VM_TAG(vmi_osc_panel) {
     vm_real ratio[VMI_GAUSS];   /* k at first, then Om/Om0 */
     vm_real epsilon[VMI_GAUSS]; /* q/Om */
     vm_real drift;              /* integral of q^2 Om0/Om dt */
-    vm_real fourth;             /* integral of epsilon^4 dpsi */
+    vm_real fourth;             /* integral of (q/Om)^4 dpsi, psi the mean phase */
 } vmi_osc_panel;
 
 /* Om/Om0 where mass and stiffness are m and k, and the integral of dt/m is inverse_mass */
@@ -8188,7 +8190,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real fourth;             /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi, epsilon = q/Om */
     vm_real ln_A, ratio;        /* ln(A/A0) and Om/Om0 by the adiabatic law */
     vm_real kick2, kick3;       /* of the points of tables, see vmi_osc_walk */
-    vm_real fast;               /* bound of the change of ln of the action by the fastest changes of m and k */
+    vm_real fast;               /* fast changes of m and k change ln J, J the action, by no more than this */
     vm_real phase_error;        /* error of the phase by that of integral.phase */
 } vmi_osc_mean;
 
@@ -9638,8 +9640,8 @@ typedef struct VM_TAG(vm_jeffcott) {
 
 /* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
 enum {
-    VMI_JEFFCOTT_P = 0,   /* and 1: forward whirl P */
-    VMI_JEFFCOTT_N = 2,   /* and 3: backward whirl N */
+    VMI_JEFFCOTT_P = 0,   /* slots 0 and 1: forward whirl P, a complex number */
+    VMI_JEFFCOTT_N = 2,   /* slots 2 and 3: backward whirl N, a complex number */
     VMI_JEFFCOTT_PHI = 4, /* fast phase */
     VMI_JEFFCOTT_SIZE = 5
 };
@@ -9910,8 +9912,9 @@ VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_rea
     return vmi_c_scale(1 / (vm_real)nodes, sum);
 }
 
-/* (504), (505) averaged, y = (A, psi). With the mean load L, the tangential balance is (A^2 (m W - g))' = (1 - r) m'
-   A^2 W + A Im L, the radial balance is psi' - W = -Re L/(2 A (m W - g)); m W - g = +-S with S^2 = g^2 + m F_e'. */
+/* (504), (505) averaged, y = (A, psi). W is the frequency of circular whirl of radius A, L the mean load, and
+   S = m W - g = +-sqrt(g^2 + m F_e'), + for forward whirl.
+     along the circle: (A^2 S)' = (1 - r) m' A^2 W + A Im L,   across it: psi' = W - Re L/(2 A S) */
 VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
 {
     vm_real mass, rate, stiffness, slope, W, S, growth;
@@ -9952,7 +9955,8 @@ VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* The invariant A^4 (g^2 + m F_e'(A)) of circular whirl, for the search of the radius */
+/* What the search for the radius A of circular whirl needs, when the mass is now another than at first: the invariant
+   A^4 (g^2 + m F_e'(A)) keeps its value */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius, m, of the mass at first */
@@ -10292,7 +10296,7 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
    sharply at u = 0. cos((2j+1) x) follows from its two predecessors by the recurrence with 2 cos(2x). */
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
-    const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* points in a unit of t */
+    const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* points of the rule in a unit of t */
     const int n = 13 * steps / 4;                /* |t| <= 3.25: the rest of the integral is below eps */
     vm_real sum[VMI_FORCED_HARMONICS] = {0, 0, 0, 0, 0}, total = 0;
     int i, j;
@@ -10969,9 +10973,9 @@ typedef struct VM_TAG(vm_event) vm_event;
 /* What a mass law M(t, x, v) returns: the mass and its partial derivatives */
 typedef struct VM_TAG(vm_mass_law_values) {
     vm_real mass; /* kg (on an axle kg m^2) */
-    vm_real by_t; /* kg/s */
-    vm_real by_x; /* kg/m (on an axle kg m^2/rad) */
-    vm_real by_v; /* kg s/m (on an axle kg m^2 s/rad) */
+    vm_real by_t; /* dM/dt, kg/s (on an axle kg m^2/s) */
+    vm_real by_x; /* dM/dx, kg/m (on an axle kg m^2/rad) */
+    vm_real by_v; /* dM/dv, kg s/m (on an axle kg m^2 s/rad) */
 } vm_mass_law_values;
 
 /* The place of an effect in the list of effects on its body */
@@ -11023,7 +11027,8 @@ enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 /* An event: when it happens, made by vm_event_at and its like, and what happens then, by vm_then_stop and its like. */
 struct VM_TAG(vm_event) {
     vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; NULL: it happens at `time` */
-    int (*then)(vm_event *event, vm_real t, vm_real *y); /* a status; VM_STOPPED ends the run; NULL: only counted */
+    /* What happens then; returns a status, and VM_STOPPED ends the run. NULL: the event is only counted */
+    int (*then)(vm_event *event, vm_real t, vm_real *y);
     vm_real time;  /* s: when it happens, where `when` is NULL; else when it last happened, or when the scene started */
     int direction; /* > 0: `when` rises through zero; < 0: it falls; 0: both */
     /* of events that watch a body: they happen when its coordinate, velocity or mass crosses `value` */
@@ -11097,7 +11102,7 @@ struct VM_TAG(vm_scene) {
     /* called when a run starts and after each step, or at the times that follow; the run stops where it returns
        another number than 0 */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: n_times increasing times at which output is called instead */
+    const vm_real *times; /* s: NULL, or n_times rising times; output is then called at them, not after steps */
     int n_times;
     void *output_ctx; /* handed to output */
     int y_size;       /* how many numbers y has room for: a start and a run then check it. 0: they do not */
@@ -12499,7 +12504,8 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-/* A band that is not wound up, or NaN */
+/* The drum without a band: `radius` is its radius, and `others`, for all other numbers, is 0. Both are NaN where there
+   is no result. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -12550,7 +12556,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* The inertia of the drum by its law J(phi). On an axle u is an angular velocity. */
+/* Applies the law J(phi): on an axle the moment of inertia takes the place of the mass. u is the angular velocity
+   about the axle at which the band arrives. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -12858,8 +12865,8 @@ VM_API int vmi_scene_mass_status(const vm_load *load)
     return VM_BAD_MASS;
 }
 
-/* The derivatives of a body's state; a status. A mass that is a state is looked at in y too, since an effect may have
-   added to load->mass. */
+/* Writes the derivatives of a body's state and returns a status. A mass that is a state must be positive in y as well:
+   load->mass may also hold what an effect has added. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
