@@ -269,7 +269,7 @@ build/amalgamation/varmass.h: src/headers.awk $(wildcard src/*.h src/*/*.h)
 # headers under PREFIX/include/varmass, found by pkg-config and by CMake's find_package
 PREFIX = /usr/local
 INSTALLED = $(DESTDIR)$(PREFIX)
-VERSION = $(shell awk '/define VARMASS_VERSION/ {gsub("\"", "", $$3); print $$3}' varmass.h)
+VERSION = $(shell awk '/define VARMASS_VERSION/ {gsub("\"", "", $$3); print $$3}' src/base/real.h)
 install:
 	mkdir -p $(INSTALLED)/include/varmass $(INSTALLED)/share/pkgconfig $(INSTALLED)/share/cmake/varmass
 	cp $(HEADERS) $(INSTALLED)/include/varmass
