@@ -413,7 +413,7 @@ static void test_remainder(void)
     for (i = 0; i < 200; i++) {
         double p[5], power, m, stiffness, e, c, s, fx, fy, shaft_x, shaft_y, shaft_vx, shaft_vy;
         vm_broken_rotor r = random_rotor(p);
-        vm_real y[6], a[6], b[6];
+        vm_real y[6], a[6] = {0}, b[6];
         random_state(y, 2, 9);
         vm_broken_rotor_rhs(0, y, a, &r);
         rhs_68(0, y, b, p);

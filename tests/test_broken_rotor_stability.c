@@ -18,7 +18,7 @@ static double radius_of(const vm_real *y) { return hypot((double)y[0], (double)y
 static void check_polar(const vm_broken_rotor *r, const vm_real *y)
 {
     vm_broken_rotor copy = *r;
-    vm_real polar[6] = {0}, back[6] = {0}, a[6], b[6] = {0};
+    vm_real polar[6] = {0}, back[6] = {0}, a[6] = {0}, b[6] = {0};
     double radius, rate, turn, c, s, radial, across;
     int k;
     CHECK(vm_broken_rotor_to_polar(y, polar) == VM_OK && vm_broken_rotor_from_polar(polar, back) == VM_OK);
@@ -77,7 +77,7 @@ static void test_steady(void)
     for (i = 0; i < 200; i++) {
         const double Omega = uniform(-3, 3), psi = uniform(-3, 3);
         double p[5], radius, size, x, y;
-        vm_real state[6], a[6];
+        vm_real state[6], a[6] = {0};
         r = random_rotor(p);
         r.torque = r.damping * R(Omega);
         radius = (double)vm_broken_rotor_steady_radius(&r, R(Omega));

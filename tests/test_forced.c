@@ -178,7 +178,7 @@ static forced_errors errors_of_averaging(double alpha, double r, double m1, doub
     if (from == CORRECTED_START) CHECK(vm_forced_to_averaged(&f, 0, y, slow) == VM_OK);
     for (i = 1; i <= n; i++) {
         const double before = 3 / e * (i - 1) / n, t = 3 / e * i / n;
-        vm_real mass, rate;
+        vm_real mass = 0, rate = 0;
         solve(vm_forced_rhs, &f, 3, before, t, 1e-10, y);
         solve(vm_forced_averaged_rhs, &f, 3, before, t, 1e-10, slow);
         CHECK(vm_forced_from_averaged(&f, R(t), slow, got) == VM_OK);

@@ -37,7 +37,7 @@ static void test_relative2(void)
         const vm_body a_in_space = vm_body_from_body2(&a), b_in_space = vm_body_from_body2(&b);
         const vm_impulse2 impulse = random_impulse2(), *j = i % 2 ? &impulse : NULL;
         const vm_impulse blow = impulse_in_space(&impulse), *blow_or_null = i % 2 ? &blow : NULL;
-        vm_body2 relative, back, moving = b;
+        vm_body2 relative, back = a, moving = b;
         vm_body joined_in_space;
         CHECK(vm_attach(&a_in_space, &b_in_space, blow_or_null, &joined_in_space) == VM_OK);
         CHECK(vm_to_relative2(&a, &b, &relative) == VM_OK && vm_to_absolute2(&a, &relative, &back) == VM_OK);

@@ -100,12 +100,13 @@ VM_API vm_real vmi_law_exponential_inverse_integral(const vm_law *law, vm_real t
     return u / law->f0 * vmi_exp_ratio((base - rate) * u);
 }
 
-/* f and df/dt at t of any law, with all arguments checked */
+/* f and df/dt at t of any law, with all arguments checked; both are NaN where the status is not VM_OK */
 VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real values[VMI_LAW_ORDERS];
     int status;
-    if (!law || !law->derivatives || !f || !rate) return VM_BAD_ARGUMENT;
+    *f = *rate = VM_NAN;
+    if (!law || !law->derivatives) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     status = vmi_law_derivatives(law, if_not_positive, t, 1, 0, values);
     if (status) return status;
@@ -120,7 +121,14 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
    function fails. Then f and rate are untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
-    return vmi_law_at(law, VM_BAD_MASS, t, f, rate);
+    vm_real value, slope;
+    int status;
+    if (!f || !rate) return VM_BAD_ARGUMENT;
+    status = vmi_law_at(law, VM_BAD_MASS, t, &value, &slope);
+    if (status) return status;
+    *f = value;
+    *rate = slope;
+    return VM_OK;
 }
 
 /* A law without a kind, which the constructors complete */
