@@ -108,7 +108,7 @@ static void test_small_point(void)
 {
     int i;
     for (i = 0; i < 1000; i++) {
-        vm_body2 whole = random_body2(uniform(2, 5)), point, rest, moving;
+        vm_body2 whole = random_body2(uniform(2, 5)), point, rest = {0, 0, 0, 0, 0, 0, 0, 0}, moving;
         vm_real v[2], omega;
         double mass, x, y, fast;
         whole.inertia = R(uniform(1, 3));
