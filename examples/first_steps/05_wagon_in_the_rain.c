@@ -12,7 +12,7 @@ int main(int argc, char **argv)
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
     const vm_stream1 rain = {10, 0, VM_ABSOLUTE}, leak = {-10, 0, VM_RELATIVE}; /* kg/s, m/s */
     const vm_real m0 = 1000, v0 = 5, end = 60;
-    vm_real t, x, v, x_full, v_full, mass;
+    vm_real t, x = 0, v = 0, x_full = 0, v_full = 0, mass;
 
     vm_linear_flow(&rain, end, 0, v0, m0, 0, &x_full, &v_full); /* closed forms, no integration */
     if (csv) fprintf(csv, "t (s),\"v (m/s)\",\"mass (t)\",\"M v/(M v at first)\",\"the mistake\"\n");
