@@ -56,7 +56,7 @@ function index_function(line, chapter,    name) {
     name = line
     sub(/\(.*/, "", name)
     sub(/^.*[ *]/, "", name)
-    if (name !~ /^(vm|jacobi|ateb|ode|rk4|rk45|rk87)_/) return
+    if (name ~ /^vmi_/) return
     if (chapter != last_chapter) entries = entries "\n\n     " titles[chapter]
     last_chapter = chapter
     entries = entries sprintf("\n       %-30s %s", name, comment ? first_sentence(comment) : "")

@@ -9,7 +9,7 @@ lines() { awk 'END {print NR}' "$1"; }
 
 # the public functions that a file of src/ defines
 public_functions() {
-    sed -nE 's/^VM_(API|INLINE) [^(]*[ *]((vm|jacobi|ateb|ode|rk4|rk45|rk87)_[A-Za-z0-9_]*)\(.*/\2/p' "$1"
+    sed -nE 's/^VM_(API|INLINE) [^(]*[ *]([a-z][A-Za-z0-9_]*)\(.*/\2/p' "$1" | grep -v '^vmi_'
 }
 
 flash() { # flash CHAPTER : bytes, where its part is $build/part.h

@@ -25,7 +25,7 @@ blocks() { # blocks DOCUMENT PREFIX : each block of C into PREFIX1.c and so on
     awk -v prefix="$2" '/^```/ {on = 0} on {print >file} /^```c$/ {on = 1; count++; file = prefix count ".c"}' "$1"
 }
 unmarked() { # lines outside such blocks that look like C: none
-    awk '/^```c$/ {fence = 1} /^```$/ {fence = !fence} !fence && /^    .*([;{]|\*\/) *$/ {print FILENAME ": " $0}' "$@" |
+    awk '/^```(c|text)$/ {fence = 1} /^```$/ {fence = !fence} !fence && /^    .*([;{]|\*\/) *$/ {print FILENAME ": " $0}' "$@" |
         grep -vE '^[^:]*: +(make|sh|cc|cd|for) '
 }
 pieces() { # pieces HEADER PREFIX : paragraphs in comments that begin in column 8 and have a line that ends with a semicolon
