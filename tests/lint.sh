@@ -6,13 +6,13 @@ build=$1/lint
 shift
 flags="$*"
 mkdir -p "$build"
-count=0 failed=0
+count=0 failed=0 object=object
 
 compile() { # compile COMPILER STANDARD SOURCE EXTRA...
     compiler=$1 standard=$2 source=$3
     shift 3
     count=$((count + 1))
-    $compiler -std="$standard" $flags -Werror "$@" -O2 -I. -c "$source" -o "$build/object.o" || {
+    $compiler -std="$standard" $flags -Werror "$@" -O2 -I. -c "$source" -o "$build/$object.o" || {
         failed=$((failed + 1))
         echo "lint: $compiler -std=$standard $* $source"
     }
@@ -21,8 +21,9 @@ compile() { # compile COMPILER STANDARD SOURCE EXTRA...
 for header in jacobi ateb integrators varmass; do
     printf '#include "%s.h"\n' $header | tee "$build/$header.c" >"$build/$header.cpp"
 done
-for compiler in gcc clang; do
-    command -v $compiler >/dev/null || { echo "lint: no $compiler here"; failed=$((failed + 1)); continue; }
+c_programs() { # c_programs COMPILER : everything as C
+    compiler=$1
+    command -v $compiler >/dev/null || { echo "lint: no $compiler here"; failed=$((failed + 1)); return; }
     for precision in "" -DVM_USE_FLOAT; do
         for standard in c99 c11 c17; do
             for header in jacobi ateb integrators varmass; do
@@ -40,9 +41,10 @@ for compiler in gcc clang; do
     if echo '#include <gsl/gsl_sf.h>' | $compiler -E - >/dev/null 2>&1; then
         compile $compiler c99 tests/test_gsl.c -Wstrict-prototypes
     fi
-done
-for compiler in g++ clang++; do
-    command -v $compiler >/dev/null || { echo "lint: no $compiler here"; failed=$((failed + 1)); continue; }
+}
+cpp_headers() { # cpp_headers COMPILER : the headers as C++
+    compiler=$1
+    command -v $compiler >/dev/null || { echo "lint: no $compiler here"; failed=$((failed + 1)); return; }
     for precision in "" -DVM_USE_FLOAT; do
         for standard in c++11 c++17; do
             for header in jacobi ateb integrators varmass; do
@@ -50,6 +52,17 @@ for compiler in g++ clang++; do
             done
         done
     done
-done
+}
+compilers() { # compilers C C++ : both of one kind, their counts to a file; two kinds run at a time
+    object=$1
+    c_programs $1
+    cpp_headers $2
+    echo $count $failed >"$build/$1.count"
+}
+compilers gcc g++ &
+compilers clang clang++
+wait
+set -- $(cat "$build/gcc.count" "$build/clang.count")
+count=$(($1 + $3)) failed=$(($2 + $4))
 echo "lint: $count compilations, $failed with warnings"
 [ $failed = 0 ]
