@@ -384,7 +384,7 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
 /* 1 where the compiler and the processor compute as varmass needs, else 0: results would be wrong.
    It returns
    0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
-   processor takes subnormal numbers for zero. It takes about 100 operations; call it once, when the program starts. */
+   processor takes subnormal numbers for zero. Call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
@@ -1658,7 +1658,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
 /* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. Pure numbers. |sn| <= 1, |cn| <= 1, dn lies between
    1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. Within 8 ulp for |u| <= 100 K, next to the
    zeros too, and within 4 eps of the largest value for |u| <= 1e9 (float 1e4). NaN for m > 1 and for infinite
-   arguments; at m = 1 sn = tanh, cn = dn = 1/cosh. Time: 5 sines for |u| <= 2 K. DLMF 22. */
+   arguments; at m = 1 sn = tanh, cn = dn = 1/cosh. docs/cost.md has its time. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1795,7 +1795,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
    A plan holds what depends on m alone: the quarter period in pieces and polynomials in place of the series. Each
-   call then takes about two sines; arrays take half of one where the compiler vectorises the loop. A plan is plain
+   call is then faster, and more so in arrays, where the compiler vectorises the loop (docs/cost.md). A plan is plain
    data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
@@ -1895,7 +1895,7 @@ VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 }
 
 /* Prepares a plan for the parameter m = k^2 <= 1.
-   Returns 0, or -1 for m > 1, NaN and infinite m; then the plan stays as it was. Time: about 200 sines. */
+   Returns 0, or -1 for m > 1, NaN and infinite m; then the plan stays as it was. */
 VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1958,7 +1958,7 @@ VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits 
 }
 
 /* sn, cn and dn of the argument u for the plan's parameter.
-   Any u; accuracy as jacobi_sncndn. NaN for infinite u, except at m = 1. Time: 1.5 to 5 sines. */
+   Any u; accuracy as jacobi_sncndn. NaN for infinite u, except at m = 1. docs/cost.md has its time. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real x = VM_FABS(u);
@@ -2184,7 +2184,7 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c)
 }
 
 /* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K.
-   m < 0 for c < pi/2, -infinity for c = 0. Within 8 ulp of m, or of 1 - m where that is smaller. NaN for c < 0 and
+   m < 0 for c < pi/2, -infinity for c = 0. Within 4 ulp and what an ulp of c changes. NaN for c < 0 and
    infinite c. */
 VM_API vm_real jacobi_solve_K(vm_real c)
 {
@@ -2318,7 +2318,7 @@ VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_r
 }
 
 /* K(m) by the arithmetic-geometric mean, for m <= 1.
-   Within 3 eps. Infinite at m = 1; NaN for m > 1 and infinite m. */
+   Within 6 ulp. Infinite at m = 1; NaN for m > 1 and infinite m. */
 VM_API vm_real jacobi_agm_K(vm_real m)
 {
     vmi_ladder l;

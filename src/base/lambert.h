@@ -86,7 +86,7 @@ VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).
 
 /* Lambert's W, upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x, a pure number, is taken as exact;
    the result is within 1 ulp. NaN for x < -1/e, except that the number next to -1/e counts as -1/e and gives -1; NaN
-   for infinite x. Time: 4 logarithms. */
+   for infinite x. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_real start;
@@ -100,7 +100,7 @@ VM_API vm_real vm_lambert_w0(vm_real x)
 
 /* Lambert's W, lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x, a pure number, is taken as
    exact; the result is within 1 ulp. -infinity at x = 0, NaN for x > 0 and x < -1/e, except that the number next to
-   -1/e counts as -1/e and gives -1. Time: 4 logarithms. */
+   -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_wm1(vm_real x)
 {
     vm_two ln;

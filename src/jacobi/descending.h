@@ -68,7 +68,7 @@ VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_r
 }
 
 /* K(m) by the arithmetic-geometric mean, for m <= 1.
-   Within 3 eps. Infinite at m = 1; NaN for m > 1 and infinite m. */
+   Within 6 ulp. Infinite at m = 1; NaN for m > 1 and infinite m. */
 VM_API vm_real jacobi_agm_K(vm_real m)
 {
     vmi_ladder l;

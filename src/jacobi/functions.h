@@ -50,7 +50,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
 /* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. Pure numbers. |sn| <= 1, |cn| <= 1, dn lies between
    1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. Within 8 ulp for |u| <= 100 K, next to the
    zeros too, and within 4 eps of the largest value for |u| <= 1e9 (float 1e4). NaN for m > 1 and for infinite
-   arguments; at m = 1 sn = tanh, cn = dn = 1/cosh. Time: 5 sines for |u| <= 2 K. DLMF 22. */
+   arguments; at m = 1 sn = tanh, cn = dn = 1/cosh. docs/cost.md has its time. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);

@@ -174,7 +174,7 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c)
 }
 
 /* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K.
-   m < 0 for c < pi/2, -infinity for c = 0. Within 8 ulp of m, or of 1 - m where that is smaller. NaN for c < 0 and
+   m < 0 for c < pi/2, -infinity for c = 0. Within 4 ulp and what an ulp of c changes. NaN for c < 0 and
    infinite c. */
 VM_API vm_real jacobi_solve_K(vm_real c)
 {

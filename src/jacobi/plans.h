@@ -1,7 +1,7 @@
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
    A plan holds what depends on m alone: the quarter period in pieces and polynomials in place of the series. Each
-   call then takes about two sines; arrays take half of one where the compiler vectorises the loop. A plan is plain
+   call is then faster, and more so in arrays, where the compiler vectorises the loop (docs/cost.md). A plan is plain
    data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
@@ -109,7 +109,7 @@ VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 }
 
 /* Prepares a plan for the parameter m = k^2 <= 1.
-   Returns 0, or -1 for m > 1, NaN and infinite m; then the plan stays as it was. Time: about 200 sines. */
+   Returns 0, or -1 for m > 1, NaN and infinite m; then the plan stays as it was. */
 VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -172,7 +172,7 @@ VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits 
 }
 
 /* sn, cn and dn of the argument u for the plan's parameter.
-   Any u; accuracy as jacobi_sncndn. NaN for infinite u, except at m = 1. Time: 1.5 to 5 sines. */
+   Any u; accuracy as jacobi_sncndn. NaN for infinite u, except at m = 1. docs/cost.md has its time. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real x = VM_FABS(u);
