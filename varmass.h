@@ -266,7 +266,7 @@
        vm_law_table                   Table of n >= 2 points (time[i], value[i]), joined by monotone cubics
        vm_law_user                    Law by a function of the user, which must be smooth
 
-     oscillators/problem: an oscillator whose mass and stiffness vary slowly, and the plan that is made of it
+     oscillators/plan: the plan of an oscillator: what has to be computed only once for a motion
        vm_osc_plan_init               Plan for many values of one problem's motion
 
      oscillators/panels: panels of time in which a law is smooth, and the integral of 1/f
@@ -6860,11 +6860,11 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
     vmi_osc_at_phase(A, psi + rate * t, omega0, alpha, x, v);
 }
 
-/* The mean of ca^2 over a period, B(3/(alpha+1), 1/2)/Pi_alpha, with pi = Pi_alpha. B(q, 1/2) is Pi of alpha = 1/q - 1
-   for q <= 1, and follows from there upward by its recurrence. */
-VM_API vm_real vmi_osc_mean_ca2(vm_real alpha, vm_real pi)
+/* The mean over a period of |ca|^power, B((power+1)/(alpha+1), 1/2)/Pi_alpha, with pi = Pi_alpha. B(q, 1/2) is Pi of
+   alpha = 1/q - 1 for q <= 1, and follows from there upward by its recurrence. */
+VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi)
 {
-    vm_real q = 3 / (alpha + 1), factor = 1;
+    vm_real q = (power + 1) / (alpha + 1), factor = 1;
     for (; q > 1; q -= 1) factor *= (q - 1) / (q - VM_C(0.5));
     return factor * ateb_pi(1 / q - 1) / pi;
 }
@@ -6942,6 +6942,135 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 }
 
 #endif
+/* oscillators/legendre.h - Gauss' rule of 20 points and series of Legendre polynomials on [-1, 1]
+
+   A smooth function on [-1, 1] is the sum of coefficient[k] P_k(x), k = 0 ... 19, with Legendre's polynomials P_k.
+   vmi_legendre_fit finds the coefficients from the values at the points of Gauss' rule; the other functions
+   integrate and derive the series and measure its size. The integral of the function over [-1, 1] is
+   2 coefficient[0]. Used by oscillators/panels.h and walk.h, tested with them (tests/test_laws.c, test_routes.c). */
+#ifndef VARMASS_OSCILLATORS_LEGENDRE_H
+#define VARMASS_OSCILLATORS_LEGENDRE_H
+
+/* Points of the rule, and terms of a series */
+enum { VMI_GAUSS = 20 };
+
+/* Point i of Gauss' rule on [-1, 1], 0 <= i < 20 */
+VM_API vm_real vmi_gauss_node(int i)
+{
+    VM_TABLE vm_real node[10] = {VM_C(0.99312859918509492479), VM_C(0.96397192727791379127),
+                                 VM_C(0.91223442825132590587), VM_C(0.83911697182221882339),
+                                 VM_C(0.74633190646015079261), VM_C(0.63605368072651502545),
+                                 VM_C(0.510867001950827098),   VM_C(0.37370608871541956067),
+                                 VM_C(0.22778585114164507808), VM_C(0.076526521133497333755)};
+    return i % 2 ? VM_READ(node[i / 2]) : -VM_READ(node[i / 2]);
+}
+
+/* Its weight; the weights add up to 2 */
+VM_API vm_real vmi_gauss_weight(int i)
+{
+    VM_TABLE vm_real weight[10] = {VM_C(0.017614007139152118312), VM_C(0.040601429800386941331),
+                                   VM_C(0.06267204833410906357),  VM_C(0.083276741576704748725),
+                                   VM_C(0.10193011981724043504),  VM_C(0.11819453196151841731),
+                                   VM_C(0.1316886384491766269),   VM_C(0.14209610931838205133),
+                                   VM_C(0.14917298647260374679),  VM_C(0.1527533871307258507)};
+    return VM_READ(weight[i / 2]);
+}
+
+/* P_(k+1)(x) from now = P_k(x) and before = P_(k-1)(x) */
+VM_API vm_real vmi_legendre_next(int k, vm_real x, vm_real now, vm_real before)
+{
+    return ((vm_real)(2 * k + 1) * x * now - (vm_real)k * before) / (vm_real)(k + 1);
+}
+
+/* Coefficients a and b of the series through values at the points of Gauss' rule, of two functions at once, since
+   most of the time goes into the polynomials */
+VM_API void vmi_legendre_fit(const vm_real *values_a, const vm_real *values_b, vm_real *a, vm_real *b)
+{
+    int i, k;
+    for (k = 0; k < VMI_GAUSS; k++) {
+        a[k] = 0;
+        b[k] = 0;
+    }
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real x = vmi_gauss_node(i), weight = vmi_gauss_weight(i);
+        const vm_real share_a = weight * values_a[i], share_b = weight * values_b[i];
+        vm_real before = 0, now = 1;
+        for (k = 0; k < VMI_GAUSS; k++) {
+            const vm_real next = vmi_legendre_next(k, x, now, before);
+            a[k] += share_a * now;
+            b[k] += share_b * now;
+            before = now;
+            now = next;
+        }
+    }
+    for (k = 0; k < VMI_GAUSS; k++) {
+        a[k] *= (vm_real)k + VM_C(0.5);
+        b[k] *= (vm_real)k + VM_C(0.5);
+    }
+}
+
+/* The value of the series at x */
+VM_API vm_real vmi_legendre_at(const vm_real *coefficient, vm_real x)
+{
+    vm_real before = 0, now = 1, sum = 0;
+    int k;
+    for (k = 0; k < VMI_GAUSS; k++) {
+        const vm_real next = vmi_legendre_next(k, x, now, before);
+        sum += coefficient[k] * now;
+        before = now;
+        now = next;
+    }
+    return sum;
+}
+
+/* The integral of the series from -1 to x: that of P_k is (P_(k+1) - P_(k-1))/(2k+1) */
+VM_API vm_real vmi_legendre_integral(const vm_real *coefficient, vm_real x)
+{
+    vm_real before = 1, now = x, sum = coefficient[0] * (1 + x);
+    int k;
+    for (k = 1; k < VMI_GAUSS; k++) {
+        const vm_real next = vmi_legendre_next(k, x, now, before);
+        sum += coefficient[k] * (next - before) / (vm_real)(2 * k + 1);
+        before = now;
+        now = next;
+    }
+    return sum;
+}
+
+/* Replaces the series by its derivative: coefficient d_k = (2k+1) (c_(k+1) + c_(k+3) + ...) */
+VM_API void vmi_legendre_derive(vm_real *coefficient)
+{
+    vm_real sums[2] = {0, 0}; /* sums of the coefficients with an index above k: even ones, odd ones */
+    int k;
+    for (k = VMI_GAUSS - 1; k >= 0; k--) {
+        const vm_real own = coefficient[k];
+        coefficient[k] = (vm_real)(2 * k + 1) * sums[(k + 1) % 2];
+        sums[k % 2] += own;
+    }
+}
+
+/* The mean square of the series on [-1, 1] */
+VM_API vm_real vmi_legendre_square(const vm_real *coefficient)
+{
+    vm_real sum = 0;
+    int k;
+    for (k = 0; k < VMI_GAUSS; k++) sum += coefficient[k] * coefficient[k] / (vm_real)(2 * k + 1);
+    return sum;
+}
+
+/* The largest of the last three coefficients, NaN if one is: the terms that the series leaves out have this size. */
+VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
+{
+    vm_real largest = 0;
+    int k;
+    for (k = VMI_GAUSS - 3; k < VMI_GAUSS; k++) {
+        const vm_real size = VM_FABS(coefficient[k]);
+        if (!(size <= largest)) largest = size;
+    }
+    return largest;
+}
+
+#endif
 /* oscillators/laws.h - laws of mass, stiffness and the like: numbers that depend on time
 
    A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
@@ -6973,7 +7102,7 @@ struct VM_TAG(vm_law) {
     void *ctx;                /* last argument of function */
     vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0: unknown */
     /* What the kind of law does; its constructor sets these. */
-    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f); /* null: no law */
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null: no law */
     int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t is enough */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null: it has none */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null: there is no closed form */
@@ -6984,25 +7113,25 @@ struct VM_TAG(vm_law) {
 /* The direction of time over a length, or from 0 to a time: 1 forward, -1 backward */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
-/* Numbers that the function `derivatives` of a law writes: f, f', f'', f''', the index is the order */
-enum { VMI_LAW_ORDERS = 4 };
+/* Numbers that the function `derivatives` of a law writes: f and its first six derivatives, the index is the order */
+enum { VMI_LAW_ORDERS = 7 };
 
-/* Whether f, f', f'' are finite, by one comparison: each difference is 0 or NaN */
-VM_API int vmi_law_is_finite(const vm_real *f) { return (f[0] - f[0]) + (f[1] - f[1]) + (f[2] - f[2]) == 0; }
-
-/* f[0] to f[3] at t: the value of the law, which a constructor made, and its first three derivatives.
+/* The value of a law that a constructor made, and its derivatives at t, in f[0], f[1], ...
    side: where a derivative jumps at t, 1 asks for its value after t, -1 for that before t.
-   step: a short time, s, which functions of the user need for f''; 0 where f'' is not wanted.
-   f''' is that of a table, and 0 for all other laws, where it is not needed.
+   length: 0 asks for f and f' only. A positive length, s, asks for all six derivatives; those of a function of the user
+   are then found from its values between t and t + side length.
    if_not_positive: the status where f <= 0, VM_BAD_MASS for a mass; VM_OK for numbers that may have any sign. */
-VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
-    int status;
-    f[3] = 0;
-    status = law->derivatives(law, t, side, step, f);
+    int i, status;
+    vm_real sum = 0; /* of differences that are 0 or NaN */
+    if (length > 0)
+        for (i = 2; i < VMI_LAW_ORDERS; i++) f[i] = 0;
+    status = law->derivatives(law, t, side, length, f);
     if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
     if (status) return status;
-    if (!vmi_law_is_finite(f)) return VM_NOT_FINITE;
+    for (i = 0; i < (length > 0 ? VMI_LAW_ORDERS : 2); i++) sum += f[i] - f[i];
+    if (!(sum == 0)) return VM_NOT_FINITE;
     if (if_not_positive && !(f[0] > 0)) return if_not_positive;
     return VM_OK;
 }
@@ -7089,13 +7218,12 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Linear laws -- */
-VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
-    (void)step;
+    (void)length;
     f[0] = law->f0 + law->f1 * t;
     f[1] = law->f1;
-    f[2] = 0;
     return VM_OK;
 }
 
@@ -7119,13 +7247,12 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 }
 
 /* -- Quadratic laws -- */
-VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
-    (void)step;
     f[0] = law->f0 + t * (law->f1 + t * law->f2);
     f[1] = law->f1 + 2 * law->f2 * t;
-    f[2] = 2 * law->f2;
+    if (length > 0) f[2] = 2 * law->f2;
     return VM_OK;
 }
 
@@ -7171,13 +7298,13 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Exponential laws -- */
-VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
+    const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
+    int i;
     (void)side;
-    (void)step;
     f[0] = law->f0 * vmi_exp(law->f1 * t, 0);
-    f[1] = law->f1 * f[0];
-    f[2] = law->f1 * f[1];
+    for (i = 1; i < orders; i++) f[i] = law->f1 * f[i - 1];
     return VM_OK;
 }
 
@@ -7202,15 +7329,15 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 /* -- Power laws -- */
 
 /* VM_BAD_MASS where 1 + f1 t is not positive; for other numbers than masses vmi_law_derivatives changes the status */
-VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
+    const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
+    int i;
     (void)side;
-    (void)step;
     if (!(base > 0)) return VM_BAD_MASS;
     f[0] = law->f0 * vmi_pow_checked(base, law->f2);
-    f[1] = law->f2 * relative_rate * f[0];
-    f[2] = (law->f2 - 1) * relative_rate * f[1];
+    for (i = 1; i < orders; i++) f[i] = (law->f2 - (vm_real)(i - 1)) * relative_rate * f[i - 1];
     return VM_OK;
 }
 
@@ -7279,25 +7406,26 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
 }
 
 /* The cubic of the interval with t, which has the values and the slopes of its two points */
-VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
-    vm_real length, u, chord, slope0, slope1, b, c;
+    vm_real chord_time, u, chord, slope0, slope1, b, c;
     int i;
-    (void)step;
     if (law->n < 2 || !law->time || !law->value) return VM_BAD_ARGUMENT;
     if (!(t >= law->time[0] && t <= law->time[law->n - 1])) return VM_DOMAIN;
     i = vmi_law_interval(law, t, side);
-    length = law->time[i + 1] - law->time[i];
+    chord_time = law->time[i + 1] - law->time[i];
     u = t - law->time[i];
-    chord = (law->value[i + 1] - law->value[i]) / length;
+    chord = (law->value[i + 1] - law->value[i]) / chord_time;
     slope0 = vmi_law_slope(law, i);
     slope1 = vmi_law_slope(law, i + 1);
-    b = (3 * chord - 2 * slope0 - slope1) / length;
-    c = (slope0 + slope1 - 2 * chord) / (length * length);
+    b = (3 * chord - 2 * slope0 - slope1) / chord_time;
+    c = (slope0 + slope1 - 2 * chord) / (chord_time * chord_time);
     f[0] = law->value[i] + u * (slope0 + u * (b + u * c));
     f[1] = slope0 + u * (2 * b + 3 * u * c);
-    f[2] = 2 * b + 6 * u * c;
-    f[3] = 6 * c;
+    if (length > 0) {
+        f[2] = 2 * b + 6 * u * c;
+        f[3] = 6 * c;
+    }
     return VM_OK;
 }
 
@@ -7342,19 +7470,44 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 
 /* -- Functions of the user -- */
 
-/* The function gives f and f'. f'' is found to second order from f' at t, t + step, t + 2 step; 0 for step = 0. */
-VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+/* The series of the rate f' over the time from t to t + length, as short as it must be for the series to end in rounding
+   errors, which are dropped. *length becomes the length of the series. */
+VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
-    vm_real unused, rate[2];
-    int i;
-    (void)side;
-    f[2] = 0;
+    const vm_real noise = 64 * VM_EPSILON;
+    const int most_halvings = 24;
+    vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused, least = 0;
+    int i, halvings;
+    for (halvings = 0; halvings <= most_halvings; halvings++) {
+        for (i = 0; i < VMI_GAUSS; i++) {
+            const vm_real at = t + *length * ((1 + vmi_gauss_node(i)) / 2);
+            if (law->function(at, &unused, &rates[i], law->ctx)) return VM_DOMAIN;
+        }
+        vmi_legendre_fit(rates, rates, series, same);
+        least = noise * VM_SQRT(vmi_legendre_square(series));
+        if (!(vmi_legendre_tail(series) > least)) break;
+        *length /= 2;
+    }
+    for (i = 0; i < VMI_GAUSS; i++)
+        if (VM_FABS(series[i]) <= least) series[i] = 0;
+    return VM_OK;
+}
+
+/* The function gives f and f'. The higher derivatives are those of a series of f'. */
+VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+{
+    vm_real series[VMI_GAUSS], whole = (vm_real)side * length, scale = 1;
+    int i, k, status;
     if (!law->function) return VM_BAD_ARGUMENT;
     if (law->function(t, &f[0], &f[1], law->ctx)) return VM_DOMAIN;
-    if (step == 0) return VM_OK;
-    for (i = 0; i < 2; i++)
-        if (law->function(t + (vm_real)(i + 1) * step, &unused, &rate[i], law->ctx)) return VM_DOMAIN;
-    f[2] = (4 * (rate[0] - f[1]) - (rate[1] - f[1])) / (2 * step);
+    if (!(length > 0)) return VM_OK;
+    status = vmi_law_user_series(law, t, &whole, series);
+    if (status) return status;
+    for (i = 2; i < VMI_LAW_ORDERS; i++) {
+        vmi_legendre_derive(series);
+        scale *= 2 / whole;
+        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* at -1, P_k is (-1)^k */
+    }
     return VM_OK;
 }
 
@@ -7395,30 +7548,36 @@ VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 }
 
 #endif
-/* oscillators/problem.h - an oscillator whose mass and stiffness vary slowly, and the plan that is made of it
+/* oscillators/problem.h - an oscillator whose mass and stiffness vary slowly, and what its motion is described by
 
    The equation of motion, with mass m(t), stiffness k(t), damping b and a further small force F, is
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = F(t, x, x'),   x(0) and x'(0) given.
-   Without F three numbers decide on x(t), all by the Ateb phase psi, whose rate is Om:
-     q = k'/k + (2 reactive - 1) m'/m + 2 b/m, the rate at which m, k and b change the motion, 1/s,
-     h, which stands for q' in averaging to second order, 1/s^2,
-     q/Om, which must be small for all routes that average.
-   The plan holds what has to be computed only once for a problem. The motion from a problem or a plan is in
-   oscillators/routes.h, which shows the shortest useful call.
+   Ten routes lead to x(t) and x'(t); oscillators/routes.h has them and shows the shortest useful call. The plan of a
+   problem, for many times of one motion, is in oscillators/plan.h.
    Tests: tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_PROBLEM_H
 #define VARMASS_OSCILLATORS_PROBLEM_H
 
-/* Routes to x(t), x'(t), the cheapest first. The first four average, and need a small q/Om. */
+/* Routes to x(t), x'(t), the cheapest first. All but the last three average: they need a motion that changes little
+   within a period. */
 enum {
-    VM_ROUTE_TRIG = 0,      /* cosine (329), (330), averaged to first order, with the sign of (335) corrected */
-    VM_ROUTE_JACOBI = 1,    /* cn (370), (371), averaged to first order */
-    VM_ROUTE_ATEB = 2,      /* ca (310), (311), averaged to first order: error q/Om */
-    VM_ROUTE_SECOND = 3,    /* ca, averaged to second order: error (q/Om)^2; only without F */
-    VM_ROUTE_VARIATION = 4, /* exact equations of amplitude and phase, (314), (315) completed, by rk45 */
-    VM_ROUTE_RK45 = 5,      /* the equation of motion by rk45 */
-    VM_ROUTE_RK87 = 6       /* the equation of motion by rk87 */
+    VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order, with the sign of (335) corrected */
+    VM_ROUTE_JACOBI = 1,      /* cn (370), (371), averaged to first order */
+    VM_ROUTE_ATEB = 2,        /* ca (310), (311), averaged to first order */
+    VM_ROUTE_ORDER2 = 3,      /* the law of order five (oscillators/expansion.h) cut off after order two; without F */
+    VM_ROUTE_ORDER3 = 4,      /* the same law, cut off after order three; only without F */
+    VM_ROUTE_ORDER4 = 5,      /* the same law, cut off after order four; only without F */
+    VM_ROUTE_ORDER5 = 6,      /* the whole law of order five; only without F */
+    VM_ROUTE_COLLOCATION = 7, /* exact equations, integrated from zero to zero of x (oscillators/collocation.h) */
+    VM_ROUTE_RK45 = 8,        /* the equation of motion by rk45 */
+    VM_ROUTE_RK87 = 9         /* the equation of motion by rk87 */
 };
+
+/* Order 2, 3, 4 or 5 of a route VM_ROUTE_ORDER2 ... VM_ROUTE_ORDER5 */
+VM_API int vmi_osc_order_of(int route) { return route - VM_ROUTE_ORDER2 + 2; }
+
+/* The route of the law of order 2, 3, 4 or 5 */
+VM_API int vmi_osc_route_of_order(int order) { return VM_ROUTE_ORDER2 + order - 2; }
 
 /* A further small force F, N, at time t (s), position x (m) and velocity v (m/s) */
 typedef vm_real (*vm_osc_force)(vm_real t, vm_real x, vm_real v, void *ctx);
@@ -7445,103 +7604,604 @@ typedef struct VM_TAG(vm_osc_motion) {
     long evals;        /* evaluations of right-hand sides; 0 where none were integrated */
 } vm_osc_motion;
 
+/* The problem's numbers, checked, and its laws at t = 0 */
+VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real *stiffness)
+{
+    vm_real unused;
+    int status;
+    if (!VM_IS_FINITE(o->alpha) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v)) return VM_NOT_FINITE;
+    status = vmi_law_check(&o->mass, VM_BAD_MASS, 0);
+    if (!status) status = vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, 0);
+    if (!status) status = vmi_law_at(&o->mass, VM_BAD_MASS, 0, mass, &unused);
+    if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, 0, stiffness, &unused);
+    if (!status && o->alpha < 0) return VM_DOMAIN;
+    return status;
+}
+
+#endif
+/* oscillators/reduction.h - an oscillator of slow mass and stiffness, reduced to a small disturbance of second order
+
+   The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 is d(mu x')/dt + kappa x|x|^(alpha-1) = 0, where
+   a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. With the rate p = (ln mu kappa)'/(alpha+3) and V = x' + p x the
+   state (x, V) has an amplitude A and a phase psi that only the numbers G_0, G_1 ... disturb (oscillators/expansion.h).
+   This file computes a, p and G_k from the derivatives of the laws, and goes from (x, x') to (A, psi) and back.
+       vmi_osc_slow now;
+       vmi_osc_reduced r;
+       int status = vmi_osc_slow_at(&problem, 0, 1, length, &now); // laws at t = 0; length, s: see vmi_law_derivatives
+       if (!status) r = vmi_osc_reduce(&now, alpha, x, v);
+   Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
+#ifndef VARMASS_OSCILLATORS_REDUCTION_H
+#define VARMASS_OSCILLATORS_REDUCTION_H
+
+/* The numbers G_0 ... G_4: order five needs four of them, its estimate the fifth */
+enum { VMI_OSC_G = 5 };
+
+/* What the laws of mass and stiffness say at one time */
+typedef struct VM_TAG(vmi_osc_slow) {
+    vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
+    vm_real a, p;         /* see above, 1/s */
+    vm_real G[VMI_OSC_G]; /* G_i, 1/s^(i+2) */
+} vmi_osc_slow;
+
+/* The same without the numbers G_k, for which f and f' are enough */
+typedef struct VM_TAG(vmi_osc_rates) {
+    vm_real m, k; /* kg, N/m^alpha */
+    vm_real a, p; /* 1/s */
+} vmi_osc_rates;
+
+/* The rates at t; where they jump, those after t for side = 1, those before it for side = -1. The statuses are those of
+   the laws. */
+VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
+    if (status) return status;
+    r->m = m[0];
+    r->k = k[0];
+    r->a = (o->reactive * m[1] + o->damping) / m[0];
+    r->p = (k[1] / k[0] + 2 * r->a - m[1] / m[0]) / (o->alpha + 3);
+    return VM_OK;
+}
+
+/* -- Power series in time: coefficient i belongs to the ith power -- */
+
+/* Turns derivatives f, f', f'' ... into the coefficients of the series */
+VM_API void vmi_series_of_derivatives(int n, vm_real *f)
+{
+    vm_real factorial = 1;
+    int i;
+    for (i = 2; i < n; i++) {
+        factorial *= (vm_real)i;
+        f[i] /= factorial;
+    }
+}
+
+/* ratio = f'/f, with one coefficient less than f, which has n */
+VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
+{
+    int i, j;
+    for (i = 0; i < n - 1; i++) {
+        vm_real sum = (vm_real)(i + 1) * f[i + 1];
+        for (j = 1; j <= i; j++) sum -= f[j] * ratio[i - j];
+        ratio[i] = sum / f[0];
+    }
+}
+
+/* inverse = 1/f */
+VM_API void vmi_series_inverse(int n, const vm_real *f, vm_real *inverse)
+{
+    int i, j;
+    inverse[0] = 1 / f[0];
+    for (i = 1; i < n; i++) {
+        vm_real sum = 0;
+        for (j = 1; j <= i; j++) sum -= f[j] * inverse[i - j];
+        inverse[i] = sum / f[0];
+    }
+}
+
+/* Coefficient i of the product of two series */
+VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
+{
+    vm_real sum = 0;
+    int j;
+    for (j = 0; j <= i; j++) sum += f[j] * g[i - j];
+    return sum;
+}
+
+/* -- The numbers G_k -- */
+
+/* Fills now->G from the series of a and p, which have n coefficients: G_0 = p^2 - a p - p' and
+   G_(k+1) = G_k' - (k+2) (2p - a) G_k. Both series are destroyed. */
+VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
+{
+    vm_real G[VMI_LAW_ORDERS], next[VMI_LAW_ORDERS];
+    int i, k, terms = n - 1;
+    for (i = 0; i < n; i++) a[i] = p[i] - a[i]; /* p - a */
+    for (i = 0; i < terms; i++) G[i] = vmi_series_product(i, p, a) - (vm_real)(i + 1) * p[i + 1];
+    for (i = 0; i < n; i++) a[i] += p[i]; /* 2 p - a */
+    for (k = 0; k < VMI_OSC_G; k++) {
+        now->G[k] = G[0];
+        terms--;
+        for (i = 0; i < terms; i++)
+            next[i] = (vm_real)(i + 1) * G[i + 1] - (vm_real)(k + 2) * vmi_series_product(i, a, G);
+        for (i = 0; i < terms; i++) G[i] = next[i];
+    }
+}
+
+/* All of *now from m, k and their derivatives up to the sixth, which are destroyed */
+VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vmi_osc_slow *now)
+{
+    const int n = VMI_LAW_ORDERS - 1;
+    vm_real m_rate[VMI_LAW_ORDERS], k_rate[VMI_LAW_ORDERS], inverse[VMI_LAW_ORDERS];
+    int i;
+    now->m = m[0];
+    now->k = k[0];
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, m);
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, k);
+    vmi_series_log_rate(VMI_LAW_ORDERS, m, m_rate);
+    vmi_series_log_rate(VMI_LAW_ORDERS, k, k_rate);
+    vmi_series_inverse(n, m, inverse);
+    for (i = 0; i < n; i++) {
+        const vm_real a = o->reactive * m_rate[i] + o->damping * inverse[i];
+        m[i] = a;
+        k[i] = (k_rate[i] + 2 * a - m_rate[i]) / (o->alpha + 3);
+    }
+    now->a = m[0];
+    now->p = k[0];
+    vmi_osc_find_G(n, m, k, now);
+}
+
+/* *now at t; where derivatives jump, after t for side = 1, before it for side = -1. length, s: see
+   vmi_law_derivatives. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come from the laws. */
+VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vmi_osc_slow *now)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
+    if (!status) vmi_osc_slow_of(o, m, k, now);
+    return status;
+}
+
+/* -- Amplitude and phase -- */
+
+/* The state of the oscillator after the reduction */
+typedef struct VM_TAG(vmi_osc_reduced) {
+    vm_real A;   /* amplitude, m */
+    vm_real psi; /* Ateb phase */
+    vm_real W;   /* rate of the phase at this amplitude, 1/s */
+} vmi_osc_reduced;
+
+/* The reduced state of position x and velocity v */
+VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
+{
+    const vm_real omega = VM_SQRT(now->k / now->m);
+    vmi_osc_reduced r;
+    vm_osc_amplitude_phase(x, v + now->p * x, omega, alpha, &r.A, &r.psi);
+    r.W = r.A == 0 ? 0 : vmi_osc_rate(r.A, omega, alpha);
+    return r;
+}
+
+/* Position and velocity of a reduced state, where sa and ca are those of its phase */
+VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
+                             vm_real *v)
+{
+    *x = r->A * ca;
+    *v = -2 / (alpha + 1) * r->W * r->A * sa - p * *x;
+}
+
+/* The numbers E_k = G_k/W^(k+2) */
+VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
+{
+    vm_real power = 1 / (W * W);
+    int k;
+    for (k = 0; k < VMI_OSC_G; k++) {
+        E[k] = now->G[k] * power;
+        power /= W;
+    }
+}
+
+#endif
+/* oscillators/ripple.h - the ripple of ca^2 within a period, and its integrals over the Ateb phase
+
+   An oscillator whose mass or stiffness varies slowly swings about a mean motion. The difference, the ripple, is made
+   of five functions of the Ateb phase psi. With C = ca^2(psi) - <ca^2>, where < > is the mean over a period,
+     S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>,
+   each with mean 0, all of period Pi_alpha. A vmi_ripple is one alpha, prepared: two sets of four polynomials and the
+   constants of the law of order five (oscillators/expansion.h). It is plain data and may lie in flash.
+       vmi_ripple r;
+       vmi_ripple_values f;
+       vmi_ripple_init(&r, VM_C(1.5), ateb_pi(VM_C(1.5)));
+       vmi_ripple_complete(&r);
+       ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
+       vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
+
+   Method: near a zero of ca the functions are |ca|^3, |ca|^4 or |ca|^5 times a power series in w = |ca|^(alpha+1); near
+   a zero of sa they are series in y = sa^2. Where w = y = 1/2 one takes over from the other. On [0, 1/2] each series is
+   replaced by its first Chebyshev polynomials: 15 of them for 1e-12, 8 for 1e-7, whatever alpha is.
+   Tests: tests/test_slow_motion.c. */
+#ifndef VARMASS_OSCILLATORS_RIPPLE_H
+#define VARMASS_OSCILLATORS_RIPPLE_H
+
+/* Terms of each polynomial, Chebyshev polynomials that are kept while it is made, and terms of the power series */
+#if VM_MANT_DIG > 24
+enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
+#else
+enum { VMI_RIPPLE_TERMS = 8, VMI_RIPPLE_KEPT = 13, VMI_RIPPLE_SERIES = 28 };
+#endif
+
+/* The polynomials: integrals of ca^2 and of ca^4, from the nearest zero of ca or sa on, and the first and the second
+   integral of that of ca^2 */
+enum { VMI_RIPPLE_CA2, VMI_RIPPLE_CA4, VMI_RIPPLE_FIRST, VMI_RIPPLE_SECOND, VMI_RIPPLE_FUNCTIONS };
+
+/* One alpha, prepared by vmi_ripple_init */
+typedef struct VM_TAG(vmi_ripple) {
+    vm_real alpha;
+    vm_real gamma;              /* (alpha-1)/(alpha+3): the rate of the phase grows like J^gamma with the action J */
+    vm_real scale;              /* (alpha+1)(alpha+3)/4 */
+    vm_real pi;                 /* Pi_alpha, the period of the functions */
+    vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
+    vm_real variance;           /* the mean of C^2 */
+    int has_polynomials;        /* whether what follows is set */
+    vm_real at_sa_0, at_ca_0;   /* S2 where sa = 0, and where ca = 0 */
+    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1 */
+    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1 */
+} vmi_ripple;
+
+/* The ripple at one phase */
+typedef struct VM_TAG(vmi_ripple_values) {
+    vm_real sa, ca;
+    vm_real C, S, S2, S3, Q; /* see above; S is right from order 3 on, S2 from order 4 on, S3 and Q for order 5 */
+} vmi_ripple_values;
+
+/* -- Making the polynomials -- */
+
+/* Coefficients of the power series at index i. near_ca_0: the integral of ca^2 is |ca|^3 sum ca2_i w^i, and so on */
+typedef struct VM_TAG(vmi_ripple_series) {
+    vm_real root;                 /* of (1-w)^(-1/2) */
+    vm_real power2, power3, power4; /* of (1-y)^((j-alpha)/(alpha+1)), j = 2, 3, 4 */
+    vm_real product;              /* of (1-y)^(1-nu) T, T |sa| the integral of ca^2, nu = 2 alpha/(alpha+1) */
+    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS], near_sa_0[VMI_RIPPLE_FUNCTIONS];
+} vmi_ripple_series;
+
+/* Coefficient i of (1-y)^exponent from coefficient i - 1 */
+VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
+{
+    if (i == 0) return 1;
+    return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
+}
+
+/* Coefficients i from those of i - 1 (for i = 0 from zeros). The integrals of an integral follow from its differential
+   equation along the phase: with x = |ca|, D'' = x^2 (1-w)^(-1/2) ... gives each coefficient from the one before. */
+VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
+{
+    const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
+    const vm_real now = (vm_real)i * n, before = now - n;
+    vm_real *zero = s->near_ca_0, *turn = s->near_sa_0;
+    s->root = vmi_binomial_next(s->root, i, VM_C(-0.5));
+    s->power2 = vmi_binomial_next(s->power2, i, (2 - alpha) / n);
+    s->power3 = vmi_binomial_next(s->power3, i, (3 - alpha) / n);
+    s->power4 = vmi_binomial_next(s->power4, i, (4 - alpha) / n);
+    s->product = (s->product * (k - 3 + 2 * nu) + s->power4) / (k + 1);
+    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
+    zero[VMI_RIPPLE_CA4] = n / 2 * s->root / (5 + now);
+    if (i == 0) zero[VMI_RIPPLE_FIRST] = n * n / 48;
+    else zero[VMI_RIPPLE_FIRST] *= (4 + before) * (3 + before + n / 2) / ((4 + now) * (3 + now));
+    zero[VMI_RIPPLE_SECOND] =
+        (zero[VMI_RIPPLE_SECOND] * (5 + before) * (4 + before + n / 2) + n * n / 4 * zero[VMI_RIPPLE_CA2]) /
+        ((5 + now) * (4 + now));
+    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
+    turn[VMI_RIPPLE_CA4] = s->power4 / (k + 1);
+    turn[VMI_RIPPLE_FIRST] = (turn[VMI_RIPPLE_FIRST] * k * (k - 1 + nu) + s->power3) / ((k + 2) * (k + 1));
+    turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
+}
+
+/* Multiplies the series sum c_k T_k(z) of Chebyshev polynomials by w = (1 + z)/4: z T_k = (T_(k+1) + T_(k-1))/2 */
+VM_API void vmi_chebyshev_times_w(vm_real *c)
+{
+    const int last = VMI_RIPPLE_KEPT - 1;
+    vm_real below = 0, first = c[0] + c[1] / 2; /* of 1 + z */
+    int k;
+    for (k = 0; k <= last; k++) {
+        const vm_real own = c[k], above = k < last ? c[k + 1] : 0;
+        vm_real share = (below + above) / 2;
+        if (k == 1) share += below / 2; /* z T_0 = T_1 */
+        c[k] = (own + share) / 4;
+        below = own;
+    }
+    c[0] = first / 4;
+}
+
+/* The polynomial in powers of z in place of the series of Chebyshev polynomials, by T_k = 2 z T_(k-1) - T_(k-2) */
+VM_API void vmi_chebyshev_to_powers(vm_real *c)
+{
+    int j, k;
+    for (j = 0; j < VMI_RIPPLE_TERMS; j++) {
+        for (k = VMI_RIPPLE_TERMS - 1; k >= j + 2; k--) c[k - 2] -= c[k];
+        for (k = j + 2; k < VMI_RIPPLE_TERMS; k++) c[k] *= 2;
+    }
+}
+
+/* All eight polynomials */
+VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
+{
+    vm_real w_power[VMI_RIPPLE_KEPT]; /* w^i as a series of Chebyshev polynomials */
+    vmi_ripple_series s;
+    int i, j, k;
+    s.root = s.power2 = s.power3 = s.power4 = s.product = 0;
+    for (j = 0; j < VMI_RIPPLE_FUNCTIONS; j++) {
+        s.near_ca_0[j] = 0;
+        s.near_sa_0[j] = 0;
+        for (k = 0; k < VMI_RIPPLE_TERMS; k++) {
+            r->near_ca_0[j][k] = 0;
+            r->near_sa_0[j][k] = 0;
+        }
+    }
+    for (k = 0; k < VMI_RIPPLE_KEPT; k++) w_power[k] = 0;
+    w_power[0] = 1;
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        vmi_ripple_next_terms(&s, i, r->alpha);
+        for (j = 0; j < VMI_RIPPLE_FUNCTIONS; j++)
+            for (k = 0; k < VMI_RIPPLE_TERMS; k++) {
+                r->near_ca_0[j][k] += s.near_ca_0[j] * w_power[k];
+                r->near_sa_0[j][k] += s.near_sa_0[j] * w_power[k];
+            }
+        vmi_chebyshev_times_w(w_power);
+    }
+    for (j = 0; j < VMI_RIPPLE_FUNCTIONS; j++) {
+        vmi_chebyshev_to_powers(r->near_ca_0[j]);
+        vmi_chebyshev_to_powers(r->near_sa_0[j]);
+    }
+}
+
+VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
+{
+    vm_real sum = c[VMI_RIPPLE_TERMS - 1];
+    int k;
+    for (k = VMI_RIPPLE_TERMS - 2; k >= 0; k--) sum = sum * z + c[k];
+    return sum;
+}
+
+/* -- The integrals from a zero of ca or sa on -- */
+
+/* Integrals from the nearest zero of ca (of sa) to a phase at a distance from it */
+typedef struct VM_TAG(vmi_ripple_integrals) {
+    vm_real ca2, ca4, first, second; /* of ca^2 and ca^4; first and second integral of that of ca^2 */
+} vmi_ripple_integrals;
+
+/* From a zero of ca on, where |ca| = x and sa^2 = y; order: as in vmi_ripple_at */
+VM_API vmi_ripple_integrals vmi_ripple_from_ca_0(const vmi_ripple *r, int order, vm_real x, vm_real y)
+{
+    const vm_real x2 = x * x, x3 = x2 * x, x4 = x2 * x2, z = 4 * (1 - y) - 1;
+    vmi_ripple_integrals d;
+    d.ca2 = x3 * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_CA2], z);
+    d.ca4 = d.first = d.second = 0;
+    if (order >= 4) d.first = x4 * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_FIRST], z);
+    if (order >= 5) {
+        d.ca4 = x4 * x * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_CA4], z);
+        d.second = x4 * x * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_SECOND], z);
+    }
+    return d;
+}
+
+/* From a zero of sa on, where |sa| = u and u^2 = y */
+VM_API vmi_ripple_integrals vmi_ripple_from_sa_0(const vmi_ripple *r, int order, vm_real u, vm_real y)
+{
+    const vm_real z = 4 * y - 1;
+    vmi_ripple_integrals d;
+    d.ca2 = u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_CA2], z);
+    d.ca4 = d.first = d.second = 0;
+    if (order >= 4) d.first = y * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_FIRST], z);
+    if (order >= 5) {
+        d.ca4 = u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_CA4], z);
+        d.second = y * u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_SECOND], z);
+    }
+    return d;
+}
+
+/* -- Preparing an alpha, and the functions -- */
+
+/* Prepares alpha >= 0, whose Pi_alpha is pi, but for the polynomials. Then S, S2, S3 and Q are not to be had. */
+VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
+{
+    r->alpha = alpha;
+    r->gamma = (alpha - 1) / (alpha + 3);
+    r->scale = (alpha + 1) * (alpha + 3) / 4;
+    r->pi = pi;
+    r->mean2 = vmi_osc_mean_ca(2, alpha, pi);
+    r->mean4 = vmi_osc_mean_ca(4, alpha, pi);
+    r->variance = r->mean4 - r->mean2 * r->mean2;
+    r->has_polynomials = 0;
+}
+
+/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values follow from the phase at which both sets
+   of polynomials meet: there both must have the same S2 and S3. */
+VM_API void vmi_ripple_complete(vmi_ripple *r)
+{
+    const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
+    const vm_real t = ateb_phase(sa, ca, r->alpha), s = r->pi / 2 - t; /* from sa = 0, from ca = 0 */
+    vmi_ripple_integrals zero, turn;
+    vm_real jump; /* at_sa_0 - at_ca_0 */
+    if (r->has_polynomials) return;
+    vmi_ripple_make_polynomials(r);
+    zero = vmi_ripple_from_ca_0(r, 5, ca, half);
+    turn = vmi_ripple_from_sa_0(r, 5, sa, half);
+    jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
+    r->at_ca_0 = -((turn.second - r->mean2 * t * t * t / 6) + (zero.second - r->mean2 * s * s * s / 6) + jump * t) /
+                 (r->pi / 2);
+    r->at_sa_0 = r->at_ca_0 + jump;
+    r->has_polynomials = 1;
+}
+
+/* The ripple at phase psi, where sa and ca have these values. order: 2 to 5, that of the law that asks; above 2 it needs
+   the polynomials. */
+VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
+{
+    const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
+    const vm_real side = from_sa_0 < 0 ? -1 : 1, t = VM_FABS(from_sa_0), s = r->pi / 2 - t;
+    const vm_real constant4 = 2 * m * m - r->mean4;
+    vmi_ripple_integrals d;
+    f->sa = sa;
+    f->ca = ca;
+    f->C = ca * ca - m;
+    f->S = f->S2 = f->S3 = f->Q = 0;
+    if (order < 3) return;
+    if (y > VM_C(0.5)) {
+        d = vmi_ripple_from_ca_0(r, order, VM_FABS(ca), y);
+        f->S = -side * (d.ca2 - m * s);
+        f->S2 = r->at_ca_0 + d.first - m * s * s / 2;
+        f->S3 = -side * (r->at_ca_0 * s + d.second - m * s * s * s / 6);
+        f->Q = -side * (d.ca4 - 2 * m * d.ca2 + constant4 * s);
+    } else {
+        d = vmi_ripple_from_sa_0(r, order, VM_FABS(sa), y);
+        f->S = side * (d.ca2 - m * t);
+        f->S2 = r->at_sa_0 + d.first - m * t * t / 2;
+        f->S3 = side * (r->at_sa_0 * t + d.second - m * t * t * t / 6);
+        f->Q = side * (d.ca4 - 2 * m * d.ca2 + constant4 * t);
+    }
+}
+
+#endif
+/* oscillators/expansion.h - the law of order five: what lies between the motion of an oscillator and its mean motion
+
+   The oscillator d(mu x')/dt + kappa x|x|^(alpha-1) = 0 has slow mu(t) and kappa(t): mu'/mu = a is what mass, reactive
+   force and damping make of the momentum, and kappa/mu = k/m. With
+     p = (ln mu kappa)'/(alpha+3),   V = x' + p x,   x = A ca(psi),   V = -(2/(alpha+1)) W A sa(psi)
+   amplitude A and phase psi obey, without any approximation,
+     A'/A = -p + (G0/W) sa ca,   psi' = W + (alpha+1)/2 (G0/W) ca^2,   G0 = p^2 - a p - p',
+   where W is the rate of the phase at amplitude A. So the mean motion is disturbed by G0/W^2 alone, which is of second
+   order in the small rate epsilon at which mass and stiffness change within a radian. A canonical transformation in
+   powers of E_k = G_k/W^(k+2), of order epsilon^(k+2), with G_(k+1) = G_k' - (k+2) (2p - a) G_k, leads to mean
+   values: of the action J, which is constant, and of the phase. This file has that transformation, there and back.
+   Errors of order N are O(epsilon^N) over times of 1/epsilon. It is new; docs/law.md derives it.
+   The functions C, S, S2, S3, Q of the phase are those of oscillators/ripple.h. The weight of a term is the power of
+   epsilon in it: E_k has weight k + 2.
+       dJ = vmi_expansion_J(&ripple, 5, &f, E); // ln of the mean action less ln of the action, at the phase of f
+   Tests: tests/test_slow_motion.c. */
+#ifndef VARMASS_OSCILLATORS_EXPANSION_H
+#define VARMASS_OSCILLATORS_EXPANSION_H
+
+/* The numbers E_0 ... E_3 that order five needs at the start */
+enum { VMI_EXPANSION_E = 4 };
+
+/* -- From the motion to the mean motion -- */
+
+/* ln of the mean action less ln of the action J, at the motion's phase, with all terms up to weight `order` */
+VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
+{
+    const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
+    vm_real sum = half * E[0] * f->C;
+    if (order >= 3) sum -= half * E[1] * f->S;
+    if (order >= 4) {
+        const vm_real ripple = (2 - 3 * g) * r->variance - (1 + g) * f->C * f->C - 2 * (1 - g) * m * f->C;
+        sum += half * E[2] * f->S2 + square * E[0] * E[0] * ripple;
+    }
+    if (order >= 5) {
+        const vm_real ripple = 6 * (1 - g) * m * f->S + 2 * (2 - 3 * g) * f->Q + 6 * g * f->C * f->S;
+        sum += square * E[0] * E[1] * ripple - half * E[3] * f->S3;
+    }
+    return sum;
+}
+
+/* The mean phase less the phase psi, at the motion's phase, with all terms up to weight order - 1 */
+VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
+{
+    const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
+    vm_real sum = 0;
+    if (order >= 3) sum -= half * (1 - 2 * g) * E[0] * f->S;
+    if (order >= 4) sum += half * (1 - 3 * g) * E[1] * f->S2;
+    if (order >= 5) {
+        const vm_real ripple = 4 * g * (1 - 2 * g) * f->C * f->S + (1 - 4 * g) * (2 - 3 * g) * f->Q +
+                               2 * (1 - 4 * g) * (1 - g) * m * f->S;
+        sum += square * E[0] * E[0] * ripple - half * (1 - 4 * g) * E[2] * f->S3;
+    }
+    return sum;
+}
+
+/* -- From the mean motion to the motion -- */
+
+/* The phase less the mean phase, at the mean phase, with all terms up to weight order - 1 */
+VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
+{
+    const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
+    vm_real sum = 0;
+    if (order >= 3) sum += half * (1 - 2 * g) * E[0] * f->S;
+    if (order >= 4) sum -= half * (1 - 3 * g) * E[1] * f->S2;
+    if (order >= 5) {
+        const vm_real ripple = 2 * (1 - 2 * g) * (1 - 2 * g) * f->C * f->S - (1 - 4 * g) * (2 - 3 * g) * f->Q -
+                               2 * (1 - 4 * g) * (1 - g) * m * f->S;
+        sum += half * (1 - 4 * g) * E[2] * f->S3 + square * E[0] * E[0] * ripple;
+    }
+    return sum;
+}
+
+/* ln of the action less ln of the mean action, at the mean phase, with all terms up to weight order - 1 */
+VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
+{
+    const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
+    vm_real sum = 0;
+    if (order >= 3) sum -= half * E[0] * f->C;
+    if (order >= 4) sum += half * E[1] * f->S;
+    if (order >= 5) {
+        const vm_real ripple = 8 / (r->alpha + 1) * (1 - 2 * g) * f->sa * f->ca * f->S + (1 - 3 * g) * f->C * f->C -
+                               (2 - 3 * g) * r->variance + 2 * (1 - g) * m * f->C;
+        sum += square * E[0] * E[0] * ripple - half * E[2] * f->S2;
+    }
+    return sum;
+}
+
+/* -- The mean rate of the phase -- */
+
+/* The mean rate of the phase is W (1 + first E0 + second E0^2), with W at the mean action. The factor `first` is used
+   from order 2 on, `second` from order 4 on. */
+VM_API vm_real vmi_expansion_first(const vmi_ripple *r) { return (r->alpha + 1) / 2 * r->mean2; }
+
+VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
+{
+    return -r->scale * r->scale / 8 * r->variance * (2 - 3 * r->gamma) * (1 - 3 * r->gamma);
+}
+
+#endif
+/* oscillators/plan.h - the plan of an oscillator: what has to be computed only once for a motion
+
+   A plan serves many times of one motion. It holds the state at t = 0, reduced as in oscillators/reduction.h, the
+   start of the mean motion by the law of order five (oscillators/expansion.h), and the closed forms of the laws of
+   mass and stiffness, if they have such forms:
+       vm_osc_plan plan;
+       int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem
+   Tests: tests/test_slow_motion.c, tests/test_routes.c. */
+#ifndef VARMASS_OSCILLATORS_PLAN_H
+#define VARMASS_OSCILLATORS_PLAN_H
+
 /* What is computed only once for a problem, by vm_osc_plan_init. To be read, not changed. It points to the problem's
    tables and contexts, and is not to be copied bit by bit into another program. */
 typedef struct VM_TAG(vm_osc_plan) {
     vm_osc_problem problem;
-    vm_real pi;             /* Pi_alpha */
-    vm_real gamma;          /* (alpha-1)/(alpha+3) */
-    vm_real mean_ca2;       /* the mean of ca^2 */
-    vm_real m0, k0;         /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
-    vm_real A, psi, Om;     /* at t = 0: amplitude, m, Ateb phase, and its rate, 1/s */
-    vm_real q, h, h_rate;   /* at t = 0: see vmi_osc_rates */
-    vm_real ln_rho;         /* second order: (alpha+3)/2 times ln of the amplitude over its mean at t = 0 */
-    vm_real shift;          /* second order: mean phase minus psi at t = 0 */
-    vm_real base;           /* closed forms, 1/s: m = m0 exp(rate_m u), k = k0 exp(rate_k u), u = ln(1 + base t)/base */
-    vm_real rate_m, rate_k; /* 1/s */
-    int closed;             /* whether m and k have these closed forms */
-    int has_ateb;           /* whether ateb is there */
+    vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
+    vm_real A, psi, Om;      /* at t = 0: amplitude, m, Ateb phase, and its rate, 1/s */
+    vmi_osc_slow slow;       /* what the laws say just after t = 0 */
+    vm_real E[VMI_OSC_G];    /* the disturbance of the reduced state at t = 0 */
+    vmi_osc_reduced mean;    /* the mean motion at t = 0, by the order start_order */
+    int start_order;         /* 5, or 2 where the ripple has no polynomials; 0 where there is no mean motion */
+    vm_real base;            /* closed forms, 1/s: m = m0 exp(rate_m u), k = k0 exp(rate_k u), u = ln(1 + base t)/base */
+    vm_real rate_m, rate_k;  /* 1/s */
+    int closed;              /* whether m and k have these closed forms */
+    int has_ateb;            /* whether ateb is there */
+    vmi_ripple ripple;
     ateb_plan ateb;
 } vm_osc_plan;
-
-/* -- What drives the averaged motion -- */
 
 /* The wave that a route uses; the plan must outlive it. */
 VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 {
-    if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->pi);
-    if (route == VM_ROUTE_JACOBI) return vmi_osc_wave_cn(p->problem.alpha, p->pi);
+    if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->ripple.pi);
+    if (route == VM_ROUTE_JACOBI) return vmi_osc_wave_cn(p->problem.alpha, p->ripple.pi);
     return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
 }
 
-/* Mass and stiffness at a time, and how fast they and the damping change the motion there */
-typedef struct VM_TAG(vmi_osc_rates) {
-    vm_real m, k;   /* kg, N/m^alpha */
-    vm_real q;      /* 1/s */
-    vm_real h;      /* q' - q (k'/k - m'/m - gamma q)/2, 1/s^2 */
-    vm_real h_rate; /* the part of h' that tables make large, 1/s^3 */
-} vmi_osc_rates;
-
-/* The rates at t; where they jump, those after t for side = 1, those before it for side = -1. with_h: h and h_rate are
-   wanted, for which laws by functions are evaluated at two more times; else they are not set. */
-VM_API int vmi_osc_rates_at(const vm_osc_plan *p, vm_real t, int side, int with_h, vmi_osc_rates *r)
-{
-    const vm_osc_problem *o = &p->problem;
-    const vm_real step = with_h && p->Om > 0 ? (vm_real)side / (32 * p->Om) : 0;
-    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], ln_m, ln_k; /* derivatives of m, k; of ln m, ln k by time */
-    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, step, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, step, k);
-    if (status) return status;
-    ln_m = m[1] / m[0];
-    ln_k = k[1] / k[0];
-    r->m = m[0];
-    r->k = k[0];
-    r->q = ln_k + (2 * o->reactive - 1) * ln_m + 2 * o->damping / m[0];
-    if (!with_h) return VM_OK;
-    r->h = (k[2] / k[0] - ln_k * ln_k) + (2 * o->reactive - 1) * (m[2] / m[0] - ln_m * ln_m) -
-           2 * o->damping * ln_m / m[0];
-    r->h -= r->q * (ln_k - ln_m - p->gamma * r->q) / 2;
-    r->h_rate = k[3] / k[0] + (2 * o->reactive - 1) * m[3] / m[0];
-    return VM_OK;
-}
-
-/* ln(A/A0) and ln(Om/Om0) by the adiabatic law, where ln(m/m0), ln(k/k0) and the decay, the integral of b/m, have
-   these values */
-VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
-                              vm_real *ln_Om)
-{
-    const vm_real alpha = p->problem.alpha, r = 2 * p->problem.reactive - 1;
-    *ln_A = -(ln_k + r * ln_m + 2 * decay) / (alpha + 3);
-    *ln_Om = ((1 - p->gamma) * ln_k - (1 + p->gamma * r) * ln_m) / 2 - p->gamma * decay;
-}
-
-/* Integrals along the mean motion from 0 to t */
-typedef struct VM_TAG(vmi_osc_integrals) {
-    vm_real inverse_mass; /* of dt/m, s/kg */
-    vm_real phase;        /* of Om/Om0 dt, s */
-    vm_real drift;        /* of q^2 Om0/Om dt, 1/s */
-} vmi_osc_integrals;
-
-/* The mean phase to second order, from the integrals: Om0 phase + c2 drift/Om0, with Om0 at the mean amplitude */
-VM_API vm_real vmi_osc_mean_phase(const vm_osc_plan *p, const vmi_osc_integrals *integral)
-{
-    const vm_real alpha = p->problem.alpha, Om = p->Om * vmi_exp(-p->gamma * p->ln_rho, 0);
-    const vm_real c2 = -p->mean_ca2 * (alpha + 1) / (2 * (alpha + 3) * (alpha + 3));
-    return p->psi + p->shift + (Om * integral->phase + c2 * integral->drift / Om);
-}
-
-/* c = ca and s = sa at the phase psi = mean + slope (ca^2(psi) - <ca^2>), by one step of Newton's method: the error is
-   O(slope^3) */
-VM_API void vmi_osc_phase_from_mean(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real mean, vm_real slope,
-                                    vm_real *c, vm_real *s)
-{
-    vm_real step;
-    vmi_osc_wave_at(w, mean, c, s);
-    step = slope * (*c * *c - p->mean_ca2) / (1 + 4 * slope / (w->alpha + 1) * *s * *c);
-    vmi_osc_wave_at(w, mean + step, c, s);
-}
-
-/* -- Making the plan -- */
+/* The time, s, over which derivatives of laws are sampled: 16 radians of the phase */
+VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p) { return p->Om > 0 ? 16 / p->Om : 0; }
 
 /* Finds whether both laws are exponentials in one u, so that all integrals are closed forms. With damping the integral
    of b/m must be one in u, too: it is where m = m0 (1 + base t), or where only the damping changes the motion. */
@@ -7558,54 +8218,42 @@ VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
     if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
 }
 
-/* The constants of the second-order solution that follow from the start: rho = (A/mean A)^((alpha+3)/2), whose ripple
-   depends on Om at the mean amplitude, which depends on rho; and the mean phase minus the phase */
+/* The mean motion that belongs to a reduced state with the disturbance E; order: 2 to 5 */
+VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
+{
+    const vmi_ripple *r = &p->ripple;
+    const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
+    vmi_osc_reduced mean;
+    vmi_ripple_values f;
+    vm_real sa, ca, ln_J;
+    vmi_osc_wave_at(&w, state->psi, &ca, &sa);
+    vmi_ripple_at(r, order, state->psi, sa, ca, &f);
+    ln_J = vmi_expansion_J(r, order, &f, E);
+    mean.A = state->A * vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
+    mean.W = state->W * vmi_exp(r->gamma * ln_J, 0);
+    mean.psi = state->psi + vmi_expansion_psi(r, order, &f, E);
+    return mean;
+}
+
+/* The start of the mean motion, by order 5 if the ripple has its polynomials, else by order 2 */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
-    const vm_real n = p->problem.alpha + 1, mean = p->mean_ca2, scale = 1 / p->Om;
-    const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
-    vmi_osc_rates r;
-    vm_real ca, sa, product, excess, rho = 1, Om_ratio = 1; /* sa ca; ca^2 less its mean; Om at the mean over Om */
-    int i, status = vmi_osc_rates_at(p, 0, 1, 1, &r);
+    const vm_osc_problem *o = &p->problem;
+    vmi_osc_reduced state;
+    int status;
+    p->start_order = 0;
+    if (p->A == 0) return VM_OK;
+    status = vmi_osc_slow_at(o, 0, 1, vmi_osc_sampling_time(p), &p->slow);
     if (status) return status;
-    p->q = r.q;
-    p->h = r.h;
-    p->h_rate = r.h_rate;
-    p->ln_rho = 0;
-    p->shift = 0;
-    if (p->A == 0 || (r.q == 0 && r.h == 0)) return VM_OK;
-    vmi_osc_wave_at(&w, p->psi, &ca, &sa);
-    product = sa * ca;
-    excess = ca * ca - mean;
-    for (i = 0; i < 3; i++) {
-        const vm_real e = scale / Om_ratio; /* 1/Om at the mean amplitude */
-        rho = 1 + r.q * e / 2 * product +
-              (r.q * e * r.q * e * (2 - p->gamma) * (product * product - mean * n / (n + 6)) +
-               n * excess * r.h * e * e) / 8;
-        if (!(rho > 0) || !VM_IS_FINITE(rho)) rho = 1; /* the motion is not slow at all */
-        Om_ratio = vmi_pow_checked(rho, -p->gamma);
-    }
-    p->ln_rho = vmi_log(rho).hi;
-    p->shift = -r.q * scale / Om_ratio * n / (2 * (n + 2)) * excess;
+    state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
+    vmi_osc_disturbance(&p->slow, state.W, p->E);
+    p->start_order = p->ripple.has_polynomials ? 5 : 2;
+    p->mean = vmi_osc_mean_of(p, p->start_order, &state, p->E);
     return VM_OK;
 }
 
-/* The problem's numbers, checked, and its laws at t = 0 */
-VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real *stiffness)
-{
-    vm_real unused;
-    int status;
-    if (!VM_IS_FINITE(o->alpha) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping)) return VM_NOT_FINITE;
-    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v)) return VM_NOT_FINITE;
-    status = vmi_law_check(&o->mass, VM_BAD_MASS, 0);
-    if (!status) status = vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, 0);
-    if (!status) status = vmi_law_at(&o->mass, VM_BAD_MASS, 0, mass, &unused);
-    if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, 0, stiffness, &unused);
-    if (!status && o->alpha < 0) return VM_DOMAIN;
-    return status;
-}
-
-/* The plan but for the plan of the Ateb functions, which pays only where many values are wanted, and vmi_osc_start */
+/* The plan but for vmi_osc_start, and without what pays only where many values are wanted: the plan of the Ateb
+   functions and the polynomials of the ripple */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     const vm_osc_problem *o = &p->problem;
@@ -7616,9 +8264,7 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
     status = vmi_osc_check_problem(o, &p->m0, &p->k0);
     if (status) return status;
     omega = VM_SQRT(p->k0 / p->m0);
-    p->pi = ateb_pi(o->alpha);
-    p->gamma = (o->alpha - 1) / (o->alpha + 3);
-    p->mean_ca2 = vmi_osc_mean_ca2(o->alpha, p->pi);
+    vmi_ripple_init(&p->ripple, o->alpha, ateb_pi(o->alpha));
     vm_osc_amplitude_phase(o->x, o->v, omega, o->alpha, &p->A, &p->psi);
     p->Om = p->A == 0 ? 0 : vmi_osc_rate(p->A, omega, o->alpha);
     if (!VM_IS_FINITE(p->A) || !VM_IS_FINITE(p->psi) || !VM_IS_FINITE(p->Om)) return VM_NOT_FINITE;
@@ -7628,8 +8274,8 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 
 /* Plan for many values of one problem's motion.
    For vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged. Copies the problem; its tables and contexts
-   must outlive the plan. Errors leave the plan untouched: VM_BAD_ARGUMENT for null pointers and for a law that no
-   constructor made, VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
+   must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that
+   no constructor made, VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
    table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a function that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
@@ -7639,124 +8285,10 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     status = vmi_osc_prepare(&plan, problem);
     if (status) return status;
     plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
+    vmi_ripple_complete(&plan.ripple);
     status = vmi_osc_start(&plan);
     if (!status) *p = plan;
     return status;
-}
-
-#endif
-/* oscillators/legendre.h - Gauss' rule of 20 points and series of Legendre polynomials on [-1, 1]
-
-   A smooth function on [-1, 1] is the sum of coefficient[k] P_k(x), k = 0 ... 19, with Legendre's polynomials P_k.
-   vmi_legendre_fit finds the coefficients from the values at the points of Gauss' rule; the other functions
-   integrate and derive the series and measure its size. The integral of the function over [-1, 1] is
-   2 coefficient[0]. Used by oscillators/panels.h and walk.h, tested with them (tests/test_laws.c, test_routes.c). */
-#ifndef VARMASS_OSCILLATORS_LEGENDRE_H
-#define VARMASS_OSCILLATORS_LEGENDRE_H
-
-/* Points of the rule, and terms of a series */
-enum { VMI_GAUSS = 20 };
-
-/* Point i of Gauss' rule on [-1, 1], 0 <= i < 20 */
-VM_API vm_real vmi_gauss_node(int i)
-{
-    VM_TABLE vm_real node[10] = {VM_C(0.99312859918509492479), VM_C(0.96397192727791379127),
-                                 VM_C(0.91223442825132590587), VM_C(0.83911697182221882339),
-                                 VM_C(0.74633190646015079261), VM_C(0.63605368072651502545),
-                                 VM_C(0.510867001950827098),   VM_C(0.37370608871541956067),
-                                 VM_C(0.22778585114164507808), VM_C(0.076526521133497333755)};
-    return i % 2 ? VM_READ(node[i / 2]) : -VM_READ(node[i / 2]);
-}
-
-/* Its weight; the weights add up to 2 */
-VM_API vm_real vmi_gauss_weight(int i)
-{
-    VM_TABLE vm_real weight[10] = {VM_C(0.017614007139152118312), VM_C(0.040601429800386941331),
-                                   VM_C(0.06267204833410906357),  VM_C(0.083276741576704748725),
-                                   VM_C(0.10193011981724043504),  VM_C(0.11819453196151841731),
-                                   VM_C(0.1316886384491766269),   VM_C(0.14209610931838205133),
-                                   VM_C(0.14917298647260374679),  VM_C(0.1527533871307258507)};
-    return VM_READ(weight[i / 2]);
-}
-
-/* P_(k+1)(x) from now = P_k(x) and before = P_(k-1)(x) */
-VM_API vm_real vmi_legendre_next(int k, vm_real x, vm_real now, vm_real before)
-{
-    return ((vm_real)(2 * k + 1) * x * now - (vm_real)k * before) / (vm_real)(k + 1);
-}
-
-/* Coefficients a and b of the series through values at the points of Gauss' rule, of two functions at once, since
-   most of the time goes into the polynomials */
-VM_API void vmi_legendre_fit(const vm_real *values_a, const vm_real *values_b, vm_real *a, vm_real *b)
-{
-    int i, k;
-    for (k = 0; k < VMI_GAUSS; k++) {
-        a[k] = 0;
-        b[k] = 0;
-    }
-    for (i = 0; i < VMI_GAUSS; i++) {
-        const vm_real x = vmi_gauss_node(i), weight = vmi_gauss_weight(i);
-        const vm_real share_a = weight * values_a[i], share_b = weight * values_b[i];
-        vm_real before = 0, now = 1;
-        for (k = 0; k < VMI_GAUSS; k++) {
-            const vm_real next = vmi_legendre_next(k, x, now, before);
-            a[k] += share_a * now;
-            b[k] += share_b * now;
-            before = now;
-            now = next;
-        }
-    }
-    for (k = 0; k < VMI_GAUSS; k++) {
-        a[k] *= (vm_real)k + VM_C(0.5);
-        b[k] *= (vm_real)k + VM_C(0.5);
-    }
-}
-
-/* The integral of the series from -1 to x: that of P_k is (P_(k+1) - P_(k-1))/(2k+1) */
-VM_API vm_real vmi_legendre_integral(const vm_real *coefficient, vm_real x)
-{
-    vm_real before = 1, now = x, sum = coefficient[0] * (1 + x);
-    int k;
-    for (k = 1; k < VMI_GAUSS; k++) {
-        const vm_real next = vmi_legendre_next(k, x, now, before);
-        sum += coefficient[k] * (next - before) / (vm_real)(2 * k + 1);
-        before = now;
-        now = next;
-    }
-    return sum;
-}
-
-/* Replaces the series by its derivative: coefficient d_k = (2k+1) (c_(k+1) + c_(k+3) + ...) */
-VM_API void vmi_legendre_derive(vm_real *coefficient)
-{
-    vm_real sums[2] = {0, 0}; /* sums of the coefficients with an index above k: even ones, odd ones */
-    int k;
-    for (k = VMI_GAUSS - 1; k >= 0; k--) {
-        const vm_real own = coefficient[k];
-        coefficient[k] = (vm_real)(2 * k + 1) * sums[(k + 1) % 2];
-        sums[k % 2] += own;
-    }
-}
-
-/* The mean square of the series on [-1, 1] */
-VM_API vm_real vmi_legendre_square(const vm_real *coefficient)
-{
-    vm_real sum = 0;
-    int k;
-    for (k = 0; k < VMI_GAUSS; k++) sum += coefficient[k] * coefficient[k] / (vm_real)(2 * k + 1);
-    return sum;
-}
-
-/* The largest of the last three coefficients, NaN if one is: the terms that the series leaves out have this size. */
-VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
-{
-    vm_real largest = 0;
-    int k;
-    for (k = VMI_GAUSS - 3; k < VMI_GAUSS; k++) {
-        const vm_real size = VM_FABS(coefficient[k]);
-        if (!(size <= largest)) largest = size;
-    }
-    return largest;
 }
 
 #endif
@@ -7954,329 +8486,413 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 }
 
 #endif
-/* oscillators/walk.h - integrals along the mean motion of an oscillator, where they have no closed form
+/* oscillators/walk.h - the mean motion of an oscillator along laws that have no closed form
 
-   The averaged motion from 0 to t is known as soon as three integrals are, vmi_osc_integrals. Where mass and stiffness
-   are laws without a common closed form, vmi_osc_walk_to goes along both laws from 0 to t, by the panels of
-   oscillators/panels.h. On the way it also gathers what the estimates of the error need: how fast the small parameter
-   epsilon = q/Om changes with the phase, and how the derivatives of tables jump at their points.
-       vmi_osc_walk w;
-       int status = vmi_osc_walk_to(&w, &plan, 10); // plan is a vm_osc_plan; w.integral.phase, w.integral.drift, ...
-   Tests: tests/test_averaging.c, tests/test_ladder.c. */
+   The mean motion from 0 to t is known as soon as some integrals along the laws of mass and stiffness are.
+   vmi_osc_walk_to computes them from one point of a table to the next, by the panels of oscillators/panels.h. At a point
+   of a table the derivatives of the laws jump; there the motion goes on with another mean motion. On the way the walk
+   gathers what the estimates of the error need: how large the disturbance E_0 and its derivatives by the phase are.
+       vmi_osc_mean mean;
+       int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
+   Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_WALK_H
 #define VARMASS_OSCILLATORS_WALK_H
 
-/* Derivatives of epsilon that are looked at, the value itself included */
-enum { VMI_WALK_ORDERS = 5 };
+/* Derivatives of E_0 by the phase whose size is gathered, E_0 itself included */
+enum { VMI_WALK_ORDERS = 7 };
 
-/* What the walk along the laws from 0 to t gathers; psi is the mean phase. */
-typedef struct VM_TAG(vmi_osc_walk) {
-    const vm_osc_plan *plan;
-    int side;                        /* 1 forward, -1 backward in time */
-    vmi_osc_integrals integral;      /* from 0 to the present time */
-    vm_real fourth;                  /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi */
-    vm_real change[VMI_WALK_ORDERS]; /* integral of |d^i epsilon/dpsi^i| dpsi, but for jumps at points of tables */
-    vm_real ln_A;                    /* change of ln of the mean amplitude by jumps of q' */
-    vm_real kicks;                   /* sum of the sizes of these changes */
-    vm_real kick2, kick3;            /* sums of squares of the jumps of h/Om^2, and of (q h + h')/Om^3 */
-    vm_real shortest;                /* shortest panel that the laws of m and k took, s */
-    vm_real error;                   /* of integral.phase, s */
-} vmi_osc_walk;
+/* The mean motion at one time t, and what its errors depend on. The adiabatic law leaves the action unchanged:
+   A/A0 = exp(ln_A), and the rate of the phase is `ratio` times that at t = 0. */
+typedef struct VM_TAG(vmi_osc_mean) {
+    vmi_osc_slow now;      /* what the laws say just before t (after it for t < 0) */
+    vm_real ln_A, ratio;   /* by the adiabatic law */
+    vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
+    vm_real phase;         /* the integral of ratio dt, s */
+    vm_real psi;           /* the mean phase */
+    vm_real ln_J;          /* ln of the mean action over that at t = 0: points of tables change it */
+    vm_real first;         /* the part of psi that E_0 brings */
+    vm_real second, third; /* parts of psi: that of E_0^2, and a bound of what order five leaves out */
+    vm_real knots_J[4];    /* sums over points of tables of the square of what order 2, 3, 4 or 5 leaves out: of ln J, */
+    vm_real knots_psi[4];  /* and of psi */
+    vm_real largest;       /* largest |E_0| between 0 and t */
+    vm_real change[VMI_WALK_ORDERS]; /* integral of |d^i E_0/dpsi^i| dpsi; 0 for closed forms, which have no fast part */
+    vm_real shortest;      /* shortest panel that the laws of m and k took, s */
+    vm_real error;         /* of `phase`, s */
+} vmi_osc_mean;
 
-/* A panel of the walk: three series on it, and its share of two integrals */
+/* ln(A/A0) and ln(Om/Om0) by the adiabatic law, where ln(m/m0), ln(k/k0) and the decay, the integral of b/m, have
+   these values */
+VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
+                              vm_real *ln_Om)
+{
+    const vm_real alpha = p->problem.alpha, r = 2 * p->problem.reactive - 1, g = p->ripple.gamma;
+    *ln_A = -(ln_k + r * ln_m + 2 * decay) / (alpha + 3);
+    *ln_Om = ((1 - g) * ln_k - (1 + g * r) * ln_m) / 2 - g * decay;
+}
+
+/* The mean motion of the plan at t = 0 */
+VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
+{
+    vmi_osc_mean mean;
+    int i;
+    mean.now = p->slow;
+    mean.ln_A = 0;
+    mean.ratio = 1;
+    mean.inverse_mass = 0;
+    mean.phase = 0;
+    mean.psi = p->mean.psi;
+    mean.ln_J = 0;
+    mean.first = 0;
+    mean.second = 0;
+    mean.third = 0;
+    mean.largest = VM_FABS(p->E[0]);
+    for (i = 0; i < 4; i++) {
+        mean.knots_J[i] = 0;
+        mean.knots_psi[i] = 0;
+    }
+    for (i = 0; i < VMI_WALK_ORDERS; i++) mean.change[i] = 0;
+    mean.shortest = VM_INFINITY;
+    mean.error = 0;
+    return mean;
+}
+
+/* The mean motion as amplitude, phase and rate */
+VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_mean *mean)
+{
+    const vmi_ripple *r = &p->ripple;
+    vmi_osc_reduced state;
+    state.A = p->mean.A * vmi_exp(mean->ln_A + 2 / (r->alpha + 3) * mean->ln_J, 0);
+    state.W = p->mean.W * mean->ratio * vmi_exp(r->gamma * mean->ln_J, 0);
+    state.psi = mean->psi;
+    return state;
+}
+
+/* -- What order five leaves out -- */
+
+/* Sizes of the terms of weight w = 2 ... 6: of ln J, and for w < 6 of the phase; e: sizes of E_0 ... E_4 */
+VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
+    vm_real power = 1, more = 0;
+    int i;
+    for (i = 2; i < w; i++) power *= d;
+    if (w == 4) more = L * L / 16 * e[0] * e[0];
+    if (w == 5) more = L * L / 8 * e[0] * e[1] * d;
+    if (w == 6) more = L * L / 8 * (e[0] * e[2] + e[1] * e[1]) * d * d + L * L * L / 16 * e[0] * e[0] * e[0];
+    return L / 4 * e[w - 2] * power + more;
+}
+
+VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
+    vm_real power = d, more = 0;
+    int i;
+    for (i = 2; i < w; i++) power *= d;
+    if (w == 4) more = VM_C(0.0375) * L * L * e[0] * e[0] * d;
+    if (w == 5) more = L * L / 8 * e[0] * e[1] * d * d;
+    return L / 4 * VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power + more;
+}
+
+/* A bound of the mean rate of the phase that order five leaves out, of weight 6, by W: from the product |E_0 E_2| and
+   |E_0|^3 */
+VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
+    return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
+}
+
+/* -- A panel -- */
+
+/* A panel of the walk: series on it, and its shares of integrals */
 typedef struct VM_TAG(vmi_osc_panel) {
     vm_real edge;               /* how far the series of 1/m and of k are from the laws at the panel's ends, relative */
     vm_real inverse[VMI_GAUSS]; /* 1/m */
-    vm_real ratio[VMI_GAUSS];   /* k at first, then Om/Om0 */
-    vm_real epsilon[VMI_GAUSS]; /* q/Om */
-    vm_real drift;              /* integral of q^2 Om0/Om dt */
-    vm_real fourth;             /* integral of (q/Om)^4 dpsi, psi the mean phase */
+    vm_real ratio[VMI_GAUSS];   /* k at first, then the rate of the phase over that at t = 0 */
+    vm_real E[VMI_GAUSS];       /* E_0 */
+    vm_real first, second;      /* integrals of E_0 and E_0^2 by the phase */
+    vm_real cube;               /* integral of |E_0|^3 by the phase */
+    vm_real largest;            /* largest |E_0| */
 } vmi_osc_panel;
 
-/* Om/Om0 where mass and stiffness are m and k, and the integral of dt/m is inverse_mass */
-VM_API vm_real vmi_osc_walk_ratio(const vmi_osc_walk *w, vm_real m, vm_real k, vm_real inverse_mass)
-{
-    const vm_osc_plan *p = w->plan;
-    vm_real ln_A, ln_Om;
-    vmi_osc_adiabatic(p, vmi_log(m / p->m0).hi, vmi_log(k / p->k0).hi, p->problem.damping * inverse_mass, &ln_A,
-                      &ln_Om);
-    return vmi_exp(ln_Om + (p->problem.alpha - 1) / 2 * w->ln_A, 0);
-}
+/* What the laws say at the points of Gauss' rule of a panel */
+typedef struct VM_TAG(vmi_osc_panel_laws) {
+    vmi_osc_rates rates[VMI_GAUSS];
+    vm_real p_rate[VMI_GAUSS]; /* p', 1/s^2 */
+} vmi_osc_panel_laws;
 
-/* The rates at the points of Gauss' rule, the series of 1/m and of k, and how far they miss the laws at the ends */
-VM_API int vmi_osc_panel_laws(const vmi_osc_walk *w, vm_real start, vm_real length, vmi_osc_rates *r,
-                              vmi_osc_panel *panel)
+/* The laws at the points of Gauss' rule, the series of 1/m and of k, and how far they miss the laws at the ends */
+VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
+                             vmi_osc_panel *panel)
 {
-    const vm_osc_problem *o = &w->plan->problem;
-    vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS];
+    vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS], rate[VMI_GAUSS], p[VMI_GAUSS], same[VMI_GAUSS];
     int i, status;
     for (i = 0; i < VMI_GAUSS; i++) {
         const vm_real t = start + length * ((1 + vmi_gauss_node(i)) / 2);
-        status = vmi_osc_rates_at(w->plan, t, w->side, 0, &r[i]);
+        status = vmi_osc_rates_at(o, t, side, &at->rates[i]);
         if (status) return status;
-        inverse[i] = 1 / r[i].m;
-        stiffness[i] = r[i].k;
+        inverse[i] = 1 / at->rates[i].m;
+        stiffness[i] = at->rates[i].k;
+        rate[i] = at->rates[i].p;
     }
     vmi_legendre_fit(inverse, stiffness, panel->inverse, panel->ratio);
+    vmi_legendre_fit(rate, rate, p, same);
+    vmi_legendre_derive(p);
+    for (i = 0; i < VMI_GAUSS; i++) at->p_rate[i] = 2 / length * vmi_legendre_at(p, vmi_gauss_node(i));
     panel->edge = 0;
     status = vmi_panel_edge(&o->mass, VM_BAD_MASS, 1, start, length, panel->inverse, &panel->edge);
     if (status) return status;
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The panel of a length (with its sign) from start on */
-VM_API int vmi_osc_panel_of(const vmi_osc_walk *w, vm_real start, vm_real length, vmi_osc_panel *panel)
+/* The panel of a length (with its sign) from start on, where the mean motion at start is *mean */
+VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_real start, vm_real length,
+                            vmi_osc_panel *panel)
 {
-    const vm_osc_plan *p = w->plan;
     const int damped = p->problem.damping != 0;
-    vmi_osc_rates r[VMI_GAUSS];
-    vm_real ratios[VMI_GAUSS], epsilons[VMI_GAUSS];
-    int i, status = vmi_osc_panel_laws(w, start, length, r, panel);
+    const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
+    vmi_osc_panel_laws at;
+    vm_real ratios[VMI_GAUSS], E[VMI_GAUSS];
+    int i, status = vmi_osc_read_laws(&p->problem, vmi_time_side(length), start, length, &at, panel);
     if (status) return status;
-    panel->drift = 0;
-    panel->fourth = 0;
+    panel->first = 0;
+    panel->second = 0;
+    panel->cube = 0;
+    panel->largest = 0;
     for (i = 0; i < VMI_GAUSS; i++) {
         const vm_real way = damped ? length / 2 * vmi_legendre_integral(panel->inverse, vmi_gauss_node(i)) : 0;
-        const vm_real ratio = vmi_osc_walk_ratio(w, r[i].m, r[i].k, w->integral.inverse_mass + way);
-        const vm_real share = vmi_gauss_weight(i) / 2 * length, drift = r[i].q * r[i].q / ratio;
-        const vm_real epsilon = r[i].q / (p->Om * ratio);
-        panel->drift += share * drift;
-        panel->fourth += VM_FABS(share * drift) * epsilon * epsilon / p->Om;
-        ratios[i] = ratio;
-        epsilons[i] = epsilon;
+        const vmi_osc_rates *now = &at.rates[i];
+        vm_real ln_A, ln_Om, W, share;
+        vmi_osc_adiabatic(p, vmi_log(now->m / p->m0).hi, vmi_log(now->k / p->k0).hi,
+                          p->problem.damping * (mean->inverse_mass + way), &ln_A, &ln_Om);
+        ratios[i] = vmi_exp(ln_Om, 0);
+        W = W0 * ratios[i];
+        E[i] = (now->p * (now->p - now->a) - at.p_rate[i]) / (W * W);
+        share = vmi_gauss_weight(i) / 2 * length * W;
+        panel->first += share * E[i];
+        panel->second += share * E[i] * E[i];
+        panel->cube += VM_FABS(share * E[i]) * E[i] * E[i];
+        panel->largest = vmi_larger(VM_FABS(E[i]), panel->largest);
     }
-    vmi_legendre_fit(ratios, epsilons, panel->ratio, panel->epsilon);
+    vmi_legendre_fit(ratios, E, panel->ratio, panel->E);
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. epsilon may be less accurate than the others. If a law has a kink,
-   no panel is short enough; what is left out must then not matter. whole is the walk's length, s. */
-VM_API int vmi_osc_panel_is_resolved(const vmi_osc_walk *w, const vmi_osc_panel *panel, vm_real length, vm_real whole)
+/* Whether the panel is short enough for its series. If a law has a kink, no panel is short enough; what is left out must
+   then not matter. whole is the walk's length, s. */
+VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
-    const vm_real epsilon_enough = VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
+    const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
     const vm_real limit = vmi_panel_limit(length, whole);
     vm_real phase;
     if (!(panel->edge <= vmi_panel_edge_limit(limit))) return 0;
     if (!vmi_panel_is_resolved(panel->inverse, limit)) return 0;
     if (!vmi_panel_is_resolved(panel->ratio, limit)) return 0;
-    phase = w->plan->Om * panel->ratio[0] * VM_FABS(length);
-    return vmi_legendre_tail(panel->epsilon) <=
-           epsilon_enough * VM_SQRT(vmi_legendre_square(panel->epsilon)) + phase_matters / phase;
+    phase = p->mean.W * panel->ratio[0] * VM_FABS(length);
+    return vmi_legendre_tail(panel->E) <=
+           E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + phase_matters * (1 + 1 / phase) / phase;
 }
 
-/* Adds the integrals of |d^i epsilon/dpsi^i| over the panel, by the root of the mean square. Coefficients of epsilon
-   that are rounding errors are dropped before; the series is destroyed. */
-VM_API void vmi_osc_walk_add_changes(vmi_osc_walk *w, vmi_osc_panel *panel, vm_real length)
+/* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, by the root of the mean square, and to
+   mean->third. Coefficients of E_0 that are rounding errors are dropped before; the series is destroyed. */
+VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
-    const vm_real noise = 1024 * VM_EPSILON, size = VM_FABS(length), Om = w->plan->Om * panel->ratio[0];
-    const vm_real least = noise * VM_SQRT(vmi_legendre_square(panel->epsilon));
-    vm_real rate = 1; /* (dx/dpsi)^i with x in [-1, 1] on the panel */
+    const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], radians = W * VM_FABS(length);
+    const vm_real least = noise * VM_SQRT(vmi_legendre_square(panel->E));
+    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* (dx/dpsi)^i with x in [-1, 1] on the panel */
     int i;
     for (i = 0; i < VMI_GAUSS; i++)
-        if (VM_FABS(panel->epsilon[i]) <= least) panel->epsilon[i] = 0;
+        if (VM_FABS(panel->E[i]) <= least) panel->E[i] = 0;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
-        const vm_real square = vmi_legendre_square(panel->epsilon) * rate * rate;
-        w->change[i] += Om * size * VM_SQRT(square);
-        if (i == 1) w->fourth += Om * size * square;
-        vmi_legendre_derive(panel->epsilon);
-        rate *= 2 / (size * Om);
+        size[i] = rate * VM_SQRT(vmi_legendre_square(panel->E));
+        mean->change[i] += radians * size[i];
+        vmi_legendre_derive(panel->E);
+        rate *= 2 / radians;
     }
+    mean->third += vmi_osc_third_rate(&p->ripple, radians * size[0] * size[2], panel->cube);
 }
 
-/* Adds the panel's share of all that the walk gathers */
-VM_API void vmi_osc_walk_add(vmi_osc_walk *w, vmi_osc_panel *panel, vm_real length)
+/* The mean motion goes on by a panel */
+VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
-    w->integral.inverse_mass += length * panel->inverse[0];
-    w->integral.phase += length * panel->ratio[0];
-    w->integral.drift += panel->drift;
-    vmi_osc_walk_add_changes(w, panel, length);
-    w->fourth += panel->fourth;
-}
-
-/* At t, a point of a table, q' jumps. The motion does not jump, and so goes on with another mean amplitude. This
-   holds for small jumps only: a larger one changes only the error estimate. */
-VM_API int vmi_osc_walk_past_knot(vmi_osc_walk *w, vm_real t)
-{
-    const vm_osc_plan *p = w->plan;
-    const vm_real n = p->problem.alpha + 1, largest = VM_C(0.5);
-    const vmi_osc_wave wave = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
-    vmi_osc_rates before, after;
-    vm_real ca, sa, jump, third, kick, Om; /* jumps of h/Om^2 and of (q h + h')/Om^3; of ln A */
-    int status = vmi_osc_rates_at(p, t, -w->side, 1, &before);
-    if (!status) status = vmi_osc_rates_at(p, t, w->side, 1, &after);
-    if (status || before.h == after.h) return status;
-    Om = p->Om * vmi_osc_walk_ratio(w, after.m, after.k, w->integral.inverse_mass);
-    jump = (before.h - after.h) / (Om * Om);
-    if (VM_FABS(jump) < largest) {
-        const vm_real slope = after.q * n / (2 * (n + 2) * Om);
-        vmi_osc_phase_from_mean(p, &wave, vmi_osc_mean_phase(p, &w->integral), slope, &ca, &sa);
-        kick = n / (4 * (n + 2)) * (ca * ca - p->mean_ca2) * jump;
-        w->ln_A += kick;
-        w->kicks += VM_FABS(kick);
-    }
-    w->kick2 += jump * jump;
-    third = jump * jump + (VM_FABS(jump * after.q) + VM_FABS(before.h_rate - after.h_rate) / (Om * Om)) / Om;
-    w->kick3 += third * third;
-    return VM_OK;
+    const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
+    const vm_real first = vmi_expansion_first(&p->ripple) * panel->first;
+    const vm_real second = vmi_expansion_second(&p->ripple) * panel->second;
+    mean->inverse_mass += length * panel->inverse[0];
+    mean->phase += length * panel->ratio[0];
+    mean->psi += W0 * (length * panel->ratio[0]) + (first + second);
+    mean->first += first;
+    mean->second += second;
+    mean->largest = vmi_larger(panel->largest, mean->largest);
+    vmi_osc_add_changes(p, panel, length, mean);
 }
 
 /* From start to end, between which no table has a point, by panels of at most `longest`; whole: length of the walk */
-VM_API int vmi_osc_walk_piece(vmi_osc_walk *w, vm_real start, vm_real end, vm_real longest, vm_real whole)
+VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, vm_real longest, vm_real whole,
+                              vmi_osc_mean *mean)
 {
-    vmi_panels p = vmi_panels_from(start, end, longest, whole);
-    while (vmi_panels_next(&p)) {
-        const vm_real length = p.side * p.step;
+    vmi_panels panels = vmi_panels_from(start, end, longest, whole);
+    while (vmi_panels_next(&panels)) {
+        const vm_real length = panels.side * panels.step;
         vmi_osc_panel panel;
-        int status = vmi_osc_panel_of(w, p.t, length, &panel);
+        int status = vmi_osc_panel_of(p, mean, panels.t, length, &panel);
         if (status) return status;
-        if (!vmi_osc_panel_is_resolved(w, &panel, p.step, whole)) {
-            if (vmi_panels_halve(&p)) continue;
-            w->error += p.step * vmi_legendre_tail(panel.ratio);
+        if (!vmi_osc_panel_is_resolved(p, &panel, panels.step, whole)) {
+            if (vmi_panels_halve(&panels)) continue;
+            mean->error += panels.step * vmi_legendre_tail(panel.ratio);
         }
-        vmi_osc_walk_add(w, &panel, length);
-        if (p.step < w->shortest && p.step < p.left) w->shortest = p.step;
-        vmi_panels_advance(&p);
+        vmi_osc_add_panel(p, &panel, length, mean);
+        if (panels.step < mean->shortest && panels.step < panels.left) mean->shortest = panels.step;
+        vmi_panels_advance(&panels);
     }
     return VM_OK;
 }
 
-/* A walk of a plan that is still at t = 0, and will go to that side */
-VM_API void vmi_osc_walk_start(vmi_osc_walk *w, const vm_osc_plan *p, int side, vm_real longest)
+/* Sets what the adiabatic law says at t, just before t on the way */
+VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
-    int i;
-    w->plan = p;
-    w->side = side;
-    w->integral.inverse_mass = 0;
-    w->integral.phase = 0;
-    w->integral.drift = 0;
-    w->fourth = 0;
-    for (i = 0; i < VMI_WALK_ORDERS; i++) w->change[i] = 0;
-    w->ln_A = 0;
-    w->kicks = 0;
-    w->kick2 = 0;
-    w->kick3 = 0;
-    w->shortest = longest;
-    w->error = 0;
+    const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
+    vm_real ln_Om;
+    int status = vmi_osc_slow_at(&p->problem, t, -side, length, &mean->now);
+    if (status) return status;
+    vmi_osc_adiabatic(p, vmi_log(mean->now.m / p->m0).hi, vmi_log(mean->now.k / p->k0).hi,
+                      p->problem.damping * mean->inverse_mass, &mean->ln_A, &ln_Om);
+    mean->ratio = vmi_exp(ln_Om, 0);
+    return VM_OK;
 }
 
-/* The walk along both laws of the plan from 0 to t, from one point of a table to the next */
-VM_API int vmi_osc_walk_to(vmi_osc_walk *w, const vm_osc_plan *p, vm_real t)
+/* -- Points of tables -- */
+
+/* Adds to the sums over points of tables what orders 2 to 5 leave out where the disturbance jumps from `before` to
+   `after` */
+VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
+                                   vmi_osc_mean *mean)
+{
+    vm_real e[VMI_OSC_G];
+    int i, order;
+    for (i = 0; i < VMI_OSC_G; i++) e[i] = VM_FABS(before[i] - after[i]);
+    for (order = 2; order <= 5; order++) {
+        const vm_real J = vmi_osc_size_J(&p->ripple, order + 1, e), psi = vmi_osc_size_psi(&p->ripple, order, e);
+        mean->knots_J[order - 2] += J * J;
+        mean->knots_psi[order - 2] += psi * psi;
+    }
+}
+
+/* At t, a point of a table, the derivatives of m' and k' jump, but the motion does not: it goes on with another mean
+   motion. The action at the knot is found to the full order, from the map that leads to the mean motion. */
+VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
+{
+    const vmi_ripple *r = &p->ripple;
+    const vmi_osc_wave wave = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
+    const int order = p->start_order, rounds = 3;
+    vm_real before[VMI_OSC_G], after[VMI_OSC_G], sa, ca, ln_J = 0, to_mean;
+    vmi_osc_reduced state;
+    vmi_osc_slow beyond;
+    vmi_ripple_values f;
+    int i, status = vmi_osc_mean_update(p, t, side, mean);
+    if (!status) status = vmi_osc_slow_at(&p->problem, t, side, vmi_osc_sampling_time(p), &beyond);
+    if (status) return status;
+    state = vmi_osc_mean_state(p, mean);
+    vmi_osc_disturbance(&mean->now, state.W, before);
+    vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+    vmi_ripple_at(r, order, state.psi, sa, ca, &f);
+    state.psi += vmi_expansion_psi_back(r, order, &f, before);
+    vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+    vmi_ripple_at(r, order, state.psi, sa, ca, &f);
+    for (i = 0; i < rounds; i++) {
+        vmi_osc_disturbance(&mean->now, state.W * vmi_exp(r->gamma * ln_J, 0), before);
+        ln_J = -vmi_expansion_J(r, order, &f, before);
+    }
+    vmi_osc_disturbance(&beyond, state.W * vmi_exp(r->gamma * ln_J, 0), after);
+    to_mean = vmi_expansion_J(r, order, &f, after);
+    mean->ln_J += ln_J + to_mean;
+    mean->psi = state.psi + vmi_expansion_psi(r, order, &f, after);
+    mean->now = beyond;
+    vmi_osc_add_knot_error(p, before, after, mean);
+    return VM_OK;
+}
+
+/* -- The walk -- */
+
+/* The mean motion at t by a walk along both laws of the plan, from one point of a table to the next */
+VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;
-    const vm_real whole = VM_FABS(t), other = vmi_law_longest_panel(stiffness, whole);
-    vm_real at = 0, longest = vmi_law_longest_panel(mass, whole);
+    const int side = vmi_time_side(t);
+    const vm_real whole = VM_FABS(t);
+    const vm_real longest = vmi_smaller(vmi_law_longest_panel(mass, whole), vmi_law_longest_panel(stiffness, whole));
+    vm_real at = 0;
     int status = VM_OK;
-    if (other < longest) longest = other;
-    vmi_osc_walk_start(w, p, vmi_time_side(t), longest);
-    if (w->side < 0) status = vmi_osc_walk_past_knot(w, 0); /* the plan starts with the rates after t = 0 */
+    *mean = vmi_osc_mean_at_0(p);
+    mean->shortest = longest;
+    if (side < 0) status = vmi_osc_walk_past_knot(p, 0, side, mean); /* the plan starts with the laws after t = 0 */
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
-        status = vmi_osc_walk_piece(w, at, next, longest, whole);
+        status = vmi_osc_walk_piece(p, at, next, longest, whole, mean);
         at = next;
-        if (!status && at != t) status = vmi_osc_walk_past_knot(w, at);
+        if (!status && at != t) status = vmi_osc_walk_past_knot(p, at, side, mean);
     }
+    if (!status) status = vmi_osc_mean_update(p, t, side, mean);
     return status;
 }
 
 #endif
-/* oscillators/mean_motion.h - averaged motion of first and second order without a force, and estimates of its error
+/* oscillators/mean_motion.h - averaged motion of first order, the law of order five, and estimates of their errors
 
-   Without a force F the averaged equations of an oscillator with slow laws of mass and stiffness are solved by
-   integrals: the amplitude follows the adiabatic law (325), (344), (367), (389), the phase is the integral of Om,
-   (310), (329), (370). vmi_osc_first_order is that solution for one of the three waves, error q/Om;
-   vmi_osc_second_order adds the ripple within a period and the second order of the mean phase, error (q/Om)^2.
-   vmi_osc_mean mean; vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ATEB); int status = vmi_osc_mean_at(&plan, t,
-   &mean); if (!status) status = vmi_osc_second_order(&plan, &w, &mean, &motion); Tests: tests/test_averaging.c,
-   tests/test_routes.c. */
+   Without a force F the mean motion of an oscillator with slow laws of mass and stiffness is known by integrals: the
+   amplitude follows the adiabatic law (325), (344), (367), (389), the phase is the integral of its rate, (310), (329),
+   (370). vmi_osc_first_order takes the mean motion of first order for the motion, with one of three waves;
+   vmi_osc_order_n adds what lies between them, by the transformation of oscillators/expansion.h cut off after order
+   2, 3, 4 or 5: the error is of that order in the rate at which mass and stiffness change within a radian.
+       vmi_osc_mean mean;
+       vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
+       int status = vmi_osc_mean_at(&plan, t, &mean);
+       if (!status) status = vmi_osc_order_n(&plan, VM_ROUTE_ORDER5, &w, &mean, &motion);
+   Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_MEAN_MOTION_H
 #define VARMASS_OSCILLATORS_MEAN_MOTION_H
 
 /* -- The mean motion at t -- */
-typedef struct VM_TAG(vmi_osc_mean) {
-    vmi_osc_rates now;          /* the rates just before t (after it for t < 0) */
-    vmi_osc_integrals integral; /* from 0 to t */
-    vm_real fourth;             /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi, epsilon = q/Om */
-    vm_real ln_A, ratio;        /* ln(A/A0) and Om/Om0 by the adiabatic law */
-    vm_real kick2, kick3;       /* of the points of tables, see vmi_osc_walk */
-    vm_real fast;               /* fast changes of m and k change ln J, J the action, by no more than this */
-    vm_real phase_error;        /* error of the phase by that of integral.phase */
-} vmi_osc_mean;
 
-/* A bound of the change of ln J, J the action, that the adiabatic law leaves out. The law ignores
-   (ln J)' = epsilon w(psi), per radian of phase, with w = (1 - (n+2)/n sa^2)/2, n = alpha + 1, whose mean is 0. The
-   change is at most the integral of |epsilon w|. After i integrations by parts it is at most the integral of the ith
-   derivative of epsilon times the ith integral of w; the solution has the terms at the ends. The smallest of these
-   bounds is taken: one with a high i where m and k change slowly, the first where they change in less than a period.
-   At points of tables the derivatives jump. The solution contains the effect (a kick) of the jumps of the first
-   derivative, and kick3 that of the next. Where the first bounds are the smallest, the kicks of the solution are
-   wrong, so these bounds include them. */
-VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
-{
-    const vm_real n = p->problem.alpha + 1, turn = p->pi / (2 * VM_PI);
-    const vm_real larger_part = vmi_larger(p->mean_ca2, 1 - p->mean_ca2);
-    vm_real size[VMI_WALK_ORDERS], least = VM_INFINITY; /* size[i]: largest value of the ith integral of w */
-    int i;
-    size[0] = n < 2 ? 1 / n : VM_C(0.5);
-    size[1] = VM_C(0.25); /* sa ca/2 */
-    size[2] = n / 8 * larger_part;
-    for (i = 3; i < VMI_WALK_ORDERS; i++) size[i] = size[i - 1] * turn;
-    for (i = 0; i < VMI_WALK_ORDERS; i++) {
-        vm_real bound = size[i] * w->change[i];
-        if (i < 2) bound += (n + 2) / 2 * w->kicks;
-        if (bound < least) least = bound;
-    }
-    return least;
-}
-
-/* The mean motion by a walk along the laws of m and k; mean->now is given. */
-VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
+/* The mean motion where m and k are exponentials in one u = ln(1 + base t)/base: with the rates of ln mu and ln k by u,
+   p = p_0/(1 + base t), G_k = G_k(0)/(1 + base t)^(k+2), and E_k is E_k(0) times exp(-(k+2) D), where D = delta u. */
+VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;
-    vmi_osc_walk w;
-    int status = vmi_osc_walk_to(&w, p, t);
-    if (status) return status;
-    vmi_osc_adiabatic(p, vmi_log(mean->now.m / p->m0).hi, vmi_log(mean->now.k / p->k0).hi,
-                      o->damping * w.integral.inverse_mass, &mean->ln_A, ln_Om);
-    mean->ln_A += w.ln_A;
-    *ln_Om += (o->alpha - 1) / 2 * w.ln_A;
-    mean->integral = w.integral;
-    mean->fourth = w.fourth;
-    mean->kick2 = w.kick2;
-    mean->kick3 = w.kick3;
-    mean->fast = vmi_osc_fast(p, &w);
-    mean->phase_error = p->Om * w.error;
-    return VM_OK;
-}
-
-/* The mean motion where m and k are exponentials in one u. epsilon then is a power or an exponential, too, so that
-   its fastest change is at 0 or at t, which the estimates below include. */
-VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
-{
-    const vm_real u = t * vmi_log_ratio(p->base * t), q = p->q;
-    const vm_real e = q / p->Om, d = p->h / (p->Om * p->Om);
-    vmi_osc_adiabatic(p, p->rate_m * u, p->rate_k * u, p->problem.damping * u / p->m0, &mean->ln_A, ln_Om);
-    mean->integral.inverse_mass = u / p->m0;
-    mean->integral.phase = u * vmi_exp_ratio(p->base * u + *ln_Om);
-    mean->integral.drift = q * q * u * vmi_exp_ratio(-p->base * u - *ln_Om);
-    mean->fourth = (e * e * e * e + d * d) * p->Om * VM_FABS(u * vmi_exp_ratio(-3 * (p->base * u + *ln_Om)));
-    mean->kick2 = 0;
-    mean->kick3 = 0;
-    mean->fast = 0;
-    mean->phase_error = 0;
+    const vm_real u = t * vmi_log_ratio(p->base * t), el = 1 + p->base * t, delta = 2 * p->slow.p - p->slow.a + p->base;
+    const vm_real D = delta * u, decay = vmi_exp(-D, 0), W = p->mean.W, e = p->slow.G[0] / (W * W);
+    const vm_real growth = vmi_exp_ratio(D);
+    vm_real ln_Om, power = 1;
+    int i;
+    *mean = vmi_osc_mean_at_0(p);
+    vmi_osc_adiabatic(p, p->rate_m * u, p->rate_k * u, o->damping * u / p->m0, &mean->ln_A, &ln_Om);
+    mean->ratio = 1 / (decay * el);
+    mean->inverse_mass = u / p->m0;
+    mean->phase = u * growth;
+    mean->first = vmi_expansion_first(&p->ripple) * W * e * u * (growth * decay);
+    mean->second = vmi_expansion_second(&p->ripple) * W * e * e * u * vmi_exp_ratio(-3 * D);
+    mean->psi += W * mean->phase + (mean->first + mean->second);
+    mean->largest = VM_FABS(e) * vmi_larger(1, decay * decay);
+    mean->third = W * VM_FABS(u * vmi_exp_ratio(-5 * D)) *
+                  vmi_osc_third_rate(&p->ripple, VM_FABS(e * p->slow.G[2] / (W * W) / (W * W)), VM_FABS(e * e * e));
+    mean->now.m = p->m0 * vmi_exp(p->rate_m * u, 0);
+    mean->now.k = p->k0 * vmi_exp(p->rate_k * u, 0);
+    mean->now.a = p->slow.a / el;
+    mean->now.p = p->slow.p / el;
+    power = 1 / el;
+    for (i = 0; i < VMI_OSC_G; i++) {
+        power /= el;
+        mean->now.G[i] = p->slow.G[i] * power;
+    }
 }
 
 /* The mean motion at t */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    vm_real ln_Om;
-    int status = vmi_osc_rates_at(p, t, -vmi_time_side(t), 1, &mean->now);
+    int status = VM_OK;
+    if (p->closed) vmi_osc_mean_closed(p, t, mean);
+    else status = vmi_osc_walk_to(p, t, mean);
     if (status) return status;
-    if (p->closed) vmi_osc_mean_closed(p, t, mean, &ln_Om);
-    else status = vmi_osc_mean_by_walk(p, t, mean, &ln_Om);
-    if (status) return status;
-    mean->ratio = vmi_exp(ln_Om, 0);
-    if (!VM_IS_FINITE(mean->integral.phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio))
-        return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(mean->phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio)) return VM_NOT_FINITE;
     return VM_OK;
 }
 
@@ -8285,42 +8901,72 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 /* What the rounding errors of the phase add */
 VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
-    return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->integral.phase)) + mean->phase_error;
+    return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
 }
 
-/* What both solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t,
-   and the roughness of tables */
+/* A bound of the change of ln J, J the action, that fast changes of mass and stiffness make. The exact change is
+   the integral of E_0 times a periodic function of the phase whose mean is 0. After i integrations by parts it is the
+   integral of the ith derivative of E_0 times the ith integral of that function, and terms at the ends, which the
+   solutions contain. The smallest of these bounds is taken: one with a high i where the laws change slowly, the first
+   where they change in less than a period. */
+VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
+{
+    const vmi_ripple *r = &p->ripple;
+    const vm_real turn = r->pi / (2 * VM_PI);
+    vm_real size = (r->alpha + 3) / 4, least = VM_INFINITY; /* (alpha+3)/2 |sa ca|; then terms of the transformation */
+    int i;
+    for (i = 0; i < VMI_WALK_ORDERS; i++) {
+        const vm_real bound = size * mean->change[i];
+        if (!(bound >= least)) least = bound;
+        if (i == 0) size = r->scale / 4;
+        else size *= turn;
+    }
+    return least;
+}
+
+/* What all solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
-    const vm_real g = VM_FABS(p->gamma * p->Om * mean->integral.phase);
-    return (1 + g) * mean->fast + VM_C(0.2) * (VM_SQRT(mean->kick2) + g * VM_SQRT(mean->kick3));
+    return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
-/* The error of first order, to first order in q/Om: the solution leaves out ln rho and the shift of the start, the
-   ripple of a period, and the second order of the mean phase. The phase multiplies ln rho by gamma Om t. */
+/* The error of first order, to first order: the solution leaves out how far the start is from its mean motion, the
+   ripple of a period, and the second order of the mean phase. The phase multiplies errors of ln J by gamma Om t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
-    const vm_real n = p->problem.alpha + 1, e = VM_FABS(mean->now.q) / (p->Om * mean->ratio), M = p->mean_ca2;
-    const vm_real c2 = M * n / (2 * (n + 2) * (n + 2)), larger_part = vmi_larger(M, 1 - M);
-    const vm_real ripple = e * n / (2 * (n + 2)) * larger_part;
-    const vm_real phase = VM_FABS(p->gamma * p->ln_rho * p->Om * mean->integral.phase) + VM_FABS(p->shift) + ripple +
-                          VM_FABS(c2 * mean->integral.drift / p->Om);
-    const vm_real amplitude = (2 * VM_FABS(p->ln_rho) + e / 2) / (n + 2);
-    return phase + amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    const vmi_ripple *r = &p->ripple;
+    const vm_real n = r->alpha + 1, e = VM_FABS((n + 2) * mean->now.p) / (p->Om * mean->ratio), M = r->mean2;
+    const vm_real ripple = e * n / (2 * (n + 2)) * vmi_larger(M, 1 - M), turns = p->Om * VM_FABS(mean->phase);
+    const vm_real ln_A = VM_FABS(vmi_log(p->mean.A / p->A).hi) + VM_FABS(mean->ln_J) * 2 / (n + 2);
+    const vm_real phase = VM_FABS(r->gamma) * (n + 2) / 2 * ln_A * turns + VM_FABS(p->mean.psi - p->psi) + ripple +
+                          VM_FABS(mean->first);
+    return phase + ln_A + e / (n + 2) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* The error of second order: the solution leaves out ripples of second order at the start and at t, the third order of
-   ln rho, which the phase multiplies, and the fourth order of the mean phase. The factors fit what
-   tests/test_routes.c finds. */
-VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
+/* The error of order 2, 3, 4 or 5: terms of the next weight at the start, which the phase multiplies, and at t, at the
+   points of tables, and in the mean rate of the phase. The factor 2 fits what tests/test_slow_motion.c finds. */
+VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
-    const vm_real Om = p->Om * mean->ratio, e = VM_FABS(mean->now.q) / Om, e0 = VM_FABS(p->q) / p->Om;
-    const vm_real d = VM_FABS(mean->now.h) / (Om * Om), d0 = VM_FABS(p->h) / (p->Om * p->Om);
-    const vm_real third = VM_FABS(p->h_rate) / (p->Om * p->Om) / p->Om;
-    const vm_real ripple = (e * e + d) + (e0 * e0 + d0), start = e0 * e0 * e0 + e0 * d0 + d0 * VM_SQRT(d0) + third;
-    const vm_real g = VM_FABS(p->gamma * p->Om * mean->integral.phase);
-    return (VM_C(0.02) + VM_C(0.015) * p->problem.alpha) * ripple + VM_C(0.15) * g * start +
-           VM_C(0.1) * mean->fourth + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    const vmi_ripple *r = &p->ripple;
+    const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
+    const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
+    const int start_order = order < p->start_order ? order : p->start_order;
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, rate = mean->third;
+    int i;
+    vmi_osc_disturbance(&mean->now, state.W, e);
+    for (i = 0; i < VMI_OSC_G; i++) {
+        e0[i] = VM_FABS(p->E[i]);
+        e[i] = VM_FABS(e[i]);
+    }
+    start_J = vmi_osc_size_J(r, start_order + 1, e0);
+    knot_J = VM_SQRT(mean->knots_J[start_order - 2]);
+    if (order == 5) rate *= 2;
+    if (order < 4) rate = VM_FABS(mean->second) + mean->third;
+    if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* not slow: no power of E_0 is small */
+    phase = vmi_osc_size_psi(r, order, e0) + vmi_osc_size_psi(r, order, e) + g * turns * (start_J + knot_J) + rate +
+            VM_SQRT(mean->knots_psi[start_order - 2]);
+    amplitude = vmi_osc_size_J(r, order, e) + start_J + knot_J;
+    return 4 / n * phase + 4 / (n + 2) * amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
 /* -- The solutions -- */
@@ -8347,26 +8993,41 @@ VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wa
                                vm_osc_motion *motion)
 {
     const vm_real A = p->A * vmi_exp(mean->ln_A, 0), Om = p->Om * mean->ratio;
-    const vm_real error = vmi_osc_first_error(p, mean) + vmi_osc_wave_error(w, p->mean_ca2);
+    const vm_real error = vmi_osc_first_error(p, mean) + vmi_osc_wave_error(w, p->ripple.mean2);
     vm_real c, s;
-    vmi_osc_wave_at(w, p->psi + p->Om * mean->integral.phase, &c, &s);
+    vmi_osc_wave_at(w, p->psi + p->Om * mean->phase, &c, &s);
     return vmi_osc_motion_of(w, A, Om, c, s, error, route, motion);
 }
 
-/* Second order. Om at the exact amplitude is that at the mean amplitude times rho^gamma, where
-   rho = (A/mean A)^((alpha+3)/2). route: VM_ROUTE_SECOND */
-VM_API int vmi_osc_second_order(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
-                                vm_osc_motion *motion)
+/* The law of order five, cut off after the order of the route: from the mean motion at t to the motion, by one step in
+   the phase. route: VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 */
+VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
+                           vm_osc_motion *motion)
 {
-    const vm_real n = p->problem.alpha + 1, Om = p->Om * mean->ratio * vmi_exp(-p->gamma * p->ln_rho, 0);
-    const vm_real e = mean->now.q / (2 * Om), phase = vmi_osc_mean_phase(p, &mean->integral);
-    vm_real c, s, ln_rho, A;
-    vmi_osc_phase_from_mean(p, w, phase, e * n / (n + 2), &c, &s);
-    ln_rho = e * s * c;
-    ln_rho = ln_rho > -1 ? ln_rho * vmi_log_ratio(ln_rho) : VM_NAN;
-    A = p->A * vmi_exp(mean->ln_A + 2 / (n + 2) * (ln_rho - p->ln_rho), 0);
-    return vmi_osc_motion_of(w, A, Om * vmi_exp(p->gamma * ln_rho, 0), c, s, vmi_osc_second_error(p, mean),
-                             route, motion);
+    const vmi_ripple *r = &p->ripple;
+    const int order = vmi_osc_order_of(route);
+    vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
+    vmi_ripple_values f;
+    vm_osc_motion result;
+    vm_real E[VMI_OSC_G], sa, ca, ln_J;
+    vmi_osc_disturbance(&mean->now, state.W, E);
+    vmi_osc_wave_at(w, state.psi, &ca, &sa);
+    if (order > 2) {
+        vmi_ripple_at(r, order, state.psi, sa, ca, &f);
+        vmi_osc_wave_at(w, state.psi + vmi_expansion_psi_back(r, order, &f, E), &ca, &sa);
+        ln_J = vmi_expansion_J_back(r, order, &f, E);
+        state.A *= vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
+        state.W *= vmi_exp(r->gamma * ln_J, 0);
+    }
+    vmi_osc_unreduce(&state, mean->now.p, r->alpha, sa, ca, &result.x, &result.v);
+    result.amplitude = state.A;
+    result.error = vmi_osc_order_error(p, order, mean);
+    result.route = route;
+    result.evals = 0;
+    if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
+    if (!(result.error >= 0)) result.error = VM_INFINITY;
+    *motion = result;
+    return VM_OK;
 }
 
 #endif
@@ -8392,7 +9053,7 @@ VM_API int vmi_osc_second_order(const vm_osc_plan *p, int route, const vmi_osc_w
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
-    const vm_real half = p->pi / 2, cut = half < 6 ? half / 2 : 3;
+    const vm_real half = p->ripple.pi / 2, cut = half < 6 ? half / 2 : 3;
     int i, quarter;
     *Fs = 0;
     *Fc = 0;
@@ -8421,7 +9082,7 @@ VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, 
     const vm_real V = w->speed * (2 * A * Om / (w->alpha + 1));
     vm_real Fs = 0, Fc = 0;
     if (p->problem.force) vmi_osc_means(p, w, t, A, V, &Fs, &Fc);
-    *ln_A_rate = -now->q / (w->alpha + 3) - w->gain_A * Fs / (now->m * V);
+    *ln_A_rate = -now->p - w->gain_A * Fs / (now->m * V);
     *theta_rate = -w->gain_theta * Fc / (now->m * V);
 }
 
@@ -8450,7 +9111,7 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
     if (!p || !A_rate || !theta_rate || !psi_rate) return VM_BAD_ARGUMENT;
     if (route < VM_ROUTE_TRIG || route > VM_ROUTE_ATEB) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(A)) return VM_NOT_FINITE;
-    status = vmi_osc_rates_at(p, t, 1, 0, &now);
+    status = vmi_osc_rates_at(&p->problem, t, 1, &now);
     if (status) return status;
     if (!(A > 0)) return VM_DOMAIN;
     w = vmi_osc_wave_of(p, route);
@@ -8490,20 +9151,20 @@ typedef struct VM_TAG(vmi_osc_averaging) {
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
-    const vm_real n = p->problem.alpha + 1, V = 2 * at->A * at->Om / n;
+    const vm_real n = p->problem.alpha + 1, V = 2 * at->A * at->Om / n, q = (n + 2) * at->now.p;
     const vm_real side = (vm_real)vmi_time_side(at->t_end);
     const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     int i;
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) {
-        const vm_real way = 2 * p->pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
-        vm_real ca, sa, F, time = at->t + side * (way - 2 * p->pi) / at->Om;
+        const vm_real way = 2 * p->ripple.pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
+        vm_real ca, sa, F, time = at->t + side * (way - 2 * p->ripple.pi) / at->Om;
         if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* before the start: the first period instead */
         if (VM_FABS(time) > VM_FABS(at->t_end)) time = at->t_end;
         if (frozen) time = at->t;
         vmi_osc_wave_at(&w, at->psi + way, &ca, &sa);
         F = p->problem.force(time, at->A * ca, -V * sa, p->problem.ctx) / (at->now.m * V);
-        rate_A[i] = -at->now.q / n * sa * sa - 2 / n * F * sa;
-        rate_psi[i] = -at->now.q / 2 * sa * ca - F * ca;
+        rate_A[i] = -q / n * sa * sa - 2 / n * F * sa;
+        rate_psi[i] = -q / 2 * sa * ca - F * ca;
     }
 }
 
@@ -8556,7 +9217,7 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
-    const vm_real width = 2 * at->plan->pi / (vm_real)VMI_AVERAGING_POINTS;
+    const vm_real width = 2 * at->plan->ripple.pi / (vm_real)VMI_AVERAGING_POINTS;
     const vm_real bend = (at->plan->problem.alpha - 1) / 2;
     vm_real ripple_A[VMI_AVERAGING_POINTS], ripple_psi[VMI_AVERAGING_POINTS];
     int i;
@@ -8576,7 +9237,7 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
     const vm_real second_order = VM_C(0.25); /* of rate times ripple: 1.6 times what Duffing's equation has */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
-    int status = vmi_osc_rates_at(p, t, -vmi_time_side(t_end), 0, &at.now);
+    int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
     if (status) return status;
     at.plan = p;
     at.t = t;
@@ -8641,7 +9302,7 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
         before = after;
         time = next;
     }
-    *error = error_A + error_psi + after.ripple + vmi_osc_wave_error(w, p->mean_ca2) + vmi_osc_way_error(p, &mean);
+    *error = error_A + error_psi + after.ripple + vmi_osc_wave_error(w, p->ripple.mean2) + vmi_osc_way_error(p, &mean);
     if (!(*error >= 0)) *error = VM_INFINITY; /* amplitude 0, or out of range: nothing is known */
     return VM_OK;
 }
@@ -8746,36 +9407,11 @@ VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     const vm_real A = p->A * vmi_exp(y[VMI_OSC_LN_A], 0);
     vmi_osc_rates now;
     vm_real Om, theta_rate;
-    c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
+    c->status = vmi_osc_rates_at(&p->problem, t, c->side, &now);
     if (c->status) return c->status;
     Om = p->Om * vmi_osc_Om_ratio(p, &now, y[VMI_OSC_LN_A]);
     vmi_osc_averaged_rates(p, &c->wave, &now, t, A, Om, &dydt[VMI_OSC_LN_A], &theta_rate);
     dydt[VMI_OSC_PSI] = Om + theta_rate / c->wave.turn;
-    return 0;
-}
-
-/* Exact: y = ln(A/A0), Ateb phase, by (314), (315) with the term of omega' that they lack. q holds that term and all
-   that is linear in x'. */
-VM_API int vmi_osc_variation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run)
-{
-    vmi_osc_run *c = (vmi_osc_run *)run;
-    const vm_osc_plan *p = c->plan;
-    const vm_osc_problem *o = &p->problem;
-    const vm_real n = o->alpha + 1;
-    vmi_osc_rates now;
-    vm_real Om, sa, ca;
-    c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
-    if (c->status) return c->status;
-    Om = p->Om * vmi_osc_Om_ratio(p, &now, y[VMI_OSC_LN_A]);
-    vmi_osc_wave_at(&c->wave, y[VMI_OSC_PSI], &ca, &sa);
-    dydt[VMI_OSC_LN_A] = -now.q / n * sa * sa;
-    dydt[VMI_OSC_PSI] = Om - now.q / 2 * sa * ca;
-    if (o->force) {
-        const vm_real A = p->A * vmi_exp(y[VMI_OSC_LN_A], 0), V = 2 * A * Om / n;
-        const vm_real F = o->force(t, A * ca, -V * sa, o->ctx) / (now.m * V);
-        dydt[VMI_OSC_LN_A] -= 2 / n * F * sa;
-        dydt[VMI_OSC_PSI] -= F * ca;
-    }
     return 0;
 }
 
@@ -8797,7 +9433,7 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     const vm_real speed = 2 * p->Om / (o->alpha + 1); /* vmax/A0 */
     vmi_osc_rates now;
     vm_real m, weight;
-    c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
+    c->status = vmi_osc_rates_at(&p->problem, t, c->side, &now);
     if (c->status) return c->status;
     m = now.m / p->m0;
     weight = vmi_osc_reactive_weight(o, m);
@@ -8819,10 +9455,10 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
     const vm_osc_plan *p = c->plan;
     vmi_osc_rates now;
     vm_real ln_A, ln_Om;
-    if (vmi_osc_rates_at(p, c->s.t, c->side, 0, &now)) return VM_NAN;
-    if (!c->method->direct) return 2 * p->pi / (p->Om * vmi_osc_Om_ratio(p, &now, c->s.y[VMI_OSC_LN_A]));
+    if (vmi_osc_rates_at(&p->problem, c->s.t, c->side, &now)) return VM_NAN;
+    if (!c->method->direct) return 2 * p->ripple.pi / (p->Om * vmi_osc_Om_ratio(p, &now, c->s.y[VMI_OSC_LN_A]));
     vmi_osc_adiabatic(p, vmi_log(now.m / p->m0).hi, vmi_log(now.k / p->k0).hi, 0, &ln_A, &ln_Om);
-    return 2 * p->pi / (p->Om * vmi_exp(ln_Om, 0));
+    return 2 * p->ripple.pi / (p->Om * vmi_exp(ln_Om, 0));
 }
 
 /* Where the run stops next on its way to t: at a point of a table, or after 64 periods */
@@ -8845,7 +9481,7 @@ VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real
     const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
     vm_real longest = period * c->longest, steps;
-    if (!(c->plan->pi < bounces_from)) longest = period * (c->longest * bounces_from / c->plan->pi);
+    if (!(c->plan->ripple.pi < bounces_from)) longest = period * (c->longest * bounces_from / c->plan->ripple.pi);
     longest = vmi_smaller(most, vmi_smaller(law_step, longest));
     c->s.options.h_max = longest;
     steps = way * (most_steps / period + 4 / longest) + most_steps;
@@ -8856,7 +9492,7 @@ VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real
 VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
 {
     const vm_real most_periods = VM_C(8388608.); /* 2^23: in float more hold no phase, in double they take minutes */
-    const vm_real turn = 2 * c->plan->pi;
+    const vm_real turn = 2 * c->plan->ripple.pi;
     int status = VM_OK;
     while (status >= 0 && c->s.t != t) {
         const vm_real period = vmi_osc_period_now(c);
@@ -8883,7 +9519,7 @@ VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
     const vm_real *y = c->s.y;
     vm_real ca, sa, weight, unused;
     vmi_osc_rates now;
-    int status = vmi_osc_rates_at(p, c->s.t, -c->side, 0, &now);
+    int status = vmi_osc_rates_at(&p->problem, c->s.t, -c->side, &now);
     if (status) return status;
     if (!c->method->direct) {
         const vm_real A = p->A * vmi_exp(y[VMI_OSC_LN_A], 0), Om = p->Om * vmi_osc_Om_ratio(p, &now, y[VMI_OSC_LN_A]);
@@ -8942,7 +9578,7 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
         vmi_osc_rates now;
         vm_real vmax;
         if (a[i].amplitude == 0) return VM_INFINITY;
-        if (vmi_osc_rates_at(p, vmi_osc_check_time(t, i), -vmi_time_side(t), 0, &now)) return VM_INFINITY;
+        if (vmi_osc_rates_at(&p->problem, vmi_osc_check_time(t, i), -vmi_time_side(t), &now)) return VM_INFINITY;
         vmax = vm_osc_vmax(a[i].amplitude, VM_SQRT(now.k / now.m), p->problem.alpha);
         largest = vmi_larger(VM_FABS(a[i].x - b[i].x) / a[i].amplitude, largest);
         largest = vmi_larger(VM_FABS(a[i].v - b[i].v) / vmax, largest);
@@ -8956,15 +9592,15 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
     const vm_law *laws[2];
-    vmi_osc_walk w;
+    vmi_osc_mean mean;
     int i, status;
     laws[0] = &p->problem.mass;
     laws[1] = &p->problem.stiffness;
     *step = VM_FABS(t);
     if (!laws[0]->function && !laws[1]->function) return VM_OK;
-    status = vmi_osc_walk_to(&w, p, t);
+    status = vmi_osc_walk_to(p, t, &mean);
     if (status) return status;
-    *step = vmi_larger(w.shortest / panel_steps, VM_FABS(t) / run_steps);
+    *step = vmi_larger(mean.shortest / panel_steps, VM_FABS(t) / run_steps);
     for (i = 0; i < 2; i++) {
         const vm_real change_time = laws[i]->function ? laws[i]->change_time : 0;
         if (change_time > 0 && change_time < *step) *step = change_time;
@@ -9076,6 +9712,607 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 }
 
 #endif
+/* oscillators/collocation.h - integration of an oscillator from zero to zero of x, to a tolerance
+
+   The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F,
+     (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
+   E = (p^2 - a p - p')/W^2, f = F/(m V), V = 2 A W/(alpha+1), are solved with psi as the independent variable: ln A and
+   t are integrated from one zero of x to the next. There |x|^(alpha-1) x has no derivatives for most alpha; since the
+   steps end there, no order is lost. In a step the method is Gauss' collocation of n points, with the values of the
+   last steps extrapolated as a start of its iteration. p' is the derivative of the polynomial through p at these
+   points, so that laws have to give f and f' only. Two runs with different n go side by side; by how much they differ
+   gives the error.
+       vm_osc_motion motion;
+       int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
+   Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
+   Tests: tests/test_slow_motion.c, tests/test_routes.c. */
+#ifndef VARMASS_OSCILLATORS_COLLOCATION_H
+#define VARMASS_OSCILLATORS_COLLOCATION_H
+
+/* -- Gauss' rule of n points on [0, 1] -- */
+
+/* Most points, numbers that are integrated (ln A, t), steps whose values are extrapolated */
+enum { VMI_NODES = VMI_GAUSS, VMI_COLLOCATED = 2, VMI_HISTORY = 6 };
+enum { VMI_COLLOCATED_LN_A = 0, VMI_COLLOCATED_T = 1 };
+
+typedef struct VM_TAG(vmi_gauss_rule) {
+    int n;
+    vm_real node[VMI_NODES], weight[VMI_NODES];
+    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral from 0 to node i of the polynomial that is 1 at node j */
+    vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of this polynomial at node i */
+} vmi_gauss_rule;
+
+/* Legendre's P_n(x), and its derivative in *slope */
+VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
+{
+    vm_real before = 0, now = 1;
+    int k;
+    for (k = 0; k < n; k++) {
+        const vm_real next = vmi_legendre_next(k, x, now, before);
+        before = now;
+        now = next;
+    }
+    *slope = (vm_real)n * (x * now - before) / (x * x - 1);
+    return now;
+}
+
+/* Nodes and weights by Newton's method, from the nodes of Chebyshev's polynomial */
+VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
+{
+    const int rounds = 6;
+    int i, j;
+    for (i = 0; i < rule->n; i++) {
+        vm_real x, sine, slope = 1;
+        vmi_sincos(VM_PI * ((vm_real)i + VM_C(0.75)) / ((vm_real)rule->n + VM_C(0.5)), &sine, &x);
+        for (j = 0; j < rounds; j++) {
+            const vm_real value = vmi_legendre_polynomial(rule->n, x, &slope);
+            x -= value / slope;
+        }
+        vmi_legendre_polynomial(rule->n, x, &slope);
+        rule->node[i] = (1 - x) / 2;
+        rule->weight[i] = 1 / ((1 - x * x) * slope * slope);
+    }
+}
+
+/* Adds to the matrices what Legendre's polynomial of degree k, with values at the nodes, its integrals from 0 and its
+   derivatives by the node, contributes to the polynomial that is 1 at one node */
+VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
+                               const vm_real *derivatives)
+{
+    int i, j;
+    for (j = 0; j < rule->n; j++) {
+        const vm_real share = (vm_real)(2 * k + 1) * rule->weight[j] * values[j];
+        for (i = 0; i < rule->n; i++) {
+            rule->integral[i][j] += share * integrals[i];
+            rule->derivative[i][j] += share * derivatives[i];
+        }
+    }
+}
+
+/* The rule of n points, 2 <= n <= VMI_NODES */
+VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
+{
+    vm_real before[VMI_NODES], now[VMI_NODES], slope_before[VMI_NODES], slope[VMI_NODES];
+    vm_real integrals[VMI_NODES], derivatives[VMI_NODES];
+    int i, j, k;
+    rule->n = n;
+    vmi_gauss_rule_nodes(rule);
+    for (i = 0; i < n; i++) {
+        before[i] = 0;
+        now[i] = 1;
+        slope_before[i] = 0;
+        slope[i] = 0;
+        for (j = 0; j < n; j++) {
+            rule->integral[i][j] = 0;
+            rule->derivative[i][j] = 0;
+        }
+    }
+    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals by the node are half of those by x, derivatives double */
+        for (i = 0; i < n; i++) {
+            const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
+            integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
+            derivatives[i] = 2 * slope[i];
+        }
+        vmi_gauss_rule_add(rule, k, now, integrals, derivatives);
+        for (i = 0; i < n; i++) { /* P'_(k+1) = P'_(k-1) + (2k+1) P_k */
+            const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
+            const vm_real next_slope = slope_before[i] + (vm_real)(2 * k + 1) * now[i];
+            slope_before[i] = slope[i];
+            slope[i] = next_slope;
+            before[i] = now[i];
+            now[i] = next;
+        }
+    }
+}
+
+/* -- A run -- */
+
+/* sa and ca at the nodes of a step */
+typedef struct VM_TAG(vmi_step_waves) {
+    vm_real sa[VMI_NODES], ca[VMI_NODES];
+} vmi_step_waves;
+
+/* Derivatives of ln A and t by the phase at the nodes of a step */
+typedef struct VM_TAG(vmi_step_rates) {
+    vm_real by_psi[VMI_COLLOCATED][VMI_NODES];
+} vmi_step_rates;
+
+/* A run from 0 to t. A half period is one step, or two steps with a stop where x' = 0. */
+typedef struct VM_TAG(vmi_osc_course) {
+    const vm_osc_plan *plan;
+    vmi_osc_wave wave;
+    vmi_gauss_rule rule;
+    int side;              /* 1 forward, -1 backward in time */
+    int parts;             /* steps of a half period, 1 or 2 */
+    vm_real stop;          /* laws are not asked beyond this time, s: a point of a table or the end */
+    vm_real longest;       /* the longest step, s */
+    vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this */
+    vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
+    vm_real t_low;         /* what t as one number loses, s */
+    vm_real contraction;   /* by this factor each round of the iteration reduces its error */
+    vm_real rate;          /* of the phase at the end of the last step, 1/s */
+    vmi_step_waves waves[2];                        /* of the parts of a half period that starts at psi = -Pi/2 */
+    vmi_step_rates history[2][VMI_HISTORY];         /* of the last whole steps, by parts, the last one first */
+    int known[2];                                   /* how many of them there are */
+    int status;
+    long evals;
+} vmi_osc_course;
+
+/* sa and ca at the nodes between two phases */
+VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
+{
+    int i;
+    for (i = 0; i < c->rule.n; i++)
+        vmi_osc_wave_at(&c->wave, from + length * c->rule.node[i], &w->ca[i], &w->sa[i]);
+}
+
+/* A step that is being made: from the state of the course over a length of phase */
+typedef struct VM_TAG(vmi_osc_step) {
+    vm_real length;
+    vm_real sign;          /* factor of the waves: -1 in every second half period, where both have the other sign */
+    const vmi_step_waves *waves;
+    vmi_step_rates rates;
+} vmi_osc_step;
+
+/* The change of ln A or t over the whole step */
+VM_API vm_real vmi_osc_step_whole(const vmi_osc_course *c, const vmi_osc_step *s, int which)
+{
+    vm_real sum = 0;
+    int j;
+    for (j = 0; j < c->rule.n; j++) sum += c->rule.weight[j] * s->rates.by_psi[which][j];
+    return s->length * sum;
+}
+
+/* The rates by the phase at node i, where the laws say *now and p' = p_rate, at ln(A/A0) = ln_A and time t */
+VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_osc_rates *now,
+                                vm_real p_rate, vm_real ln_A, vm_real t, vm_real *ln_A_by_psi, vm_real *t_by_psi)
+{
+    const vm_osc_plan *plan = c->plan;
+    const vm_osc_problem *o = &plan->problem;
+    const vm_real least_rate = VM_C(0.1); /* of the phase by W: below it this is no vibration */
+    const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
+    const vm_real W = plan->Om * vmi_osc_Om_ratio(plan, now, ln_A);
+    const vm_real E = (now->p * (now->p - now->a) - p_rate) / (W * W);
+    vm_real rate = 1 + n / 2 * E * ca * ca, ln_A_rate = -now->p + W * E * sa * ca;
+    if (o->force) {
+        const vm_real A = plan->A * vmi_exp(ln_A, 0), V = 2 * A * W / n, x = A * ca;
+        const vm_real f = o->force(t, x, -V * sa - now->p * x, o->ctx) / (now->m * V);
+        rate -= f * ca / W;
+        ln_A_rate -= 2 / n * f * sa;
+    }
+    *t_by_psi = 1 / (W * rate);
+    *ln_A_by_psi = ln_A_rate * *t_by_psi;
+    if (!(rate > least_rate) || !VM_IS_FINITE(*t_by_psi) || !VM_IS_FINITE(*ln_A_by_psi)) return VM_NOT_INTEGRATED;
+    return VM_OK;
+}
+
+/* The integral of rates by psi from the start of the step to node i */
+VM_API vm_real vmi_osc_integral_to(const vmi_osc_course *c, const vmi_osc_step *s, const vm_real *rates, int i)
+{
+    vm_real sum = 0;
+    int j;
+    for (j = 0; j < c->rule.n; j++) sum += c->rule.integral[i][j] * rates[j];
+    return s->length * sum;
+}
+
+/* The rates of a step go on by what a round found to be missing, and by what that changes in turn: `missing` moves ln A
+   and t, which moves the rates, mostly by the change of W with both. now: the laws at about the middle of the step */
+VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_osc_rates *now,
+                            const vmi_step_rates *missing, vmi_step_rates *rates)
+{
+    const vm_real alpha = c->plan->problem.alpha;
+    const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2; /* of ln(dt/dpsi) */
+    int i;
+    for (i = 0; i < c->rule.n; i++) {
+        const vm_real ln_A = vmi_osc_integral_to(c, s, missing->by_psi[VMI_COLLOCATED_LN_A], i);
+        const vm_real t = vmi_osc_integral_to(c, s, missing->by_psi[VMI_COLLOCATED_T], i);
+        const vm_real change = rates->by_psi[VMI_COLLOCATED_T][i] * (by_t * t + by_ln_A * ln_A);
+        rates->by_psi[VMI_COLLOCATED_T][i] += missing->by_psi[VMI_COLLOCATED_T][i] + change;
+        rates->by_psi[VMI_COLLOCATED_LN_A][i] += missing->by_psi[VMI_COLLOCATED_LN_A][i] - now->p * change;
+    }
+}
+
+/* One round of the iteration. *change: largest change of the phase over the step that it finds */
+VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
+{
+    const int n = c->rule.n;
+    vmi_osc_rates now[VMI_NODES];
+    vmi_step_rates missing;
+    vm_real ln_A[VMI_NODES], t[VMI_NODES];
+    int i, j, status;
+    for (i = 0; i < n; i++) {
+        ln_A[i] = c->ln_A + vmi_osc_integral_to(c, s, s->rates.by_psi[VMI_COLLOCATED_LN_A], i);
+        t[i] = c->t + (c->t_low + vmi_osc_integral_to(c, s, s->rates.by_psi[VMI_COLLOCATED_T], i));
+        if ((vm_real)c->side * (t[i] - c->stop) > 0) t[i] = c->stop;
+        status = vmi_osc_rates_at(&c->plan->problem, t[i], t[i] == c->stop ? -c->side : c->side, &now[i]);
+        if (status) return status;
+    }
+    *change = 0;
+    for (i = 0; i < n; i++) {
+        const vm_real old_ln_A = s->rates.by_psi[VMI_COLLOCATED_LN_A][i], old_t = s->rates.by_psi[VMI_COLLOCATED_T][i];
+        vm_real p_rate = 0, new_ln_A, new_t;
+        for (j = 0; j < n; j++) p_rate += c->rule.derivative[i][j] * now[j].p;
+        p_rate /= s->length * old_t;
+        status = vmi_osc_course_rates(c, s, i, &now[i], p_rate, ln_A[i], t[i], &new_ln_A, &new_t);
+        if (status) return status;
+        missing.by_psi[VMI_COLLOCATED_LN_A][i] = new_ln_A - old_ln_A;
+        missing.by_psi[VMI_COLLOCATED_T][i] = new_t - old_t;
+        *change = vmi_larger((VM_FABS(new_t / old_t - 1) + VM_FABS(new_ln_A - old_ln_A)) * VM_FABS(s->length), *change);
+    }
+    vmi_osc_correct(c, s, &now[n / 2], &missing, &s->rates);
+    c->evals += n;
+    return VM_OK;
+}
+
+/* Rounds until the rates do not change any more, from the rates in s->rates */
+VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
+{
+    const vm_real least_contraction = VM_C(0.02);
+    const int most_rounds = 40;
+    vm_real change, before = 0;
+    int round, status;
+    for (round = 0; round < most_rounds; round++) {
+        status = vmi_osc_sweep(c, s, &change);
+        if (status) return status;
+        if (round > 0 && before > 0) c->contraction = vmi_larger(change / before, least_contraction);
+        if (change * c->contraction <= c->sweep_limit) return VM_OK;
+        if (round > 2 && !(change < before)) break;
+        before = change;
+    }
+    return change <= 64 * VM_EPSILON ? VM_OK : VM_NOT_INTEGRATED;
+}
+
+/* The next value after n at equal distances, the last one first, by the polynomial through them; destroys the values */
+VM_API vm_real vmi_extrapolate(int n, vm_real *values)
+{
+    vm_real sum = 0;
+    int i, k;
+    for (k = n; k > 0; k--) { /* adds the last differences of order 0, 1, 2 ... */
+        sum += values[0];
+        for (i = 0; i < k - 1; i++) values[i] -= values[i + 1];
+    }
+    return sum;
+}
+
+/* Start values of a step: extrapolated from whole steps of the same part, or else the rates at the start */
+VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
+{
+    const vmi_step_rates *h = c->history[part];
+    vmi_osc_rates now;
+    vm_real rate;
+    int i, j, k, status;
+    if (c->known[part] == 0) {
+        status = vmi_osc_rates_at(&c->plan->problem, c->t, c->side, &now);
+        if (status) return status;
+        rate = 1 / (c->plan->Om * vmi_osc_Om_ratio(c->plan, &now, c->ln_A));
+        for (i = 0; i < c->rule.n; i++) {
+            s->rates.by_psi[VMI_COLLOCATED_LN_A][i] = -now.p * rate;
+            s->rates.by_psi[VMI_COLLOCATED_T][i] = rate;
+        }
+        return VM_OK;
+    }
+    for (j = 0; j < VMI_COLLOCATED; j++)
+        for (i = 0; i < c->rule.n; i++) {
+            vm_real values[VMI_HISTORY];
+            for (k = 0; k < c->known[part]; k++) values[k] = h[k].by_psi[j][i];
+            s->rates.by_psi[j][i] = vmi_extrapolate(c->known[part], values);
+        }
+    return VM_OK;
+}
+
+/* The state of the course goes on by the step */
+VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
+{
+    const vm_real change = c->t_low + vmi_osc_step_whole(c, s, VMI_COLLOCATED_T), t = c->t + change;
+    c->t_low = change - (t - c->t);
+    c->t = t;
+    c->ln_A += vmi_osc_step_whole(c, s, VMI_COLLOCATED_LN_A);
+    c->psi += s->length;
+    c->rate = 1 / s->rates.by_psi[VMI_COLLOCATED_T][c->rule.n - 1];
+}
+
+/* Keeps the rates of a whole step for the next ones of the same part */
+VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
+{
+    int i;
+    for (i = VMI_HISTORY - 1; i > 0; i--) c->history[part][i] = c->history[part][i - 1];
+    c->history[part][0] = *rates;
+    if (c->known[part] < VMI_HISTORY) c->known[part]++;
+}
+
+/* -- Landing on a time -- */
+
+/* The part of the step at which t is reached, by the polynomial of the step */
+VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
+{
+    const int rounds = 8;
+    const vm_real way = (t - c->t) - c->t_low;
+    vm_real part, slope;
+    int i, k;
+    for (k = 0; k < VMI_GAUSS; k++) series[k] = 0;
+    for (i = 0; i < c->rule.n; i++) {
+        vm_real before = 0, now = 1;
+        for (k = 0; k < c->rule.n; k++) {
+            const vm_real next = vmi_legendre_next(k, 2 * c->rule.node[i] - 1, now, before);
+            series[k] += (vm_real)(2 * k + 1) * c->rule.weight[i] * now * s->rates.by_psi[VMI_COLLOCATED_T][i];
+            before = now;
+            now = next;
+        }
+    }
+    part = way / (s->length * series[0]);
+    for (i = 0; i < rounds; i++) {
+        slope = s->length * vmi_legendre_at(series, 2 * part - 1);
+        part -= (s->length / 2 * vmi_legendre_integral(series, 2 * part - 1) - way) / slope;
+        part = vmi_smaller(vmi_larger(part, 0), 1);
+    }
+    return part;
+}
+
+/* Makes a shorter step than the one that would go beyond c->stop, so that it ends there */
+VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
+{
+    const int rounds = 6;
+    const vm_real way = (c->stop - c->t) - c->t_low;
+    vm_real series[VMI_GAUSS], part = vmi_osc_find_part(c, beyond, c->stop, series);
+    vmi_step_waves waves;
+    vmi_osc_step s;
+    int i, round, status;
+    s.sign = 1;
+    s.waves = &waves;
+    s.length = part * beyond->length;
+    for (i = 0; i < c->rule.n; i++) {
+        s.rates.by_psi[VMI_COLLOCATED_T][i] = vmi_legendre_at(series, 2 * part * c->rule.node[i] - 1);
+        s.rates.by_psi[VMI_COLLOCATED_LN_A][i] = beyond->rates.by_psi[VMI_COLLOCATED_LN_A][i];
+    }
+    for (round = 0; round < rounds; round++) {
+        vm_real missing;
+        vmi_osc_course_waves(c, c->psi, s.length, &waves);
+        status = vmi_osc_iterate(c, &s);
+        if (status) return status;
+        missing = (way - vmi_osc_step_whole(c, &s, VMI_COLLOCATED_T)) /
+                  s.rates.by_psi[VMI_COLLOCATED_T][c->rule.n - 1];
+        if (VM_FABS(missing) <= c->sweep_limit / 4) break;
+        s.length += missing;
+    }
+    vmi_osc_take(c, &s);
+    c->t = c->stop;
+    c->t_low = 0;
+    c->known[0] = 0;
+    c->known[1] = 0;
+    return VM_OK;
+}
+
+/* -- Steps -- */
+
+/* The phase at which the next step ends: a multiple of Pi/2, that for one part is a zero of ca; *part: which part of a
+   half period the step is, -1 where it starts inside */
+VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *sign)
+{
+    const vm_real half = c->plan->ripple.pi, close = 64 * VM_EPSILON * (1 + VM_FABS(c->psi) / half);
+    const vm_real per_step = (vm_real)c->parts / half, side = (vm_real)c->side;
+    const vm_real at = (c->psi + half / 2) * per_step; /* whole numbers are ends of steps */
+    const vm_real nearest = VM_FLOOR(at + VM_C(0.5)), next = VM_FLOOR(side * at + close) + 1; /* along the way */
+    const vm_real cell = side > 0 ? side * next - 1 : side * next; /* the step lies between cell and cell + 1 */
+    const vm_real turn = VM_FLOOR(cell / (vm_real)c->parts);
+    *part = VM_FABS(at - nearest) <= close ? (int)(cell - turn * (vm_real)c->parts) : -1;
+    *sign = turn - 2 * VM_FLOOR(turn / 2) == 0 ? 1 : -1;
+    return side * next / per_step - half / 2;
+}
+
+/* Whether the step, as its rates are now, ends at or beyond c->stop */
+VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
+{
+    return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_step_whole(c, s, VMI_COLLOCATED_T))) >= 0;
+}
+
+/* One step towards c->stop, which ends there at the latest */
+VM_API int vmi_osc_course_step(vmi_osc_course *c)
+{
+    vmi_step_waves inside;
+    vmi_osc_step s;
+    vm_real share;
+    int part, status;
+    s.length = vmi_osc_next_phase(c, &part, &s.sign) - c->psi;
+    status = vmi_osc_predict(c, part < 0 ? 0 : part, &s);
+    if (status) return status;
+    share = c->longest / VM_FABS(vmi_osc_step_whole(c, &s, VMI_COLLOCATED_T));
+    if (share < 1) {
+        s.length *= share;
+        part = -1;
+    }
+    s.waves = &c->waves[part < 0 ? 0 : part];
+    if (part < 0) {
+        s.sign = 1;
+        s.waves = &inside;
+        vmi_osc_course_waves(c, c->psi, s.length, &inside);
+    }
+    if (vmi_osc_is_beyond(c, &s)) return vmi_osc_land(c, &s);
+    status = vmi_osc_iterate(c, &s);
+    if (status) return status;
+    if (vmi_osc_is_beyond(c, &s)) return vmi_osc_land(c, &s);
+    vmi_osc_take(c, &s);
+    if (part >= 0) vmi_osc_remember(c, part, &s.rates);
+    return VM_OK;
+}
+
+/* A course of n points at t = 0 */
+VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
+                                 int n, int parts, vm_real sweep_limit)
+{
+    const vm_real half = plan->ripple.pi;
+    vm_real from, length = (vm_real)side * half / (vm_real)parts;
+    int part;
+    c->plan = plan;
+    c->wave = vmi_osc_wave_of(plan, VM_ROUTE_COLLOCATION);
+    vmi_gauss_rule_init(&c->rule, n);
+    c->side = side;
+    c->parts = parts;
+    c->sweep_limit = sweep_limit;
+    c->stop = 0;
+    c->longest = VM_INFINITY;
+    c->psi = start->psi;
+    c->ln_A = vmi_log(start->A / plan->A).hi;
+    c->t = 0;
+    c->t_low = 0;
+    c->contraction = VM_C(0.1);
+    c->rate = 0;
+    for (part = 0; part < parts; part++) {
+        from = half * ((vm_real)part / (vm_real)parts - VM_C(0.5));
+        if (side < 0) from += half / (vm_real)parts;
+        vmi_osc_course_waves(c, from, length, &c->waves[part]);
+        c->known[part] = 0;
+    }
+    c->known[1] = 0;
+    c->evals = 0;
+}
+
+/* -- Two runs side by side -- */
+
+/* The next point of a table on the way to t, or t */
+VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
+{
+    return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
+}
+
+/* Both courses go on to t, a point of a table or the end. *difference becomes the largest difference of ln A and of the
+   phase on the way, if that is larger. */
+VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real *difference)
+{
+    const vm_real most_steps = VM_C(16777216.); /* 2^24: in float more hold no phase, in double they take minutes */
+    vm_real steps = 0;
+    int status = VM_OK;
+    loose->stop = t;
+    strict->stop = t;
+    while (!status && (loose->t != t || strict->t != t)) {
+        vm_real apart;
+        if (loose->t != t) status = vmi_osc_course_step(loose);
+        if (!status && strict->t != t) status = vmi_osc_course_step(strict);
+        if (status) break;
+        apart = VM_FABS(loose->psi - strict->psi) + VM_FABS(loose->ln_A - strict->ln_A);
+        if (loose->t != t && strict->t != t && loose->psi == strict->psi)
+            apart += VM_FABS((loose->t - strict->t) * strict->rate);
+        if (loose->psi == strict->psi || (loose->t == t && strict->t == t)) *difference = vmi_larger(apart, *difference);
+        steps += 1;
+        if (steps > most_steps) status = VM_NOT_INTEGRATED;
+    }
+    return status;
+}
+
+/* Runs of two numbers of points */
+typedef struct VM_TAG(vmi_osc_points) {
+    int loose, strict, parts;
+} vmi_osc_points;
+
+VM_API vmi_osc_points vmi_osc_points_of(int loose, int strict, int parts)
+{
+    vmi_osc_points points;
+    points.loose = loose;
+    points.strict = strict;
+    points.parts = parts;
+    return points;
+}
+
+/* The pairs that are tried, one after the other; the last one is number VMI_OSC_PAIRS - 1 */
+enum { VMI_OSC_PAIRS = 5 };
+
+VM_API vmi_osc_points vmi_osc_pair(int i)
+{
+    switch (i) {
+    case 0: return vmi_osc_points_of(6, 8, 1);
+    case 1: return vmi_osc_points_of(8, 11, 1);
+    case 2: return vmi_osc_points_of(10, 14, 1);
+    case 3: return vmi_osc_points_of(10, 14, 2);
+    default: return vmi_osc_points_of(14, 20, 2);
+    }
+}
+
+/* One pair of runs from 0 to t: the state at t in *strict, the estimate of its error in *error */
+VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vm_real longest,
+                                  vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
+{
+    const int side = vmi_time_side(t);
+    const vm_real factor = VM_C(0.25); /* the error of the strict run is taken for this part of the difference */
+    const vm_real looser = 16;         /* so that errors of the iteration, too, make a difference */
+    vmi_osc_rates now;
+    vmi_osc_slow start;
+    vmi_osc_reduced state;
+    vmi_osc_course loose;
+    vm_real difference = 0;
+    int status = vmi_osc_rates_at(&plan->problem, 0, side, &now);
+    if (status) return status;
+    start.m = now.m;
+    start.k = now.k;
+    start.p = now.p;
+    state = vmi_osc_reduce(&start, plan->problem.alpha, plan->problem.x, plan->problem.v);
+    vmi_osc_course_start(&loose, plan, &state, side, points.loose, points.parts, looser * sweep_limit);
+    vmi_osc_course_start(strict, plan, &state, side, points.strict, points.parts, sweep_limit);
+    loose.longest = longest;
+    strict->longest = longest;
+    while (!status && strict->t != t)
+        status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
+    strict->evals += loose.evals;
+    *error = factor * difference + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
+    return status;
+}
+
+/* The motion at t by collocation. VM_TOLERANCE_MISSED: the motion is there, but the estimate of the error is larger than
+   the tolerance. VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, since mass, stiffness or force
+   change as fast as the phase, or after 2^23 periods; the statuses of the laws. */
+VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    const vm_real sweep_limit = vmi_larger(tolerance / 16, 4 * VM_EPSILON);
+    const int first = plan->problem.force ? 3 : 0;
+    vm_osc_motion result;
+    vmi_osc_course c;
+    vmi_osc_reduced state;
+    vmi_osc_rates now;
+    vm_real error = VM_INFINITY, sa, ca;
+    long evals = 0;
+    vm_real longest;
+    int i, status = vmi_osc_law_step(plan, t, &longest);
+    if (status) return status;
+    for (i = first; i < VMI_OSC_PAIRS && !(error <= tolerance); i++) {
+        status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(i), 2 * longest, sweep_limit, &c, &error);
+        if (status) return status;
+        evals += c.evals;
+    }
+    status = vmi_osc_rates_at(&plan->problem, t, -c.side, &now);
+    if (status) return status;
+    state.psi = c.psi;
+    state.A = plan->A * vmi_exp(c.ln_A, 0);
+    state.W = plan->Om * vmi_osc_Om_ratio(plan, &now, c.ln_A);
+    vmi_osc_wave_at(&c.wave, c.psi, &ca, &sa);
+    vmi_osc_unreduce(&state, now.p, plan->problem.alpha, sa, ca, &result.x, &result.v);
+    result.amplitude = state.A;
+    result.error = error;
+    result.route = route;
+    result.evals = evals;
+    if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
+    *motion = result;
+    return error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
+}
+
+#endif
 /* oscillators/routes.h - the motion x(t) of an oscillator at any time, by a given route or by the cheapest
 
    Seven routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
@@ -9126,50 +10363,65 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion);
 
-/* A route: without a force by its solution in closed form, if it has one, else by its method of integration */
+/* An integration from 0 to t to a tolerance */
+typedef int (*vmi_osc_integration)(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
+                                   vm_osc_motion *motion);
+
+/* The averaged equations, which have a solution in closed form only without a force */
+VM_API int vmi_osc_integrate_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
+                                      vm_osc_motion *motion)
+{
+    vmi_osc_method method = vmi_osc_method_rk45(vmi_osc_averaged_rhs);
+    method.averaged = 1;
+    return vmi_osc_integrate(p, route, &method, t, tolerance, motion);
+}
+
+/* The equation of motion, by rk45 and by rk87 */
+VM_API int vmi_osc_integrate_rk45(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vmi_osc_method method = vmi_osc_method_rk45(vmi_osc_direct_rhs);
+    method.direct = 1;
+    return vmi_osc_integrate(p, route, &method, t, tolerance, motion);
+}
+
+VM_API int vmi_osc_integrate_rk87(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
+    method.direct = 1;
+    return vmi_osc_integrate(p, route, &method, t, tolerance, motion);
+}
+
+/* A route: without a force by its solution, if it has one, else by integration */
 typedef struct VM_TAG(vmi_osc_route) {
     const char *name;
-    vmi_osc_solution solution; /* null: it has none */
-    vmi_osc_method method;     /* with rhs null: it cannot be integrated */
+    vmi_osc_solution solution;     /* null: it has none */
+    vmi_osc_integration integrate; /* null: it has none */
 } vmi_osc_route;
 
-/* The entry of an averaged solution, whose equations with a force, by rk45, are rhs; null: there are none */
-VM_API vmi_osc_route vmi_osc_route_averaged(const char *name, vmi_osc_solution solution, ode_rhs rhs)
+VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solution, vmi_osc_integration integrate)
 {
     vmi_osc_route route;
     route.name = name;
     route.solution = solution;
-    route.method = vmi_osc_method_rk45(rhs);
-    route.method.averaged = 1;
-    return route;
-}
-
-/* The entry of a route that always integrates */
-VM_API vmi_osc_route vmi_osc_route_integrated(const char *name, vmi_osc_method method, int direct)
-{
-    vmi_osc_route route;
-    route.name = name;
-    route.solution = NULL;
-    route.method = method;
-    route.method.direct = direct;
+    route.integrate = integrate;
     return route;
 }
 
 /* The table: entry VM_ROUTE_... */
 VM_API vmi_osc_route vmi_osc_route_of(int route)
 {
-    const vmi_osc_method variation = vmi_osc_method_rk45(vmi_osc_variation_rhs);
-    const vmi_osc_method rk45_direct = vmi_osc_method_rk45(vmi_osc_direct_rhs);
-    const vmi_osc_method rk87_direct = vmi_osc_method_rk87(vmi_osc_direct_rhs);
     switch (route) {
-    case VM_ROUTE_TRIG: return vmi_osc_route_averaged("trigonometric", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_JACOBI: return vmi_osc_route_averaged("Jacobi", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_ATEB: return vmi_osc_route_averaged("Ateb, first order", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_SECOND: return vmi_osc_route_averaged("second-order law", vmi_osc_second_order, NULL);
-    case VM_ROUTE_VARIATION: return vmi_osc_route_integrated("variation of constants, rk45", variation, 0);
-    case VM_ROUTE_RK45: return vmi_osc_route_integrated("direct, rk45", rk45_direct, 1);
-    case VM_ROUTE_RK87: return vmi_osc_route_integrated("direct, rk87", rk87_direct, 1);
-    default: return vmi_osc_route_averaged("unknown route", NULL, NULL);
+    case VM_ROUTE_TRIG: return vmi_osc_route_by("trigonometric", vmi_osc_first_order, vmi_osc_integrate_averaged);
+    case VM_ROUTE_JACOBI: return vmi_osc_route_by("Jacobi", vmi_osc_first_order, vmi_osc_integrate_averaged);
+    case VM_ROUTE_ATEB: return vmi_osc_route_by("Ateb, first order", vmi_osc_first_order, vmi_osc_integrate_averaged);
+    case VM_ROUTE_ORDER2: return vmi_osc_route_by("law of order two", vmi_osc_order_n, NULL);
+    case VM_ROUTE_ORDER3: return vmi_osc_route_by("law of order three", vmi_osc_order_n, NULL);
+    case VM_ROUTE_ORDER4: return vmi_osc_route_by("law of order four", vmi_osc_order_n, NULL);
+    case VM_ROUTE_ORDER5: return vmi_osc_route_by("law of order five", vmi_osc_order_n, NULL);
+    case VM_ROUTE_COLLOCATION: return vmi_osc_route_by("collocation", NULL, vmi_osc_collocate);
+    case VM_ROUTE_RK45: return vmi_osc_route_by("direct, rk45", NULL, vmi_osc_integrate_rk45);
+    case VM_ROUTE_RK87: return vmi_osc_route_by("direct, rk87", NULL, vmi_osc_integrate_rk87);
+    default: return vmi_osc_route_by("unknown route", NULL, NULL);
     }
 }
 
@@ -9222,9 +10474,9 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
     if (status) return status;
     if (route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
     entry = vmi_osc_route_of(route);
-    if (p->problem.force && !entry.method.rhs) return VM_NO_LAW;
+    if (p->problem.force && !entry.integrate) return VM_NO_LAW;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
-    if (p->problem.force || !entry.solution) return vmi_osc_integrate(p, route, &entry.method, t, tolerance, motion);
+    if (p->problem.force || !entry.solution) return entry.integrate(p, route, t, tolerance, motion);
     status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     w = vmi_osc_wave_of(p, route);
@@ -9233,20 +10485,34 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* The route that integrates where no averaged solution is good enough: rk87 only for odd alpha, where the elastic
-   force has all derivatives at x = 0, so that rk87 holds its order, and where F, which may have none, is missing */
-VM_API int vmi_osc_integrator(const vm_osc_problem *o)
+/* The motion at t by the averaged solution of the lowest order that is good enough. VM_TOLERANCE_MISSED: there is none,
+   and *motion is untouched. */
+VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real half = (o->alpha - 1) / 2;
-    return !o->force && half == VM_FLOOR(half) ? VM_ROUTE_RK87 : VM_ROUTE_VARIATION;
+    vmi_osc_mean mean;
+    vmi_osc_wave w;
+    vm_real first;
+    int route, order, status = vmi_osc_mean_at(p, t, &mean);
+    if (status) return status;
+    first = vmi_osc_first_error(p, &mean);
+    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB, whose wave has no error */
+        w = vmi_osc_wave_of(p, route);
+        if (first + vmi_osc_wave_error(&w, p->ripple.mean2) <= tolerance)
+            return vmi_osc_first_order(p, route, &w, &mean, motion);
+    }
+    w = vmi_osc_wave_of(p, VM_ROUTE_ORDER5);
+    for (order = 2; order <= p->start_order; order++)
+        if (vmi_osc_order_error(p, order, &mean) <= tolerance)
+            return vmi_osc_order_n(p, vmi_osc_route_of_order(order), &w, &mean, motion);
+    return VM_TOLERANCE_MISSED;
 }
 
-/* Motion at any time t (s) by integration, as vm_osc_plan_within does where no averaged solution is good enough */
+/* The motion at t by integration: by collocation, and where amplitude and phase do not describe it by rk87 */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const int route = vmi_osc_integrator(&p->problem);
-    const vmi_osc_route entry = vmi_osc_route_of(route);
-    return vmi_osc_integrate(p, route, &entry.method, t, tolerance, motion);
+    int status = vmi_osc_collocate(p, VM_ROUTE_COLLOCATION, t, tolerance, motion);
+    if (status == VM_OK || !(status == VM_NOT_INTEGRATED || status == VM_TOLERANCE_MISSED)) return status;
+    return vmi_osc_integrate_rk87(p, VM_ROUTE_RK87, t, tolerance, motion);
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan.
@@ -9255,35 +10521,25 @@ VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tol
    0 means 1e-6 (float 1e-3). Statuses as in vm_osc_plan_by_route. */
 VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    vmi_osc_mean mean;
-    vmi_osc_wave w;
-    vm_real first;
-    int route, status = vmi_osc_check_call(p, t, &tolerance, motion);
+    int status = vmi_osc_check_call(p, t, &tolerance, motion);
     if (status) return status;
     if (p->A == 0) return vmi_osc_at_rest(p, VM_ROUTE_TRIG, motion);
     if (p->problem.force) return vmi_osc_integrate_within(p, t, tolerance, motion);
-    status = vmi_osc_mean_at(p, t, &mean);
-    if (status) return status;
-    first = vmi_osc_first_error(p, &mean);
-    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB, whose wave has no error */
-        w = vmi_osc_wave_of(p, route);
-        if (first + vmi_osc_wave_error(&w, p->mean_ca2) <= tolerance)
-            return vmi_osc_first_order(p, route, &w, &mean, motion);
-    }
-    if (!(vmi_osc_second_error(p, &mean) <= tolerance)) return vmi_osc_integrate_within(p, t, tolerance, motion);
-    w = vmi_osc_wave_of(p, VM_ROUTE_SECOND);
-    return vmi_osc_second_order(p, VM_ROUTE_SECOND, &w, &mean, motion);
+    status = vmi_osc_averaged_within(p, t, tolerance, motion);
+    if (status != VM_TOLERANCE_MISSED) return status;
+    return vmi_osc_integrate_within(p, t, tolerance, motion);
 }
 
 /* -- Without a plan -- */
 
-/* The plan of a problem that is asked once, without the plan of the Ateb functions, which only many values repay */
-VM_API int vmi_osc_once(const vm_osc_problem *problem, vm_osc_plan *plan)
+/* The plan of a problem that is asked once, without what only many values repay. complete: orders 3 to 5 are wanted */
+VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
     if (!problem) return VM_BAD_ARGUMENT;
     status = vmi_osc_prepare(plan, problem);
     if (status) return status;
+    if (complete) vmi_ripple_complete(&plan->ripple);
     return vmi_osc_start(plan);
 }
 
@@ -9293,8 +10549,9 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, vm_osc_plan *plan)
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
+    const int complete = route >= VM_ROUTE_ORDER3 && route <= VM_ROUTE_ORDER5;
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, &plan);
+    int status = vmi_osc_once(problem, complete, &plan);
     if (status) return status;
     return vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
@@ -9305,8 +10562,17 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, &plan);
+    int status = vmi_osc_once(problem, 0, &plan);
+    if (!status) status = vmi_osc_check_call(&plan, t, &tolerance, motion);
     if (status) return status;
+    if (plan.A == 0) return vmi_osc_at_rest(&plan, VM_ROUTE_TRIG, motion);
+    if (!problem->force) {
+        status = vmi_osc_averaged_within(&plan, t, tolerance, motion);
+        if (status != VM_TOLERANCE_MISSED) return status;
+        vmi_ripple_complete(&plan.ripple);
+        status = vmi_osc_start(&plan);
+        if (status) return status;
+    }
     return vm_osc_plan_within(&plan, t, tolerance, motion);
 }
 

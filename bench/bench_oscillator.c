@@ -288,7 +288,7 @@ static void measure_kit(void)
     for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_SECOND; route++) measure_route(names[route + 7], "");
     prepared = 0;
     measure_tolerances("vm_osc_within", 1e-11, set_route, AT);
-    for (route = VM_ROUTE_VARIATION; route <= (is_flagship(now) ? VM_ROUTE_RK87 : VM_ROUTE_VARIATION); route++)
+    for (route = VM_ROUTE_COLLOCATION; route <= (is_flagship(now) ? VM_ROUTE_RK87 : VM_ROUTE_COLLOCATION); route++)
         measure_tolerances(names[route], 1e-11, set_route, route);
 }
 

@@ -15,6 +15,15 @@ function resolve(file, name) {
     return name
 }
 
+# stops where a file that is included is not there
+function check(file,    line) {
+    if ((getline line < file) < 0) {
+        print "headers.awk: cannot read " file > "/dev/stderr"
+        exit 1
+    }
+    close(file)
+}
+
 function include_of(line) {
     return line ~ /^#include "/ ? substr(line, 11, length(line) - 11) : ""
 }
@@ -26,6 +35,7 @@ function is_root(file) {
 # all that file includes, directly or not, counts as written
 function mark(file,    line, name) {
     if (written[file]++) return
+    check(file)
     while ((getline line < file) > 0) {
         name = include_of(line)
         if (name != "") mark(resolve(file, name))
@@ -65,6 +75,7 @@ function index_function(line, chapter,    name) {
 # in a chapter, what it includes comes before it; in a root, in place of the #include
 function copy_chapter(file,    line, name, number, open) {
     if (written[file]++) return
+    check(file)
     while ((getline line < file) > 0) {
         name = include_of(line)
         if (name != "") copy_chapter(resolve(file, name))
@@ -90,6 +101,7 @@ function copy_chapter(file,    line, name, number, open) {
 
 function copy_root(file,    line, name) {
     if (written[file]++) return
+    check(file)
     while ((getline line < file) > 0) {
         name = include_of(line)
         if (name == "") put(line)

@@ -62,7 +62,7 @@ static void test_first_order(void)
                 ateb_saca(pi * R(k - 12) / 12, alpha, &sa, &ca);
                 o.x = ca;
                 o.v = R(-vmax) * sa;
-                CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, R(0.3 * i), R(1e-6), &truth) >= 0);
+                CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, R(0.3 * i), R(1e-6), &truth) >= 0);
                 CHECK(vm_osc_by_route(&o, VM_ROUTE_ATEB, R(0.3 * i), 0, &m) == VM_OK);
                 error = fmax(fabs((double)(m.x - truth.x)), fabs((double)(m.v - truth.v)) / vmax);
                 check_error("first order", "true/est", "", error / (double)m.error, 1, alphas[a], 0.3 * i);
@@ -182,7 +182,7 @@ static void test_slow_vibration(void)
         /* what the bump makes of it, 0.03 by each second of its width, in first order: int dt/m is less by so much */
         check_error("slow vibration", "the bump's effect", "%",
                     100 * fabs(((double)strict.x - cos(sqrt(1e-3) * 1000)) / (0.02963 * widths[i]) - 1), 1, widths[i], 0);
-        for (route = VM_ROUTE_VARIATION; route <= VM_ROUTE_RK87; route++) {
+        for (route = VM_ROUTE_COLLOCATION; route <= VM_ROUTE_RK87; route++) {
             CHECK(vm_osc_by_route(&o, route, 1000, R(1e-4), &m) == VM_OK);
             check_error("slow vibration", "by integration", "1e-4", fabs((double)(m.x - strict.x)) / 1e-4, 1, widths[i],
                         route);
@@ -222,8 +222,8 @@ static void test_choice(void)
     } rows[] = {{1, 1e-2, VM_ROUTE_TRIG},        {3, 1e-2, VM_ROUTE_JACOBI},       {0.1, 1e-2, VM_ROUTE_ATEB},
                 {1, 1e-4, VM_ROUTE_SECOND},      {3, 1e-4, VM_ROUTE_SECOND},       {2.3, 1e-4, VM_ROUTE_SECOND},
                 {1, 1e-10, VM_ROUTE_RK87},       {3, 1e-10, VM_ROUTE_RK87},        {5, 1e-10, VM_ROUTE_RK87},
-                {2, 1e-10, VM_ROUTE_VARIATION},  {2.3, 1e-10, VM_ROUTE_VARIATION}, {4, 1e-10, VM_ROUTE_VARIATION},
-                {0.5, 1e-10, VM_ROUTE_VARIATION}};
+                {2, 1e-10, VM_ROUTE_COLLOCATION},  {2.3, 1e-10, VM_ROUTE_COLLOCATION}, {4, 1e-10, VM_ROUTE_COLLOCATION},
+                {0.5, 1e-10, VM_ROUTE_COLLOCATION}};
     size_t i;
     for (i = 0; i < sizeof rows / sizeof *rows; i++) {
         vm_osc_problem o = problem(rows[i].alpha, vm_law_linear(1, R(1e-3)), 1, 0);

@@ -260,7 +260,7 @@ static void test_forced(void)
         const vm_osc_problem o = problem_of(c);
         vm_osc_motion m;
         double one;
-        CHECK(vm_osc_within(&o, R(c->T), R(by_precision(1e-6, 1e-2)), &m) >= 0 && m.route == VM_ROUTE_VARIATION);
+        CHECK(vm_osc_within(&o, R(c->T), R(by_precision(1e-6, 1e-2)), &m) >= 0 && m.route == VM_ROUTE_COLLOCATION);
         if (estimate_ratio(c, &o, &m, &one))
             check_error("forced", "exact, true/est", "", 1 / one, 10, i, c->force);
         for (route = 0; route <= VM_ROUTE_ATEB; route++) {
@@ -318,7 +318,7 @@ static void test_choice(void)
         last = m.route;
         if (tolerance == 0.5) CHECK(m.route == VM_ROUTE_TRIG);
     }
-    CHECK(is_float || last == VM_ROUTE_VARIATION);
+    CHECK(is_float || last == VM_ROUTE_COLLOCATION);
     o.alpha = 3; /* cn is exact */
     CHECK(vm_osc_within(&o, 20, R(1e-2), &m) == VM_OK && m.route == VM_ROUTE_JACOBI);
     o.alpha = 1; /* cos is exact */
@@ -410,7 +410,7 @@ static void test_evaluations(void)
     for (i = 0; i < 3 && !is_float; i++) {
         vm_osc_problem o = problem(alphas[i], vm_law_linear(1, R(0.003)), 1, 0);
         vm_osc_motion a, b;
-        CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, 1000, R(1e-6), &a) == VM_OK &&
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 1000, R(1e-6), &a) == VM_OK &&
               vm_osc_by_route(&o, VM_ROUTE_RK45, 1000, R(1e-6), &b) == VM_OK);
         check_error("variation", "evals by direct", "", (double)a.evals / (double)b.evals, 0.7, alphas[i],
                     (double)b.evals);
@@ -428,8 +428,8 @@ static void test_longest_step(void)
         o.stiffness = vm_law_linear(2, 0);
         o.x = R(0.5);
         o.v = 0;
-        CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, 1000, R(1e-9), &strict) >= 0);
-        CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, 1000, R(1e-4), &m) == VM_OK && m.error <= R(1e-4));
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 1000, R(1e-9), &strict) >= 0);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 1000, R(1e-4), &m) == VM_OK && m.error <= R(1e-4));
         check_error("longest step", "|x - strict|/A", "tol",
                     fabs((double)((m.x - strict.x) / strict.amplitude)) / 1e-4, 1, alphas[i], 0);
     }
@@ -480,7 +480,7 @@ static void test_force(void)
         o.ctx = &strength;
         CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, 100, R(by_precision(1e-7, 1e-2)), &direct) >= 0);
         CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 100, 0, &m) == VM_NO_LAW);
-        CHECK(vm_osc_within(&o, 100, R(by_precision(1e-7, 1e-2)), &m) >= 0 && m.route == VM_ROUTE_VARIATION);
+        CHECK(vm_osc_within(&o, 100, R(by_precision(1e-7, 1e-2)), &m) >= 0 && m.route == VM_ROUTE_COLLOCATION);
         check_error("force", "exact routes", "", fabs((double)(m.x - direct.x)) / (by_precision(1e-6, 3e-2)), 1,
                     alphas[i], 0);
         for (route = 0; route <= VM_ROUTE_ATEB; route++) { /* the amplitude to first order */
@@ -509,7 +509,7 @@ static int momentum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 static void check_bessel(vm_osc_problem o, const char *what, double x)
 {
     vm_osc_motion motion;
-    CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, 10, R(by_precision(1e-10, 1e-3)), &motion) >= 0);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 10, R(by_precision(1e-10, 1e-3)), &motion) >= 0);
     near("(318)", what, (double)motion.x, x, by_precision(1e-9, 3e-3));
 }
 
@@ -519,10 +519,10 @@ static void check_cubic(const vm_osc_problem *o)
     const vm_real tolerance = R(by_precision(1e-10, 1e-3));
     const double bound = by_precision(1e-9, 3e-3);
     vm_osc_motion motion;
-    CHECK(vm_osc_by_route(o, VM_ROUTE_VARIATION, 10, tolerance, &motion) >= 0);
+    CHECK(vm_osc_by_route(o, VM_ROUTE_COLLOCATION, 10, tolerance, &motion) >= 0);
     near("(398)", "x(10)", (double)motion.x, 0.8329476745754213932, bound);
     near("(398)", "x'(10)", (double)motion.v, -0.1999729378502724774, bound);
-    CHECK(vm_osc_by_route(o, VM_ROUTE_VARIATION, 20, tolerance, &motion) >= 0);
+    CHECK(vm_osc_by_route(o, VM_ROUTE_COLLOCATION, 20, tolerance, &motion) >= 0);
     near("(398)", "x(20)", (double)motion.x, 0.1626996653923250896, bound);
     near("(398)", "x'(20)", (double)motion.v, 0.2820905760446623161, bound);
 }
@@ -543,7 +543,7 @@ static void test_momentum(void)
         CHECK(rk45_init(&s, momentum_rhs, &o, 2, 0, y0, &options, work) >= 0 && rk45_solve(&s, 10) >= 0);
         CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, 10, tolerance, &motion) >= 0);
         near("(253), (254)", "m x'", 2 * (double)motion.v, (double)s.y[1], bound);
-        CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, 10, tolerance, &motion) >= 0);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 10, tolerance, &motion) >= 0);
         near("(310), (311)", "m x'", 2 * (double)motion.v, (double)s.y[1], bound);
         if (alphas[i] == 3) check_cubic(&o);
         if (alphas[i] == 1) {
@@ -625,7 +625,7 @@ static void test_sizes(void)
             CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, R(2.3 * T), tolerance, &m) >= 0 &&
                   vm_osc_by_route(&o, VM_ROUTE_SECOND, R(2.3 * T), 0, &n) == VM_OK);
             near(title, "rk45", (double)m.x / x0, (double)n.x / x0, bound);
-            CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, R(2.3 * T), tolerance, &m) >= 0);
+            CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, R(2.3 * T), tolerance, &m) >= 0);
             near(title, "variation", (double)m.x / x0, (double)n.x / x0, bound);
         }
 }
@@ -643,7 +643,7 @@ static void test_masses(void)
             const vm_osc_problem o = problem(3, vm_law_linear(1, R(rate)), reactive, 0);
             vm_osc_motion m, n;
             CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, R(end), 0, &m) == VM_OK);
-            CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, R(end), R(by_precision(1e-7, 1e-3)), &n) >= 0);
+            CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, R(end), R(by_precision(1e-7, 1e-3)), &n) >= 0);
             near(title, "x", (double)(m.x - n.x) / (double)n.amplitude, 0,
                  3 * (double)(m.error + n.error) + by_precision(0, 1e-2));
             check_error(title, "estimate", "1", (double)m.error, by_precision(0.1, 1), reactive, end);
@@ -667,11 +667,11 @@ static void test_extreme_orders(void)
 {
     vm_osc_problem o = problem(0, vm_law_linear(1, R(1e-3)), 1, 0);
     vm_osc_motion m, n;
-    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 500, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_VARIATION, 500, R(1e-3), &n) >= 0);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 500, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 500, R(1e-3), &n) >= 0);
     near("alpha = 0", "", (double)m.x, (double)n.x, by_precision(3e-3, 2e-2));
     o.alpha = 1000;
     o.x = R(1.001);
-    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 300, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_VARIATION, 300, R(1e-3), &n) >= 0);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 300, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 300, R(1e-3), &n) >= 0);
     near("alpha = 1000", "", (double)m.x, (double)n.x, by_precision(1e-3, 1e-2));
 }
 
@@ -682,7 +682,7 @@ static void test_not_slow(void)
     vm_osc_motion m, n;
     o.v = R(0.3);
     CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 10, 0, &m) == VM_OK && m.error > R(1e-2));
-    CHECK(vm_osc_within(&o, 10, R(1e-3), &n) == VM_OK && n.route >= VM_ROUTE_VARIATION);
+    CHECK(vm_osc_within(&o, 10, R(1e-3), &n) == VM_OK && n.route >= VM_ROUTE_COLLOCATION);
     check_error("eps = 0.3", "|x - true| by estimate", "3",
                 fabs((double)(m.x - n.x) / (double)n.amplitude) / (double)m.error, 3, 0, 0);
 }

@@ -17,7 +17,9 @@
 #include "constant_mass.h"
 #include "legendre.h"
 #include "mean_motion.h"
+#include "plan.h"
 #include "problem.h"
+#include "reduction.h"
 #include "waves.h"
 
 /* -- Averaged equations with a force -- */
@@ -29,7 +31,7 @@
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
-    const vm_real half = p->pi / 2, cut = half < 6 ? half / 2 : 3;
+    const vm_real half = p->ripple.pi / 2, cut = half < 6 ? half / 2 : 3;
     int i, quarter;
     *Fs = 0;
     *Fc = 0;
@@ -58,7 +60,7 @@ VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, 
     const vm_real V = w->speed * (2 * A * Om / (w->alpha + 1));
     vm_real Fs = 0, Fc = 0;
     if (p->problem.force) vmi_osc_means(p, w, t, A, V, &Fs, &Fc);
-    *ln_A_rate = -now->q / (w->alpha + 3) - w->gain_A * Fs / (now->m * V);
+    *ln_A_rate = -now->p - w->gain_A * Fs / (now->m * V);
     *theta_rate = -w->gain_theta * Fc / (now->m * V);
 }
 
@@ -87,7 +89,7 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
     if (!p || !A_rate || !theta_rate || !psi_rate) return VM_BAD_ARGUMENT;
     if (route < VM_ROUTE_TRIG || route > VM_ROUTE_ATEB) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(A)) return VM_NOT_FINITE;
-    status = vmi_osc_rates_at(p, t, 1, 0, &now);
+    status = vmi_osc_rates_at(&p->problem, t, 1, &now);
     if (status) return status;
     if (!(A > 0)) return VM_DOMAIN;
     w = vmi_osc_wave_of(p, route);
@@ -127,20 +129,20 @@ typedef struct VM_TAG(vmi_osc_averaging) {
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
-    const vm_real n = p->problem.alpha + 1, V = 2 * at->A * at->Om / n;
+    const vm_real n = p->problem.alpha + 1, V = 2 * at->A * at->Om / n, q = (n + 2) * at->now.p;
     const vm_real side = (vm_real)vmi_time_side(at->t_end);
     const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     int i;
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) {
-        const vm_real way = 2 * p->pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
-        vm_real ca, sa, F, time = at->t + side * (way - 2 * p->pi) / at->Om;
+        const vm_real way = 2 * p->ripple.pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
+        vm_real ca, sa, F, time = at->t + side * (way - 2 * p->ripple.pi) / at->Om;
         if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* before the start: the first period instead */
         if (VM_FABS(time) > VM_FABS(at->t_end)) time = at->t_end;
         if (frozen) time = at->t;
         vmi_osc_wave_at(&w, at->psi + way, &ca, &sa);
         F = p->problem.force(time, at->A * ca, -V * sa, p->problem.ctx) / (at->now.m * V);
-        rate_A[i] = -at->now.q / n * sa * sa - 2 / n * F * sa;
-        rate_psi[i] = -at->now.q / 2 * sa * ca - F * ca;
+        rate_A[i] = -q / n * sa * sa - 2 / n * F * sa;
+        rate_psi[i] = -q / 2 * sa * ca - F * ca;
     }
 }
 
@@ -193,7 +195,7 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
-    const vm_real width = 2 * at->plan->pi / (vm_real)VMI_AVERAGING_POINTS;
+    const vm_real width = 2 * at->plan->ripple.pi / (vm_real)VMI_AVERAGING_POINTS;
     const vm_real bend = (at->plan->problem.alpha - 1) / 2;
     vm_real ripple_A[VMI_AVERAGING_POINTS], ripple_psi[VMI_AVERAGING_POINTS];
     int i;
@@ -213,7 +215,7 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
     const vm_real second_order = VM_C(0.25); /* of rate times ripple: 1.6 times what Duffing's equation has */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
-    int status = vmi_osc_rates_at(p, t, -vmi_time_side(t_end), 0, &at.now);
+    int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
     if (status) return status;
     at.plan = p;
     at.t = t;
@@ -278,7 +280,7 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
         before = after;
         time = next;
     }
-    *error = error_A + error_psi + after.ripple + vmi_osc_wave_error(w, p->mean_ca2) + vmi_osc_way_error(p, &mean);
+    *error = error_A + error_psi + after.ripple + vmi_osc_wave_error(w, p->ripple.mean2) + vmi_osc_way_error(p, &mean);
     if (!(*error >= 0)) *error = VM_INFINITY; /* amplitude 0, or out of range: nothing is known */
     return VM_OK;
 }

@@ -121,11 +121,11 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
     vmi_osc_at_phase(A, psi + rate * t, omega0, alpha, x, v);
 }
 
-/* The mean of ca^2 over a period, B(3/(alpha+1), 1/2)/Pi_alpha, with pi = Pi_alpha. B(q, 1/2) is Pi of alpha = 1/q - 1
-   for q <= 1, and follows from there upward by its recurrence. */
-VM_API vm_real vmi_osc_mean_ca2(vm_real alpha, vm_real pi)
+/* The mean over a period of |ca|^power, B((power+1)/(alpha+1), 1/2)/Pi_alpha, with pi = Pi_alpha. B(q, 1/2) is Pi of
+   alpha = 1/q - 1 for q <= 1, and follows from there upward by its recurrence. */
+VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi)
 {
-    vm_real q = 3 / (alpha + 1), factor = 1;
+    vm_real q = (power + 1) / (alpha + 1), factor = 1;
     for (; q > 1; q -= 1) factor *= (q - 1) / (q - VM_C(0.5));
     return factor * ateb_pi(1 / q - 1) / pi;
 }

@@ -113,36 +113,11 @@ VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     const vm_real A = p->A * vmi_exp(y[VMI_OSC_LN_A], 0);
     vmi_osc_rates now;
     vm_real Om, theta_rate;
-    c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
+    c->status = vmi_osc_rates_at(&p->problem, t, c->side, &now);
     if (c->status) return c->status;
     Om = p->Om * vmi_osc_Om_ratio(p, &now, y[VMI_OSC_LN_A]);
     vmi_osc_averaged_rates(p, &c->wave, &now, t, A, Om, &dydt[VMI_OSC_LN_A], &theta_rate);
     dydt[VMI_OSC_PSI] = Om + theta_rate / c->wave.turn;
-    return 0;
-}
-
-/* Exact: y = ln(A/A0), Ateb phase, by (314), (315) with the term of omega' that they lack. q holds that term and all
-   that is linear in x'. */
-VM_API int vmi_osc_variation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run)
-{
-    vmi_osc_run *c = (vmi_osc_run *)run;
-    const vm_osc_plan *p = c->plan;
-    const vm_osc_problem *o = &p->problem;
-    const vm_real n = o->alpha + 1;
-    vmi_osc_rates now;
-    vm_real Om, sa, ca;
-    c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
-    if (c->status) return c->status;
-    Om = p->Om * vmi_osc_Om_ratio(p, &now, y[VMI_OSC_LN_A]);
-    vmi_osc_wave_at(&c->wave, y[VMI_OSC_PSI], &ca, &sa);
-    dydt[VMI_OSC_LN_A] = -now.q / n * sa * sa;
-    dydt[VMI_OSC_PSI] = Om - now.q / 2 * sa * ca;
-    if (o->force) {
-        const vm_real A = p->A * vmi_exp(y[VMI_OSC_LN_A], 0), V = 2 * A * Om / n;
-        const vm_real F = o->force(t, A * ca, -V * sa, o->ctx) / (now.m * V);
-        dydt[VMI_OSC_LN_A] -= 2 / n * F * sa;
-        dydt[VMI_OSC_PSI] -= F * ca;
-    }
     return 0;
 }
 
@@ -164,7 +139,7 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     const vm_real speed = 2 * p->Om / (o->alpha + 1); /* vmax/A0 */
     vmi_osc_rates now;
     vm_real m, weight;
-    c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
+    c->status = vmi_osc_rates_at(&p->problem, t, c->side, &now);
     if (c->status) return c->status;
     m = now.m / p->m0;
     weight = vmi_osc_reactive_weight(o, m);
@@ -186,10 +161,10 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
     const vm_osc_plan *p = c->plan;
     vmi_osc_rates now;
     vm_real ln_A, ln_Om;
-    if (vmi_osc_rates_at(p, c->s.t, c->side, 0, &now)) return VM_NAN;
-    if (!c->method->direct) return 2 * p->pi / (p->Om * vmi_osc_Om_ratio(p, &now, c->s.y[VMI_OSC_LN_A]));
+    if (vmi_osc_rates_at(&p->problem, c->s.t, c->side, &now)) return VM_NAN;
+    if (!c->method->direct) return 2 * p->ripple.pi / (p->Om * vmi_osc_Om_ratio(p, &now, c->s.y[VMI_OSC_LN_A]));
     vmi_osc_adiabatic(p, vmi_log(now.m / p->m0).hi, vmi_log(now.k / p->k0).hi, 0, &ln_A, &ln_Om);
-    return 2 * p->pi / (p->Om * vmi_exp(ln_Om, 0));
+    return 2 * p->ripple.pi / (p->Om * vmi_exp(ln_Om, 0));
 }
 
 /* Where the run stops next on its way to t: at a point of a table, or after 64 periods */
@@ -212,7 +187,7 @@ VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real
     const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
     vm_real longest = period * c->longest, steps;
-    if (!(c->plan->pi < bounces_from)) longest = period * (c->longest * bounces_from / c->plan->pi);
+    if (!(c->plan->ripple.pi < bounces_from)) longest = period * (c->longest * bounces_from / c->plan->ripple.pi);
     longest = vmi_smaller(most, vmi_smaller(law_step, longest));
     c->s.options.h_max = longest;
     steps = way * (most_steps / period + 4 / longest) + most_steps;
@@ -223,7 +198,7 @@ VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real
 VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
 {
     const vm_real most_periods = VM_C(8388608.); /* 2^23: in float more hold no phase, in double they take minutes */
-    const vm_real turn = 2 * c->plan->pi;
+    const vm_real turn = 2 * c->plan->ripple.pi;
     int status = VM_OK;
     while (status >= 0 && c->s.t != t) {
         const vm_real period = vmi_osc_period_now(c);
@@ -250,7 +225,7 @@ VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
     const vm_real *y = c->s.y;
     vm_real ca, sa, weight, unused;
     vmi_osc_rates now;
-    int status = vmi_osc_rates_at(p, c->s.t, -c->side, 0, &now);
+    int status = vmi_osc_rates_at(&p->problem, c->s.t, -c->side, &now);
     if (status) return status;
     if (!c->method->direct) {
         const vm_real A = p->A * vmi_exp(y[VMI_OSC_LN_A], 0), Om = p->Om * vmi_osc_Om_ratio(p, &now, y[VMI_OSC_LN_A]);
@@ -309,7 +284,7 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
         vmi_osc_rates now;
         vm_real vmax;
         if (a[i].amplitude == 0) return VM_INFINITY;
-        if (vmi_osc_rates_at(p, vmi_osc_check_time(t, i), -vmi_time_side(t), 0, &now)) return VM_INFINITY;
+        if (vmi_osc_rates_at(&p->problem, vmi_osc_check_time(t, i), -vmi_time_side(t), &now)) return VM_INFINITY;
         vmax = vm_osc_vmax(a[i].amplitude, VM_SQRT(now.k / now.m), p->problem.alpha);
         largest = vmi_larger(VM_FABS(a[i].x - b[i].x) / a[i].amplitude, largest);
         largest = vmi_larger(VM_FABS(a[i].v - b[i].v) / vmax, largest);
@@ -323,15 +298,15 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
     const vm_law *laws[2];
-    vmi_osc_walk w;
+    vmi_osc_mean mean;
     int i, status;
     laws[0] = &p->problem.mass;
     laws[1] = &p->problem.stiffness;
     *step = VM_FABS(t);
     if (!laws[0]->function && !laws[1]->function) return VM_OK;
-    status = vmi_osc_walk_to(&w, p, t);
+    status = vmi_osc_walk_to(p, t, &mean);
     if (status) return status;
-    *step = vmi_larger(w.shortest / panel_steps, VM_FABS(t) / run_steps);
+    *step = vmi_larger(mean.shortest / panel_steps, VM_FABS(t) / run_steps);
     for (i = 0; i < 2; i++) {
         const vm_real change_time = laws[i]->function ? laws[i]->change_time : 0;
         if (change_time > 0 && change_time < *step) *step = change_time;

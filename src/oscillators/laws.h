@@ -19,6 +19,7 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
+#include "legendre.h"
 
 /* A user's law: writes f(t) and its rate df/dt, returns 0, or another number where it fails. f must be smooth. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
@@ -36,7 +37,7 @@ struct VM_TAG(vm_law) {
     void *ctx;                /* last argument of function */
     vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0: unknown */
     /* What the kind of law does; its constructor sets these. */
-    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f); /* null: no law */
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null: no law */
     int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t is enough */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null: it has none */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null: there is no closed form */
@@ -47,25 +48,25 @@ struct VM_TAG(vm_law) {
 /* The direction of time over a length, or from 0 to a time: 1 forward, -1 backward */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
-/* Numbers that the function `derivatives` of a law writes: f, f', f'', f''', the index is the order */
-enum { VMI_LAW_ORDERS = 4 };
+/* Numbers that the function `derivatives` of a law writes: f and its first six derivatives, the index is the order */
+enum { VMI_LAW_ORDERS = 7 };
 
-/* Whether f, f', f'' are finite, by one comparison: each difference is 0 or NaN */
-VM_API int vmi_law_is_finite(const vm_real *f) { return (f[0] - f[0]) + (f[1] - f[1]) + (f[2] - f[2]) == 0; }
-
-/* f[0] to f[3] at t: the value of the law, which a constructor made, and its first three derivatives.
+/* The value of a law that a constructor made, and its derivatives at t, in f[0], f[1], ...
    side: where a derivative jumps at t, 1 asks for its value after t, -1 for that before t.
-   step: a short time, s, which functions of the user need for f''; 0 where f'' is not wanted.
-   f''' is that of a table, and 0 for all other laws, where it is not needed.
+   length: 0 asks for f and f' only. A positive length, s, asks for all six derivatives; those of a function of the user
+   are then found from its values between t and t + side length.
    if_not_positive: the status where f <= 0, VM_BAD_MASS for a mass; VM_OK for numbers that may have any sign. */
-VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
-    int status;
-    f[3] = 0;
-    status = law->derivatives(law, t, side, step, f);
+    int i, status;
+    vm_real sum = 0; /* of differences that are 0 or NaN */
+    if (length > 0)
+        for (i = 2; i < VMI_LAW_ORDERS; i++) f[i] = 0;
+    status = law->derivatives(law, t, side, length, f);
     if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
     if (status) return status;
-    if (!vmi_law_is_finite(f)) return VM_NOT_FINITE;
+    for (i = 0; i < (length > 0 ? VMI_LAW_ORDERS : 2); i++) sum += f[i] - f[i];
+    if (!(sum == 0)) return VM_NOT_FINITE;
     if (if_not_positive && !(f[0] > 0)) return if_not_positive;
     return VM_OK;
 }
@@ -152,13 +153,12 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Linear laws -- */
-VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
-    (void)step;
+    (void)length;
     f[0] = law->f0 + law->f1 * t;
     f[1] = law->f1;
-    f[2] = 0;
     return VM_OK;
 }
 
@@ -182,13 +182,12 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 }
 
 /* -- Quadratic laws -- */
-VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
-    (void)step;
     f[0] = law->f0 + t * (law->f1 + t * law->f2);
     f[1] = law->f1 + 2 * law->f2 * t;
-    f[2] = 2 * law->f2;
+    if (length > 0) f[2] = 2 * law->f2;
     return VM_OK;
 }
 
@@ -234,13 +233,13 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Exponential laws -- */
-VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
+    const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
+    int i;
     (void)side;
-    (void)step;
     f[0] = law->f0 * vmi_exp(law->f1 * t, 0);
-    f[1] = law->f1 * f[0];
-    f[2] = law->f1 * f[1];
+    for (i = 1; i < orders; i++) f[i] = law->f1 * f[i - 1];
     return VM_OK;
 }
 
@@ -265,15 +264,15 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 /* -- Power laws -- */
 
 /* VM_BAD_MASS where 1 + f1 t is not positive; for other numbers than masses vmi_law_derivatives changes the status */
-VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
+    const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
+    int i;
     (void)side;
-    (void)step;
     if (!(base > 0)) return VM_BAD_MASS;
     f[0] = law->f0 * vmi_pow_checked(base, law->f2);
-    f[1] = law->f2 * relative_rate * f[0];
-    f[2] = (law->f2 - 1) * relative_rate * f[1];
+    for (i = 1; i < orders; i++) f[i] = (law->f2 - (vm_real)(i - 1)) * relative_rate * f[i - 1];
     return VM_OK;
 }
 
@@ -342,25 +341,26 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
 }
 
 /* The cubic of the interval with t, which has the values and the slopes of its two points */
-VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
-    vm_real length, u, chord, slope0, slope1, b, c;
+    vm_real chord_time, u, chord, slope0, slope1, b, c;
     int i;
-    (void)step;
     if (law->n < 2 || !law->time || !law->value) return VM_BAD_ARGUMENT;
     if (!(t >= law->time[0] && t <= law->time[law->n - 1])) return VM_DOMAIN;
     i = vmi_law_interval(law, t, side);
-    length = law->time[i + 1] - law->time[i];
+    chord_time = law->time[i + 1] - law->time[i];
     u = t - law->time[i];
-    chord = (law->value[i + 1] - law->value[i]) / length;
+    chord = (law->value[i + 1] - law->value[i]) / chord_time;
     slope0 = vmi_law_slope(law, i);
     slope1 = vmi_law_slope(law, i + 1);
-    b = (3 * chord - 2 * slope0 - slope1) / length;
-    c = (slope0 + slope1 - 2 * chord) / (length * length);
+    b = (3 * chord - 2 * slope0 - slope1) / chord_time;
+    c = (slope0 + slope1 - 2 * chord) / (chord_time * chord_time);
     f[0] = law->value[i] + u * (slope0 + u * (b + u * c));
     f[1] = slope0 + u * (2 * b + 3 * u * c);
-    f[2] = 2 * b + 6 * u * c;
-    f[3] = 6 * c;
+    if (length > 0) {
+        f[2] = 2 * b + 6 * u * c;
+        f[3] = 6 * c;
+    }
     return VM_OK;
 }
 
@@ -405,19 +405,44 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 
 /* -- Functions of the user -- */
 
-/* The function gives f and f'. f'' is found to second order from f' at t, t + step, t + 2 step; 0 for step = 0. */
-VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+/* The series of the rate f' over the time from t to t + length, as short as it must be for the series to end in rounding
+   errors, which are dropped. *length becomes the length of the series. */
+VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
-    vm_real unused, rate[2];
-    int i;
-    (void)side;
-    f[2] = 0;
+    const vm_real noise = 64 * VM_EPSILON;
+    const int most_halvings = 24;
+    vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused, least = 0;
+    int i, halvings;
+    for (halvings = 0; halvings <= most_halvings; halvings++) {
+        for (i = 0; i < VMI_GAUSS; i++) {
+            const vm_real at = t + *length * ((1 + vmi_gauss_node(i)) / 2);
+            if (law->function(at, &unused, &rates[i], law->ctx)) return VM_DOMAIN;
+        }
+        vmi_legendre_fit(rates, rates, series, same);
+        least = noise * VM_SQRT(vmi_legendre_square(series));
+        if (!(vmi_legendre_tail(series) > least)) break;
+        *length /= 2;
+    }
+    for (i = 0; i < VMI_GAUSS; i++)
+        if (VM_FABS(series[i]) <= least) series[i] = 0;
+    return VM_OK;
+}
+
+/* The function gives f and f'. The higher derivatives are those of a series of f'. */
+VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+{
+    vm_real series[VMI_GAUSS], whole = (vm_real)side * length, scale = 1;
+    int i, k, status;
     if (!law->function) return VM_BAD_ARGUMENT;
     if (law->function(t, &f[0], &f[1], law->ctx)) return VM_DOMAIN;
-    if (step == 0) return VM_OK;
-    for (i = 0; i < 2; i++)
-        if (law->function(t + (vm_real)(i + 1) * step, &unused, &rate[i], law->ctx)) return VM_DOMAIN;
-    f[2] = (4 * (rate[0] - f[1]) - (rate[1] - f[1])) / (2 * step);
+    if (!(length > 0)) return VM_OK;
+    status = vmi_law_user_series(law, t, &whole, series);
+    if (status) return status;
+    for (i = 2; i < VMI_LAW_ORDERS; i++) {
+        vmi_legendre_derive(series);
+        scale *= 2 / whole;
+        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* at -1, P_k is (-1)^k */
+    }
     return VM_OK;
 }
 

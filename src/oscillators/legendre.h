@@ -67,6 +67,20 @@ VM_API void vmi_legendre_fit(const vm_real *values_a, const vm_real *values_b, v
     }
 }
 
+/* The value of the series at x */
+VM_API vm_real vmi_legendre_at(const vm_real *coefficient, vm_real x)
+{
+    vm_real before = 0, now = 1, sum = 0;
+    int k;
+    for (k = 0; k < VMI_GAUSS; k++) {
+        const vm_real next = vmi_legendre_next(k, x, now, before);
+        sum += coefficient[k] * now;
+        before = now;
+        now = next;
+    }
+    return sum;
+}
+
 /* The integral of the series from -1 to x: that of P_k is (P_(k+1) - P_(k-1))/(2k+1) */
 VM_API vm_real vmi_legendre_integral(const vm_real *coefficient, vm_real x)
 {

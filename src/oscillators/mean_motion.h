@@ -1,12 +1,15 @@
-/* oscillators/mean_motion.h - averaged motion of first and second order without a force, and estimates of its error
+/* oscillators/mean_motion.h - averaged motion of first order, the law of order five, and estimates of their errors
 
-   Without a force F the averaged equations of an oscillator with slow laws of mass and stiffness are solved by
-   integrals: the amplitude follows the adiabatic law (325), (344), (367), (389), the phase is the integral of Om,
-   (310), (329), (370). vmi_osc_first_order is that solution for one of the three waves, error q/Om;
-   vmi_osc_second_order adds the ripple within a period and the second order of the mean phase, error (q/Om)^2.
-   vmi_osc_mean mean; vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ATEB); int status = vmi_osc_mean_at(&plan, t,
-   &mean); if (!status) status = vmi_osc_second_order(&plan, &w, &mean, &motion); Tests: tests/test_averaging.c,
-   tests/test_routes.c. */
+   Without a force F the mean motion of an oscillator with slow laws of mass and stiffness is known by integrals: the
+   amplitude follows the adiabatic law (325), (344), (367), (389), the phase is the integral of its rate, (310), (329),
+   (370). vmi_osc_first_order takes the mean motion of first order for the motion, with one of three waves;
+   vmi_osc_order_n adds what lies between them, by the transformation of oscillators/expansion.h cut off after order
+   2, 3, 4 or 5: the error is of that order in the rate at which mass and stiffness change within a radian.
+       vmi_osc_mean mean;
+       vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
+       int status = vmi_osc_mean_at(&plan, t, &mean);
+       if (!status) status = vmi_osc_order_n(&plan, VM_ROUTE_ORDER5, &w, &mean, &motion);
+   Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_MEAN_MOTION_H
 #define VARMASS_OSCILLATORS_MEAN_MOTION_H
 
@@ -14,96 +17,56 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
+#include "expansion.h"
+#include "plan.h"
 #include "problem.h"
+#include "reduction.h"
+#include "ripple.h"
 #include "walk.h"
 #include "waves.h"
 
 /* -- The mean motion at t -- */
-typedef struct VM_TAG(vmi_osc_mean) {
-    vmi_osc_rates now;          /* the rates just before t (after it for t < 0) */
-    vmi_osc_integrals integral; /* from 0 to t */
-    vm_real fourth;             /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi, epsilon = q/Om */
-    vm_real ln_A, ratio;        /* ln(A/A0) and Om/Om0 by the adiabatic law */
-    vm_real kick2, kick3;       /* of the points of tables, see vmi_osc_walk */
-    vm_real fast;               /* fast changes of m and k change ln J, J the action, by no more than this */
-    vm_real phase_error;        /* error of the phase by that of integral.phase */
-} vmi_osc_mean;
 
-/* A bound of the change of ln J, J the action, that the adiabatic law leaves out. The law ignores
-   (ln J)' = epsilon w(psi), per radian of phase, with w = (1 - (n+2)/n sa^2)/2, n = alpha + 1, whose mean is 0. The
-   change is at most the integral of |epsilon w|. After i integrations by parts it is at most the integral of the ith
-   derivative of epsilon times the ith integral of w; the solution has the terms at the ends. The smallest of these
-   bounds is taken: one with a high i where m and k change slowly, the first where they change in less than a period.
-   At points of tables the derivatives jump. The solution contains the effect (a kick) of the jumps of the first
-   derivative, and kick3 that of the next. Where the first bounds are the smallest, the kicks of the solution are
-   wrong, so these bounds include them. */
-VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
-{
-    const vm_real n = p->problem.alpha + 1, turn = p->pi / (2 * VM_PI);
-    const vm_real larger_part = vmi_larger(p->mean_ca2, 1 - p->mean_ca2);
-    vm_real size[VMI_WALK_ORDERS], least = VM_INFINITY; /* size[i]: largest value of the ith integral of w */
-    int i;
-    size[0] = n < 2 ? 1 / n : VM_C(0.5);
-    size[1] = VM_C(0.25); /* sa ca/2 */
-    size[2] = n / 8 * larger_part;
-    for (i = 3; i < VMI_WALK_ORDERS; i++) size[i] = size[i - 1] * turn;
-    for (i = 0; i < VMI_WALK_ORDERS; i++) {
-        vm_real bound = size[i] * w->change[i];
-        if (i < 2) bound += (n + 2) / 2 * w->kicks;
-        if (bound < least) least = bound;
-    }
-    return least;
-}
-
-/* The mean motion by a walk along the laws of m and k; mean->now is given. */
-VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
+/* The mean motion where m and k are exponentials in one u = ln(1 + base t)/base: with the rates of ln mu and ln k by u,
+   p = p_0/(1 + base t), G_k = G_k(0)/(1 + base t)^(k+2), and E_k is E_k(0) times exp(-(k+2) D), where D = delta u. */
+VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;
-    vmi_osc_walk w;
-    int status = vmi_osc_walk_to(&w, p, t);
-    if (status) return status;
-    vmi_osc_adiabatic(p, vmi_log(mean->now.m / p->m0).hi, vmi_log(mean->now.k / p->k0).hi,
-                      o->damping * w.integral.inverse_mass, &mean->ln_A, ln_Om);
-    mean->ln_A += w.ln_A;
-    *ln_Om += (o->alpha - 1) / 2 * w.ln_A;
-    mean->integral = w.integral;
-    mean->fourth = w.fourth;
-    mean->kick2 = w.kick2;
-    mean->kick3 = w.kick3;
-    mean->fast = vmi_osc_fast(p, &w);
-    mean->phase_error = p->Om * w.error;
-    return VM_OK;
-}
-
-/* The mean motion where m and k are exponentials in one u. epsilon then is a power or an exponential, too, so that
-   its fastest change is at 0 or at t, which the estimates below include. */
-VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
-{
-    const vm_real u = t * vmi_log_ratio(p->base * t), q = p->q;
-    const vm_real e = q / p->Om, d = p->h / (p->Om * p->Om);
-    vmi_osc_adiabatic(p, p->rate_m * u, p->rate_k * u, p->problem.damping * u / p->m0, &mean->ln_A, ln_Om);
-    mean->integral.inverse_mass = u / p->m0;
-    mean->integral.phase = u * vmi_exp_ratio(p->base * u + *ln_Om);
-    mean->integral.drift = q * q * u * vmi_exp_ratio(-p->base * u - *ln_Om);
-    mean->fourth = (e * e * e * e + d * d) * p->Om * VM_FABS(u * vmi_exp_ratio(-3 * (p->base * u + *ln_Om)));
-    mean->kick2 = 0;
-    mean->kick3 = 0;
-    mean->fast = 0;
-    mean->phase_error = 0;
+    const vm_real u = t * vmi_log_ratio(p->base * t), el = 1 + p->base * t, delta = 2 * p->slow.p - p->slow.a + p->base;
+    const vm_real D = delta * u, decay = vmi_exp(-D, 0), W = p->mean.W, e = p->slow.G[0] / (W * W);
+    const vm_real growth = vmi_exp_ratio(D);
+    vm_real ln_Om, power = 1;
+    int i;
+    *mean = vmi_osc_mean_at_0(p);
+    vmi_osc_adiabatic(p, p->rate_m * u, p->rate_k * u, o->damping * u / p->m0, &mean->ln_A, &ln_Om);
+    mean->ratio = 1 / (decay * el);
+    mean->inverse_mass = u / p->m0;
+    mean->phase = u * growth;
+    mean->first = vmi_expansion_first(&p->ripple) * W * e * u * (growth * decay);
+    mean->second = vmi_expansion_second(&p->ripple) * W * e * e * u * vmi_exp_ratio(-3 * D);
+    mean->psi += W * mean->phase + (mean->first + mean->second);
+    mean->largest = VM_FABS(e) * vmi_larger(1, decay * decay);
+    mean->third = W * VM_FABS(u * vmi_exp_ratio(-5 * D)) *
+                  vmi_osc_third_rate(&p->ripple, VM_FABS(e * p->slow.G[2] / (W * W) / (W * W)), VM_FABS(e * e * e));
+    mean->now.m = p->m0 * vmi_exp(p->rate_m * u, 0);
+    mean->now.k = p->k0 * vmi_exp(p->rate_k * u, 0);
+    mean->now.a = p->slow.a / el;
+    mean->now.p = p->slow.p / el;
+    power = 1 / el;
+    for (i = 0; i < VMI_OSC_G; i++) {
+        power /= el;
+        mean->now.G[i] = p->slow.G[i] * power;
+    }
 }
 
 /* The mean motion at t */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    vm_real ln_Om;
-    int status = vmi_osc_rates_at(p, t, -vmi_time_side(t), 1, &mean->now);
+    int status = VM_OK;
+    if (p->closed) vmi_osc_mean_closed(p, t, mean);
+    else status = vmi_osc_walk_to(p, t, mean);
     if (status) return status;
-    if (p->closed) vmi_osc_mean_closed(p, t, mean, &ln_Om);
-    else status = vmi_osc_mean_by_walk(p, t, mean, &ln_Om);
-    if (status) return status;
-    mean->ratio = vmi_exp(ln_Om, 0);
-    if (!VM_IS_FINITE(mean->integral.phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio))
-        return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(mean->phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio)) return VM_NOT_FINITE;
     return VM_OK;
 }
 
@@ -112,42 +75,72 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 /* What the rounding errors of the phase add */
 VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
-    return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->integral.phase)) + mean->phase_error;
+    return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
 }
 
-/* What both solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t,
-   and the roughness of tables */
+/* A bound of the change of ln J, J the action, that fast changes of mass and stiffness make. The exact change is
+   the integral of E_0 times a periodic function of the phase whose mean is 0. After i integrations by parts it is the
+   integral of the ith derivative of E_0 times the ith integral of that function, and terms at the ends, which the
+   solutions contain. The smallest of these bounds is taken: one with a high i where the laws change slowly, the first
+   where they change in less than a period. */
+VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
+{
+    const vmi_ripple *r = &p->ripple;
+    const vm_real turn = r->pi / (2 * VM_PI);
+    vm_real size = (r->alpha + 3) / 4, least = VM_INFINITY; /* (alpha+3)/2 |sa ca|; then terms of the transformation */
+    int i;
+    for (i = 0; i < VMI_WALK_ORDERS; i++) {
+        const vm_real bound = size * mean->change[i];
+        if (!(bound >= least)) least = bound;
+        if (i == 0) size = r->scale / 4;
+        else size *= turn;
+    }
+    return least;
+}
+
+/* What all solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
-    const vm_real g = VM_FABS(p->gamma * p->Om * mean->integral.phase);
-    return (1 + g) * mean->fast + VM_C(0.2) * (VM_SQRT(mean->kick2) + g * VM_SQRT(mean->kick3));
+    return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
-/* The error of first order, to first order in q/Om: the solution leaves out ln rho and the shift of the start, the
-   ripple of a period, and the second order of the mean phase. The phase multiplies ln rho by gamma Om t. */
+/* The error of first order, to first order: the solution leaves out how far the start is from its mean motion, the
+   ripple of a period, and the second order of the mean phase. The phase multiplies errors of ln J by gamma Om t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
-    const vm_real n = p->problem.alpha + 1, e = VM_FABS(mean->now.q) / (p->Om * mean->ratio), M = p->mean_ca2;
-    const vm_real c2 = M * n / (2 * (n + 2) * (n + 2)), larger_part = vmi_larger(M, 1 - M);
-    const vm_real ripple = e * n / (2 * (n + 2)) * larger_part;
-    const vm_real phase = VM_FABS(p->gamma * p->ln_rho * p->Om * mean->integral.phase) + VM_FABS(p->shift) + ripple +
-                          VM_FABS(c2 * mean->integral.drift / p->Om);
-    const vm_real amplitude = (2 * VM_FABS(p->ln_rho) + e / 2) / (n + 2);
-    return phase + amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    const vmi_ripple *r = &p->ripple;
+    const vm_real n = r->alpha + 1, e = VM_FABS((n + 2) * mean->now.p) / (p->Om * mean->ratio), M = r->mean2;
+    const vm_real ripple = e * n / (2 * (n + 2)) * vmi_larger(M, 1 - M), turns = p->Om * VM_FABS(mean->phase);
+    const vm_real ln_A = VM_FABS(vmi_log(p->mean.A / p->A).hi) + VM_FABS(mean->ln_J) * 2 / (n + 2);
+    const vm_real phase = VM_FABS(r->gamma) * (n + 2) / 2 * ln_A * turns + VM_FABS(p->mean.psi - p->psi) + ripple +
+                          VM_FABS(mean->first);
+    return phase + ln_A + e / (n + 2) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* The error of second order: the solution leaves out ripples of second order at the start and at t, the third order of
-   ln rho, which the phase multiplies, and the fourth order of the mean phase. The factors fit what
-   tests/test_routes.c finds. */
-VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
+/* The error of order 2, 3, 4 or 5: terms of the next weight at the start, which the phase multiplies, and at t, at the
+   points of tables, and in the mean rate of the phase. The factor 2 fits what tests/test_slow_motion.c finds. */
+VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
-    const vm_real Om = p->Om * mean->ratio, e = VM_FABS(mean->now.q) / Om, e0 = VM_FABS(p->q) / p->Om;
-    const vm_real d = VM_FABS(mean->now.h) / (Om * Om), d0 = VM_FABS(p->h) / (p->Om * p->Om);
-    const vm_real third = VM_FABS(p->h_rate) / (p->Om * p->Om) / p->Om;
-    const vm_real ripple = (e * e + d) + (e0 * e0 + d0), start = e0 * e0 * e0 + e0 * d0 + d0 * VM_SQRT(d0) + third;
-    const vm_real g = VM_FABS(p->gamma * p->Om * mean->integral.phase);
-    return (VM_C(0.02) + VM_C(0.015) * p->problem.alpha) * ripple + VM_C(0.15) * g * start +
-           VM_C(0.1) * mean->fourth + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    const vmi_ripple *r = &p->ripple;
+    const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
+    const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
+    const int start_order = order < p->start_order ? order : p->start_order;
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, rate = mean->third;
+    int i;
+    vmi_osc_disturbance(&mean->now, state.W, e);
+    for (i = 0; i < VMI_OSC_G; i++) {
+        e0[i] = VM_FABS(p->E[i]);
+        e[i] = VM_FABS(e[i]);
+    }
+    start_J = vmi_osc_size_J(r, start_order + 1, e0);
+    knot_J = VM_SQRT(mean->knots_J[start_order - 2]);
+    if (order == 5) rate *= 2;
+    if (order < 4) rate = VM_FABS(mean->second) + mean->third;
+    if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* not slow: no power of E_0 is small */
+    phase = vmi_osc_size_psi(r, order, e0) + vmi_osc_size_psi(r, order, e) + g * turns * (start_J + knot_J) + rate +
+            VM_SQRT(mean->knots_psi[start_order - 2]);
+    amplitude = vmi_osc_size_J(r, order, e) + start_J + knot_J;
+    return 4 / n * phase + 4 / (n + 2) * amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
 /* -- The solutions -- */
@@ -174,26 +167,41 @@ VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wa
                                vm_osc_motion *motion)
 {
     const vm_real A = p->A * vmi_exp(mean->ln_A, 0), Om = p->Om * mean->ratio;
-    const vm_real error = vmi_osc_first_error(p, mean) + vmi_osc_wave_error(w, p->mean_ca2);
+    const vm_real error = vmi_osc_first_error(p, mean) + vmi_osc_wave_error(w, p->ripple.mean2);
     vm_real c, s;
-    vmi_osc_wave_at(w, p->psi + p->Om * mean->integral.phase, &c, &s);
+    vmi_osc_wave_at(w, p->psi + p->Om * mean->phase, &c, &s);
     return vmi_osc_motion_of(w, A, Om, c, s, error, route, motion);
 }
 
-/* Second order. Om at the exact amplitude is that at the mean amplitude times rho^gamma, where
-   rho = (A/mean A)^((alpha+3)/2). route: VM_ROUTE_SECOND */
-VM_API int vmi_osc_second_order(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
-                                vm_osc_motion *motion)
+/* The law of order five, cut off after the order of the route: from the mean motion at t to the motion, by one step in
+   the phase. route: VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 */
+VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
+                           vm_osc_motion *motion)
 {
-    const vm_real n = p->problem.alpha + 1, Om = p->Om * mean->ratio * vmi_exp(-p->gamma * p->ln_rho, 0);
-    const vm_real e = mean->now.q / (2 * Om), phase = vmi_osc_mean_phase(p, &mean->integral);
-    vm_real c, s, ln_rho, A;
-    vmi_osc_phase_from_mean(p, w, phase, e * n / (n + 2), &c, &s);
-    ln_rho = e * s * c;
-    ln_rho = ln_rho > -1 ? ln_rho * vmi_log_ratio(ln_rho) : VM_NAN;
-    A = p->A * vmi_exp(mean->ln_A + 2 / (n + 2) * (ln_rho - p->ln_rho), 0);
-    return vmi_osc_motion_of(w, A, Om * vmi_exp(p->gamma * ln_rho, 0), c, s, vmi_osc_second_error(p, mean),
-                             route, motion);
+    const vmi_ripple *r = &p->ripple;
+    const int order = vmi_osc_order_of(route);
+    vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
+    vmi_ripple_values f;
+    vm_osc_motion result;
+    vm_real E[VMI_OSC_G], sa, ca, ln_J;
+    vmi_osc_disturbance(&mean->now, state.W, E);
+    vmi_osc_wave_at(w, state.psi, &ca, &sa);
+    if (order > 2) {
+        vmi_ripple_at(r, order, state.psi, sa, ca, &f);
+        vmi_osc_wave_at(w, state.psi + vmi_expansion_psi_back(r, order, &f, E), &ca, &sa);
+        ln_J = vmi_expansion_J_back(r, order, &f, E);
+        state.A *= vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
+        state.W *= vmi_exp(r->gamma * ln_J, 0);
+    }
+    vmi_osc_unreduce(&state, mean->now.p, r->alpha, sa, ca, &result.x, &result.v);
+    result.amplitude = state.A;
+    result.error = vmi_osc_order_error(p, order, mean);
+    result.route = route;
+    result.evals = 0;
+    if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
+    if (!(result.error >= 0)) result.error = VM_INFINITY;
+    *motion = result;
+    return VM_OK;
 }
 
 #endif

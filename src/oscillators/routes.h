@@ -13,10 +13,13 @@
 
 #include "../base/real.h"
 #include "../base/status.h"
+#include "collocation.h"
 #include "integration.h"
 #include "laws.h"
 #include "mean_motion.h"
+#include "plan.h"
 #include "problem.h"
+#include "ripple.h"
 #include "waves.h"
 
 /* -- Which route for what, and what the estimate of the error covers --
@@ -56,50 +59,65 @@
 typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion);
 
-/* A route: without a force by its solution in closed form, if it has one, else by its method of integration */
+/* An integration from 0 to t to a tolerance */
+typedef int (*vmi_osc_integration)(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
+                                   vm_osc_motion *motion);
+
+/* The averaged equations, which have a solution in closed form only without a force */
+VM_API int vmi_osc_integrate_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
+                                      vm_osc_motion *motion)
+{
+    vmi_osc_method method = vmi_osc_method_rk45(vmi_osc_averaged_rhs);
+    method.averaged = 1;
+    return vmi_osc_integrate(p, route, &method, t, tolerance, motion);
+}
+
+/* The equation of motion, by rk45 and by rk87 */
+VM_API int vmi_osc_integrate_rk45(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vmi_osc_method method = vmi_osc_method_rk45(vmi_osc_direct_rhs);
+    method.direct = 1;
+    return vmi_osc_integrate(p, route, &method, t, tolerance, motion);
+}
+
+VM_API int vmi_osc_integrate_rk87(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
+    method.direct = 1;
+    return vmi_osc_integrate(p, route, &method, t, tolerance, motion);
+}
+
+/* A route: without a force by its solution, if it has one, else by integration */
 typedef struct VM_TAG(vmi_osc_route) {
     const char *name;
-    vmi_osc_solution solution; /* null: it has none */
-    vmi_osc_method method;     /* with rhs null: it cannot be integrated */
+    vmi_osc_solution solution;     /* null: it has none */
+    vmi_osc_integration integrate; /* null: it has none */
 } vmi_osc_route;
 
-/* The entry of an averaged solution, whose equations with a force, by rk45, are rhs; null: there are none */
-VM_API vmi_osc_route vmi_osc_route_averaged(const char *name, vmi_osc_solution solution, ode_rhs rhs)
+VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solution, vmi_osc_integration integrate)
 {
     vmi_osc_route route;
     route.name = name;
     route.solution = solution;
-    route.method = vmi_osc_method_rk45(rhs);
-    route.method.averaged = 1;
-    return route;
-}
-
-/* The entry of a route that always integrates */
-VM_API vmi_osc_route vmi_osc_route_integrated(const char *name, vmi_osc_method method, int direct)
-{
-    vmi_osc_route route;
-    route.name = name;
-    route.solution = NULL;
-    route.method = method;
-    route.method.direct = direct;
+    route.integrate = integrate;
     return route;
 }
 
 /* The table: entry VM_ROUTE_... */
 VM_API vmi_osc_route vmi_osc_route_of(int route)
 {
-    const vmi_osc_method variation = vmi_osc_method_rk45(vmi_osc_variation_rhs);
-    const vmi_osc_method rk45_direct = vmi_osc_method_rk45(vmi_osc_direct_rhs);
-    const vmi_osc_method rk87_direct = vmi_osc_method_rk87(vmi_osc_direct_rhs);
     switch (route) {
-    case VM_ROUTE_TRIG: return vmi_osc_route_averaged("trigonometric", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_JACOBI: return vmi_osc_route_averaged("Jacobi", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_ATEB: return vmi_osc_route_averaged("Ateb, first order", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_SECOND: return vmi_osc_route_averaged("second-order law", vmi_osc_second_order, NULL);
-    case VM_ROUTE_VARIATION: return vmi_osc_route_integrated("variation of constants, rk45", variation, 0);
-    case VM_ROUTE_RK45: return vmi_osc_route_integrated("direct, rk45", rk45_direct, 1);
-    case VM_ROUTE_RK87: return vmi_osc_route_integrated("direct, rk87", rk87_direct, 1);
-    default: return vmi_osc_route_averaged("unknown route", NULL, NULL);
+    case VM_ROUTE_TRIG: return vmi_osc_route_by("trigonometric", vmi_osc_first_order, vmi_osc_integrate_averaged);
+    case VM_ROUTE_JACOBI: return vmi_osc_route_by("Jacobi", vmi_osc_first_order, vmi_osc_integrate_averaged);
+    case VM_ROUTE_ATEB: return vmi_osc_route_by("Ateb, first order", vmi_osc_first_order, vmi_osc_integrate_averaged);
+    case VM_ROUTE_ORDER2: return vmi_osc_route_by("law of order two", vmi_osc_order_n, NULL);
+    case VM_ROUTE_ORDER3: return vmi_osc_route_by("law of order three", vmi_osc_order_n, NULL);
+    case VM_ROUTE_ORDER4: return vmi_osc_route_by("law of order four", vmi_osc_order_n, NULL);
+    case VM_ROUTE_ORDER5: return vmi_osc_route_by("law of order five", vmi_osc_order_n, NULL);
+    case VM_ROUTE_COLLOCATION: return vmi_osc_route_by("collocation", NULL, vmi_osc_collocate);
+    case VM_ROUTE_RK45: return vmi_osc_route_by("direct, rk45", NULL, vmi_osc_integrate_rk45);
+    case VM_ROUTE_RK87: return vmi_osc_route_by("direct, rk87", NULL, vmi_osc_integrate_rk87);
+    default: return vmi_osc_route_by("unknown route", NULL, NULL);
     }
 }
 
@@ -152,9 +170,9 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
     if (status) return status;
     if (route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
     entry = vmi_osc_route_of(route);
-    if (p->problem.force && !entry.method.rhs) return VM_NO_LAW;
+    if (p->problem.force && !entry.integrate) return VM_NO_LAW;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
-    if (p->problem.force || !entry.solution) return vmi_osc_integrate(p, route, &entry.method, t, tolerance, motion);
+    if (p->problem.force || !entry.solution) return entry.integrate(p, route, t, tolerance, motion);
     status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     w = vmi_osc_wave_of(p, route);
@@ -163,20 +181,34 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* The route that integrates where no averaged solution is good enough: rk87 only for odd alpha, where the elastic
-   force has all derivatives at x = 0, so that rk87 holds its order, and where F, which may have none, is missing */
-VM_API int vmi_osc_integrator(const vm_osc_problem *o)
+/* The motion at t by the averaged solution of the lowest order that is good enough. VM_TOLERANCE_MISSED: there is none,
+   and *motion is untouched. */
+VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real half = (o->alpha - 1) / 2;
-    return !o->force && half == VM_FLOOR(half) ? VM_ROUTE_RK87 : VM_ROUTE_VARIATION;
+    vmi_osc_mean mean;
+    vmi_osc_wave w;
+    vm_real first;
+    int route, order, status = vmi_osc_mean_at(p, t, &mean);
+    if (status) return status;
+    first = vmi_osc_first_error(p, &mean);
+    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB, whose wave has no error */
+        w = vmi_osc_wave_of(p, route);
+        if (first + vmi_osc_wave_error(&w, p->ripple.mean2) <= tolerance)
+            return vmi_osc_first_order(p, route, &w, &mean, motion);
+    }
+    w = vmi_osc_wave_of(p, VM_ROUTE_ORDER5);
+    for (order = 2; order <= p->start_order; order++)
+        if (vmi_osc_order_error(p, order, &mean) <= tolerance)
+            return vmi_osc_order_n(p, vmi_osc_route_of_order(order), &w, &mean, motion);
+    return VM_TOLERANCE_MISSED;
 }
 
-/* Motion at any time t (s) by integration, as vm_osc_plan_within does where no averaged solution is good enough */
+/* The motion at t by integration: by collocation, and where amplitude and phase do not describe it by rk87 */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const int route = vmi_osc_integrator(&p->problem);
-    const vmi_osc_route entry = vmi_osc_route_of(route);
-    return vmi_osc_integrate(p, route, &entry.method, t, tolerance, motion);
+    int status = vmi_osc_collocate(p, VM_ROUTE_COLLOCATION, t, tolerance, motion);
+    if (status == VM_OK || !(status == VM_NOT_INTEGRATED || status == VM_TOLERANCE_MISSED)) return status;
+    return vmi_osc_integrate_rk87(p, VM_ROUTE_RK87, t, tolerance, motion);
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan.
@@ -185,35 +217,25 @@ VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tol
    0 means 1e-6 (float 1e-3). Statuses as in vm_osc_plan_by_route. */
 VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    vmi_osc_mean mean;
-    vmi_osc_wave w;
-    vm_real first;
-    int route, status = vmi_osc_check_call(p, t, &tolerance, motion);
+    int status = vmi_osc_check_call(p, t, &tolerance, motion);
     if (status) return status;
     if (p->A == 0) return vmi_osc_at_rest(p, VM_ROUTE_TRIG, motion);
     if (p->problem.force) return vmi_osc_integrate_within(p, t, tolerance, motion);
-    status = vmi_osc_mean_at(p, t, &mean);
-    if (status) return status;
-    first = vmi_osc_first_error(p, &mean);
-    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB, whose wave has no error */
-        w = vmi_osc_wave_of(p, route);
-        if (first + vmi_osc_wave_error(&w, p->mean_ca2) <= tolerance)
-            return vmi_osc_first_order(p, route, &w, &mean, motion);
-    }
-    if (!(vmi_osc_second_error(p, &mean) <= tolerance)) return vmi_osc_integrate_within(p, t, tolerance, motion);
-    w = vmi_osc_wave_of(p, VM_ROUTE_SECOND);
-    return vmi_osc_second_order(p, VM_ROUTE_SECOND, &w, &mean, motion);
+    status = vmi_osc_averaged_within(p, t, tolerance, motion);
+    if (status != VM_TOLERANCE_MISSED) return status;
+    return vmi_osc_integrate_within(p, t, tolerance, motion);
 }
 
 /* -- Without a plan -- */
 
-/* The plan of a problem that is asked once, without the plan of the Ateb functions, which only many values repay */
-VM_API int vmi_osc_once(const vm_osc_problem *problem, vm_osc_plan *plan)
+/* The plan of a problem that is asked once, without what only many values repay. complete: orders 3 to 5 are wanted */
+VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
     if (!problem) return VM_BAD_ARGUMENT;
     status = vmi_osc_prepare(plan, problem);
     if (status) return status;
+    if (complete) vmi_ripple_complete(&plan->ripple);
     return vmi_osc_start(plan);
 }
 
@@ -223,8 +245,9 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, vm_osc_plan *plan)
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
+    const int complete = route >= VM_ROUTE_ORDER3 && route <= VM_ROUTE_ORDER5;
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, &plan);
+    int status = vmi_osc_once(problem, complete, &plan);
     if (status) return status;
     return vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
@@ -235,8 +258,17 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, &plan);
+    int status = vmi_osc_once(problem, 0, &plan);
+    if (!status) status = vmi_osc_check_call(&plan, t, &tolerance, motion);
     if (status) return status;
+    if (plan.A == 0) return vmi_osc_at_rest(&plan, VM_ROUTE_TRIG, motion);
+    if (!problem->force) {
+        status = vmi_osc_averaged_within(&plan, t, tolerance, motion);
+        if (status != VM_TOLERANCE_MISSED) return status;
+        vmi_ripple_complete(&plan.ripple);
+        status = vmi_osc_start(&plan);
+        if (status) return status;
+    }
     return vm_osc_plan_within(&plan, t, tolerance, motion);
 }
 

@@ -1,233 +1,363 @@
-/* oscillators/walk.h - integrals along the mean motion of an oscillator, where they have no closed form
+/* oscillators/walk.h - the mean motion of an oscillator along laws that have no closed form
 
-   The averaged motion from 0 to t is known as soon as three integrals are, vmi_osc_integrals. Where mass and stiffness
-   are laws without a common closed form, vmi_osc_walk_to goes along both laws from 0 to t, by the panels of
-   oscillators/panels.h. On the way it also gathers what the estimates of the error need: how fast the small parameter
-   epsilon = q/Om changes with the phase, and how the derivatives of tables jump at their points.
-       vmi_osc_walk w;
-       int status = vmi_osc_walk_to(&w, &plan, 10); // plan is a vm_osc_plan; w.integral.phase, w.integral.drift, ...
-   Tests: tests/test_averaging.c, tests/test_ladder.c. */
+   The mean motion from 0 to t is known as soon as some integrals along the laws of mass and stiffness are.
+   vmi_osc_walk_to computes them from one point of a table to the next, by the panels of oscillators/panels.h. At a point
+   of a table the derivatives of the laws jump; there the motion goes on with another mean motion. On the way the walk
+   gathers what the estimates of the error need: how large the disturbance E_0 and its derivatives by the phase are.
+       vmi_osc_mean mean;
+       int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
+   Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_WALK_H
 #define VARMASS_OSCILLATORS_WALK_H
 
 #include "../base/elementary.h"
 #include "../base/real.h"
+#include "../base/scalars.h"
 #include "../base/status.h"
+#include "expansion.h"
 #include "laws.h"
 #include "legendre.h"
 #include "panels.h"
+#include "plan.h"
 #include "problem.h"
+#include "reduction.h"
+#include "ripple.h"
 #include "waves.h"
 
-/* Derivatives of epsilon that are looked at, the value itself included */
-enum { VMI_WALK_ORDERS = 5 };
+/* Derivatives of E_0 by the phase whose size is gathered, E_0 itself included */
+enum { VMI_WALK_ORDERS = 7 };
 
-/* What the walk along the laws from 0 to t gathers; psi is the mean phase. */
-typedef struct VM_TAG(vmi_osc_walk) {
-    const vm_osc_plan *plan;
-    int side;                        /* 1 forward, -1 backward in time */
-    vmi_osc_integrals integral;      /* from 0 to the present time */
-    vm_real fourth;                  /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi */
-    vm_real change[VMI_WALK_ORDERS]; /* integral of |d^i epsilon/dpsi^i| dpsi, but for jumps at points of tables */
-    vm_real ln_A;                    /* change of ln of the mean amplitude by jumps of q' */
-    vm_real kicks;                   /* sum of the sizes of these changes */
-    vm_real kick2, kick3;            /* sums of squares of the jumps of h/Om^2, and of (q h + h')/Om^3 */
-    vm_real shortest;                /* shortest panel that the laws of m and k took, s */
-    vm_real error;                   /* of integral.phase, s */
-} vmi_osc_walk;
+/* The mean motion at one time t, and what its errors depend on. The adiabatic law leaves the action unchanged:
+   A/A0 = exp(ln_A), and the rate of the phase is `ratio` times that at t = 0. */
+typedef struct VM_TAG(vmi_osc_mean) {
+    vmi_osc_slow now;      /* what the laws say just before t (after it for t < 0) */
+    vm_real ln_A, ratio;   /* by the adiabatic law */
+    vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
+    vm_real phase;         /* the integral of ratio dt, s */
+    vm_real psi;           /* the mean phase */
+    vm_real ln_J;          /* ln of the mean action over that at t = 0: points of tables change it */
+    vm_real first;         /* the part of psi that E_0 brings */
+    vm_real second, third; /* parts of psi: that of E_0^2, and a bound of what order five leaves out */
+    vm_real knots_J[4];    /* sums over points of tables of the square of what order 2, 3, 4 or 5 leaves out: of ln J, */
+    vm_real knots_psi[4];  /* and of psi */
+    vm_real largest;       /* largest |E_0| between 0 and t */
+    vm_real change[VMI_WALK_ORDERS]; /* integral of |d^i E_0/dpsi^i| dpsi; 0 for closed forms, which have no fast part */
+    vm_real shortest;      /* shortest panel that the laws of m and k took, s */
+    vm_real error;         /* of `phase`, s */
+} vmi_osc_mean;
 
-/* A panel of the walk: three series on it, and its share of two integrals */
+/* ln(A/A0) and ln(Om/Om0) by the adiabatic law, where ln(m/m0), ln(k/k0) and the decay, the integral of b/m, have
+   these values */
+VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
+                              vm_real *ln_Om)
+{
+    const vm_real alpha = p->problem.alpha, r = 2 * p->problem.reactive - 1, g = p->ripple.gamma;
+    *ln_A = -(ln_k + r * ln_m + 2 * decay) / (alpha + 3);
+    *ln_Om = ((1 - g) * ln_k - (1 + g * r) * ln_m) / 2 - g * decay;
+}
+
+/* The mean motion of the plan at t = 0 */
+VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
+{
+    vmi_osc_mean mean;
+    int i;
+    mean.now = p->slow;
+    mean.ln_A = 0;
+    mean.ratio = 1;
+    mean.inverse_mass = 0;
+    mean.phase = 0;
+    mean.psi = p->mean.psi;
+    mean.ln_J = 0;
+    mean.first = 0;
+    mean.second = 0;
+    mean.third = 0;
+    mean.largest = VM_FABS(p->E[0]);
+    for (i = 0; i < 4; i++) {
+        mean.knots_J[i] = 0;
+        mean.knots_psi[i] = 0;
+    }
+    for (i = 0; i < VMI_WALK_ORDERS; i++) mean.change[i] = 0;
+    mean.shortest = VM_INFINITY;
+    mean.error = 0;
+    return mean;
+}
+
+/* The mean motion as amplitude, phase and rate */
+VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_mean *mean)
+{
+    const vmi_ripple *r = &p->ripple;
+    vmi_osc_reduced state;
+    state.A = p->mean.A * vmi_exp(mean->ln_A + 2 / (r->alpha + 3) * mean->ln_J, 0);
+    state.W = p->mean.W * mean->ratio * vmi_exp(r->gamma * mean->ln_J, 0);
+    state.psi = mean->psi;
+    return state;
+}
+
+/* -- What order five leaves out -- */
+
+/* Sizes of the terms of weight w = 2 ... 6: of ln J, and for w < 6 of the phase; e: sizes of E_0 ... E_4 */
+VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
+    vm_real power = 1, more = 0;
+    int i;
+    for (i = 2; i < w; i++) power *= d;
+    if (w == 4) more = L * L / 16 * e[0] * e[0];
+    if (w == 5) more = L * L / 8 * e[0] * e[1] * d;
+    if (w == 6) more = L * L / 8 * (e[0] * e[2] + e[1] * e[1]) * d * d + L * L * L / 16 * e[0] * e[0] * e[0];
+    return L / 4 * e[w - 2] * power + more;
+}
+
+VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
+    vm_real power = d, more = 0;
+    int i;
+    for (i = 2; i < w; i++) power *= d;
+    if (w == 4) more = VM_C(0.0375) * L * L * e[0] * e[0] * d;
+    if (w == 5) more = L * L / 8 * e[0] * e[1] * d * d;
+    return L / 4 * VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power + more;
+}
+
+/* A bound of the mean rate of the phase that order five leaves out, of weight 6, by W: from the product |E_0 E_2| and
+   |E_0|^3 */
+VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
+    return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
+}
+
+/* -- A panel -- */
+
+/* A panel of the walk: series on it, and its shares of integrals */
 typedef struct VM_TAG(vmi_osc_panel) {
     vm_real edge;               /* how far the series of 1/m and of k are from the laws at the panel's ends, relative */
     vm_real inverse[VMI_GAUSS]; /* 1/m */
-    vm_real ratio[VMI_GAUSS];   /* k at first, then Om/Om0 */
-    vm_real epsilon[VMI_GAUSS]; /* q/Om */
-    vm_real drift;              /* integral of q^2 Om0/Om dt */
-    vm_real fourth;             /* integral of (q/Om)^4 dpsi, psi the mean phase */
+    vm_real ratio[VMI_GAUSS];   /* k at first, then the rate of the phase over that at t = 0 */
+    vm_real E[VMI_GAUSS];       /* E_0 */
+    vm_real first, second;      /* integrals of E_0 and E_0^2 by the phase */
+    vm_real cube;               /* integral of |E_0|^3 by the phase */
+    vm_real largest;            /* largest |E_0| */
 } vmi_osc_panel;
 
-/* Om/Om0 where mass and stiffness are m and k, and the integral of dt/m is inverse_mass */
-VM_API vm_real vmi_osc_walk_ratio(const vmi_osc_walk *w, vm_real m, vm_real k, vm_real inverse_mass)
-{
-    const vm_osc_plan *p = w->plan;
-    vm_real ln_A, ln_Om;
-    vmi_osc_adiabatic(p, vmi_log(m / p->m0).hi, vmi_log(k / p->k0).hi, p->problem.damping * inverse_mass, &ln_A,
-                      &ln_Om);
-    return vmi_exp(ln_Om + (p->problem.alpha - 1) / 2 * w->ln_A, 0);
-}
+/* What the laws say at the points of Gauss' rule of a panel */
+typedef struct VM_TAG(vmi_osc_panel_laws) {
+    vmi_osc_rates rates[VMI_GAUSS];
+    vm_real p_rate[VMI_GAUSS]; /* p', 1/s^2 */
+} vmi_osc_panel_laws;
 
-/* The rates at the points of Gauss' rule, the series of 1/m and of k, and how far they miss the laws at the ends */
-VM_API int vmi_osc_panel_laws(const vmi_osc_walk *w, vm_real start, vm_real length, vmi_osc_rates *r,
-                              vmi_osc_panel *panel)
+/* The laws at the points of Gauss' rule, the series of 1/m and of k, and how far they miss the laws at the ends */
+VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
+                             vmi_osc_panel *panel)
 {
-    const vm_osc_problem *o = &w->plan->problem;
-    vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS];
+    vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS], rate[VMI_GAUSS], p[VMI_GAUSS], same[VMI_GAUSS];
     int i, status;
     for (i = 0; i < VMI_GAUSS; i++) {
         const vm_real t = start + length * ((1 + vmi_gauss_node(i)) / 2);
-        status = vmi_osc_rates_at(w->plan, t, w->side, 0, &r[i]);
+        status = vmi_osc_rates_at(o, t, side, &at->rates[i]);
         if (status) return status;
-        inverse[i] = 1 / r[i].m;
-        stiffness[i] = r[i].k;
+        inverse[i] = 1 / at->rates[i].m;
+        stiffness[i] = at->rates[i].k;
+        rate[i] = at->rates[i].p;
     }
     vmi_legendre_fit(inverse, stiffness, panel->inverse, panel->ratio);
+    vmi_legendre_fit(rate, rate, p, same);
+    vmi_legendre_derive(p);
+    for (i = 0; i < VMI_GAUSS; i++) at->p_rate[i] = 2 / length * vmi_legendre_at(p, vmi_gauss_node(i));
     panel->edge = 0;
     status = vmi_panel_edge(&o->mass, VM_BAD_MASS, 1, start, length, panel->inverse, &panel->edge);
     if (status) return status;
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The panel of a length (with its sign) from start on */
-VM_API int vmi_osc_panel_of(const vmi_osc_walk *w, vm_real start, vm_real length, vmi_osc_panel *panel)
+/* The panel of a length (with its sign) from start on, where the mean motion at start is *mean */
+VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_real start, vm_real length,
+                            vmi_osc_panel *panel)
 {
-    const vm_osc_plan *p = w->plan;
     const int damped = p->problem.damping != 0;
-    vmi_osc_rates r[VMI_GAUSS];
-    vm_real ratios[VMI_GAUSS], epsilons[VMI_GAUSS];
-    int i, status = vmi_osc_panel_laws(w, start, length, r, panel);
+    const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
+    vmi_osc_panel_laws at;
+    vm_real ratios[VMI_GAUSS], E[VMI_GAUSS];
+    int i, status = vmi_osc_read_laws(&p->problem, vmi_time_side(length), start, length, &at, panel);
     if (status) return status;
-    panel->drift = 0;
-    panel->fourth = 0;
+    panel->first = 0;
+    panel->second = 0;
+    panel->cube = 0;
+    panel->largest = 0;
     for (i = 0; i < VMI_GAUSS; i++) {
         const vm_real way = damped ? length / 2 * vmi_legendre_integral(panel->inverse, vmi_gauss_node(i)) : 0;
-        const vm_real ratio = vmi_osc_walk_ratio(w, r[i].m, r[i].k, w->integral.inverse_mass + way);
-        const vm_real share = vmi_gauss_weight(i) / 2 * length, drift = r[i].q * r[i].q / ratio;
-        const vm_real epsilon = r[i].q / (p->Om * ratio);
-        panel->drift += share * drift;
-        panel->fourth += VM_FABS(share * drift) * epsilon * epsilon / p->Om;
-        ratios[i] = ratio;
-        epsilons[i] = epsilon;
+        const vmi_osc_rates *now = &at.rates[i];
+        vm_real ln_A, ln_Om, W, share;
+        vmi_osc_adiabatic(p, vmi_log(now->m / p->m0).hi, vmi_log(now->k / p->k0).hi,
+                          p->problem.damping * (mean->inverse_mass + way), &ln_A, &ln_Om);
+        ratios[i] = vmi_exp(ln_Om, 0);
+        W = W0 * ratios[i];
+        E[i] = (now->p * (now->p - now->a) - at.p_rate[i]) / (W * W);
+        share = vmi_gauss_weight(i) / 2 * length * W;
+        panel->first += share * E[i];
+        panel->second += share * E[i] * E[i];
+        panel->cube += VM_FABS(share * E[i]) * E[i] * E[i];
+        panel->largest = vmi_larger(VM_FABS(E[i]), panel->largest);
     }
-    vmi_legendre_fit(ratios, epsilons, panel->ratio, panel->epsilon);
+    vmi_legendre_fit(ratios, E, panel->ratio, panel->E);
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. epsilon may be less accurate than the others. If a law has a kink,
-   no panel is short enough; what is left out must then not matter. whole is the walk's length, s. */
-VM_API int vmi_osc_panel_is_resolved(const vmi_osc_walk *w, const vmi_osc_panel *panel, vm_real length, vm_real whole)
+/* Whether the panel is short enough for its series. If a law has a kink, no panel is short enough; what is left out must
+   then not matter. whole is the walk's length, s. */
+VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
-    const vm_real epsilon_enough = VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
+    const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
     const vm_real limit = vmi_panel_limit(length, whole);
     vm_real phase;
     if (!(panel->edge <= vmi_panel_edge_limit(limit))) return 0;
     if (!vmi_panel_is_resolved(panel->inverse, limit)) return 0;
     if (!vmi_panel_is_resolved(panel->ratio, limit)) return 0;
-    phase = w->plan->Om * panel->ratio[0] * VM_FABS(length);
-    return vmi_legendre_tail(panel->epsilon) <=
-           epsilon_enough * VM_SQRT(vmi_legendre_square(panel->epsilon)) + phase_matters / phase;
+    phase = p->mean.W * panel->ratio[0] * VM_FABS(length);
+    return vmi_legendre_tail(panel->E) <=
+           E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + phase_matters * (1 + 1 / phase) / phase;
 }
 
-/* Adds the integrals of |d^i epsilon/dpsi^i| over the panel, by the root of the mean square. Coefficients of epsilon
-   that are rounding errors are dropped before; the series is destroyed. */
-VM_API void vmi_osc_walk_add_changes(vmi_osc_walk *w, vmi_osc_panel *panel, vm_real length)
+/* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, by the root of the mean square, and to
+   mean->third. Coefficients of E_0 that are rounding errors are dropped before; the series is destroyed. */
+VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
-    const vm_real noise = 1024 * VM_EPSILON, size = VM_FABS(length), Om = w->plan->Om * panel->ratio[0];
-    const vm_real least = noise * VM_SQRT(vmi_legendre_square(panel->epsilon));
-    vm_real rate = 1; /* (dx/dpsi)^i with x in [-1, 1] on the panel */
+    const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], radians = W * VM_FABS(length);
+    const vm_real least = noise * VM_SQRT(vmi_legendre_square(panel->E));
+    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* (dx/dpsi)^i with x in [-1, 1] on the panel */
     int i;
     for (i = 0; i < VMI_GAUSS; i++)
-        if (VM_FABS(panel->epsilon[i]) <= least) panel->epsilon[i] = 0;
+        if (VM_FABS(panel->E[i]) <= least) panel->E[i] = 0;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
-        const vm_real square = vmi_legendre_square(panel->epsilon) * rate * rate;
-        w->change[i] += Om * size * VM_SQRT(square);
-        if (i == 1) w->fourth += Om * size * square;
-        vmi_legendre_derive(panel->epsilon);
-        rate *= 2 / (size * Om);
+        size[i] = rate * VM_SQRT(vmi_legendre_square(panel->E));
+        mean->change[i] += radians * size[i];
+        vmi_legendre_derive(panel->E);
+        rate *= 2 / radians;
     }
+    mean->third += vmi_osc_third_rate(&p->ripple, radians * size[0] * size[2], panel->cube);
 }
 
-/* Adds the panel's share of all that the walk gathers */
-VM_API void vmi_osc_walk_add(vmi_osc_walk *w, vmi_osc_panel *panel, vm_real length)
+/* The mean motion goes on by a panel */
+VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
-    w->integral.inverse_mass += length * panel->inverse[0];
-    w->integral.phase += length * panel->ratio[0];
-    w->integral.drift += panel->drift;
-    vmi_osc_walk_add_changes(w, panel, length);
-    w->fourth += panel->fourth;
-}
-
-/* At t, a point of a table, q' jumps. The motion does not jump, and so goes on with another mean amplitude. This
-   holds for small jumps only: a larger one changes only the error estimate. */
-VM_API int vmi_osc_walk_past_knot(vmi_osc_walk *w, vm_real t)
-{
-    const vm_osc_plan *p = w->plan;
-    const vm_real n = p->problem.alpha + 1, largest = VM_C(0.5);
-    const vmi_osc_wave wave = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
-    vmi_osc_rates before, after;
-    vm_real ca, sa, jump, third, kick, Om; /* jumps of h/Om^2 and of (q h + h')/Om^3; of ln A */
-    int status = vmi_osc_rates_at(p, t, -w->side, 1, &before);
-    if (!status) status = vmi_osc_rates_at(p, t, w->side, 1, &after);
-    if (status || before.h == after.h) return status;
-    Om = p->Om * vmi_osc_walk_ratio(w, after.m, after.k, w->integral.inverse_mass);
-    jump = (before.h - after.h) / (Om * Om);
-    if (VM_FABS(jump) < largest) {
-        const vm_real slope = after.q * n / (2 * (n + 2) * Om);
-        vmi_osc_phase_from_mean(p, &wave, vmi_osc_mean_phase(p, &w->integral), slope, &ca, &sa);
-        kick = n / (4 * (n + 2)) * (ca * ca - p->mean_ca2) * jump;
-        w->ln_A += kick;
-        w->kicks += VM_FABS(kick);
-    }
-    w->kick2 += jump * jump;
-    third = jump * jump + (VM_FABS(jump * after.q) + VM_FABS(before.h_rate - after.h_rate) / (Om * Om)) / Om;
-    w->kick3 += third * third;
-    return VM_OK;
+    const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
+    const vm_real first = vmi_expansion_first(&p->ripple) * panel->first;
+    const vm_real second = vmi_expansion_second(&p->ripple) * panel->second;
+    mean->inverse_mass += length * panel->inverse[0];
+    mean->phase += length * panel->ratio[0];
+    mean->psi += W0 * (length * panel->ratio[0]) + (first + second);
+    mean->first += first;
+    mean->second += second;
+    mean->largest = vmi_larger(panel->largest, mean->largest);
+    vmi_osc_add_changes(p, panel, length, mean);
 }
 
 /* From start to end, between which no table has a point, by panels of at most `longest`; whole: length of the walk */
-VM_API int vmi_osc_walk_piece(vmi_osc_walk *w, vm_real start, vm_real end, vm_real longest, vm_real whole)
+VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, vm_real longest, vm_real whole,
+                              vmi_osc_mean *mean)
 {
-    vmi_panels p = vmi_panels_from(start, end, longest, whole);
-    while (vmi_panels_next(&p)) {
-        const vm_real length = p.side * p.step;
+    vmi_panels panels = vmi_panels_from(start, end, longest, whole);
+    while (vmi_panels_next(&panels)) {
+        const vm_real length = panels.side * panels.step;
         vmi_osc_panel panel;
-        int status = vmi_osc_panel_of(w, p.t, length, &panel);
+        int status = vmi_osc_panel_of(p, mean, panels.t, length, &panel);
         if (status) return status;
-        if (!vmi_osc_panel_is_resolved(w, &panel, p.step, whole)) {
-            if (vmi_panels_halve(&p)) continue;
-            w->error += p.step * vmi_legendre_tail(panel.ratio);
+        if (!vmi_osc_panel_is_resolved(p, &panel, panels.step, whole)) {
+            if (vmi_panels_halve(&panels)) continue;
+            mean->error += panels.step * vmi_legendre_tail(panel.ratio);
         }
-        vmi_osc_walk_add(w, &panel, length);
-        if (p.step < w->shortest && p.step < p.left) w->shortest = p.step;
-        vmi_panels_advance(&p);
+        vmi_osc_add_panel(p, &panel, length, mean);
+        if (panels.step < mean->shortest && panels.step < panels.left) mean->shortest = panels.step;
+        vmi_panels_advance(&panels);
     }
     return VM_OK;
 }
 
-/* A walk of a plan that is still at t = 0, and will go to that side */
-VM_API void vmi_osc_walk_start(vmi_osc_walk *w, const vm_osc_plan *p, int side, vm_real longest)
+/* Sets what the adiabatic law says at t, just before t on the way */
+VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
-    int i;
-    w->plan = p;
-    w->side = side;
-    w->integral.inverse_mass = 0;
-    w->integral.phase = 0;
-    w->integral.drift = 0;
-    w->fourth = 0;
-    for (i = 0; i < VMI_WALK_ORDERS; i++) w->change[i] = 0;
-    w->ln_A = 0;
-    w->kicks = 0;
-    w->kick2 = 0;
-    w->kick3 = 0;
-    w->shortest = longest;
-    w->error = 0;
+    const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
+    vm_real ln_Om;
+    int status = vmi_osc_slow_at(&p->problem, t, -side, length, &mean->now);
+    if (status) return status;
+    vmi_osc_adiabatic(p, vmi_log(mean->now.m / p->m0).hi, vmi_log(mean->now.k / p->k0).hi,
+                      p->problem.damping * mean->inverse_mass, &mean->ln_A, &ln_Om);
+    mean->ratio = vmi_exp(ln_Om, 0);
+    return VM_OK;
 }
 
-/* The walk along both laws of the plan from 0 to t, from one point of a table to the next */
-VM_API int vmi_osc_walk_to(vmi_osc_walk *w, const vm_osc_plan *p, vm_real t)
+/* -- Points of tables -- */
+
+/* Adds to the sums over points of tables what orders 2 to 5 leave out where the disturbance jumps from `before` to
+   `after` */
+VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
+                                   vmi_osc_mean *mean)
+{
+    vm_real e[VMI_OSC_G];
+    int i, order;
+    for (i = 0; i < VMI_OSC_G; i++) e[i] = VM_FABS(before[i] - after[i]);
+    for (order = 2; order <= 5; order++) {
+        const vm_real J = vmi_osc_size_J(&p->ripple, order + 1, e), psi = vmi_osc_size_psi(&p->ripple, order, e);
+        mean->knots_J[order - 2] += J * J;
+        mean->knots_psi[order - 2] += psi * psi;
+    }
+}
+
+/* At t, a point of a table, the derivatives of m' and k' jump, but the motion does not: it goes on with another mean
+   motion. The action at the knot is found to the full order, from the map that leads to the mean motion. */
+VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
+{
+    const vmi_ripple *r = &p->ripple;
+    const vmi_osc_wave wave = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
+    const int order = p->start_order, rounds = 3;
+    vm_real before[VMI_OSC_G], after[VMI_OSC_G], sa, ca, ln_J = 0, to_mean;
+    vmi_osc_reduced state;
+    vmi_osc_slow beyond;
+    vmi_ripple_values f;
+    int i, status = vmi_osc_mean_update(p, t, side, mean);
+    if (!status) status = vmi_osc_slow_at(&p->problem, t, side, vmi_osc_sampling_time(p), &beyond);
+    if (status) return status;
+    state = vmi_osc_mean_state(p, mean);
+    vmi_osc_disturbance(&mean->now, state.W, before);
+    vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+    vmi_ripple_at(r, order, state.psi, sa, ca, &f);
+    state.psi += vmi_expansion_psi_back(r, order, &f, before);
+    vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+    vmi_ripple_at(r, order, state.psi, sa, ca, &f);
+    for (i = 0; i < rounds; i++) {
+        vmi_osc_disturbance(&mean->now, state.W * vmi_exp(r->gamma * ln_J, 0), before);
+        ln_J = -vmi_expansion_J(r, order, &f, before);
+    }
+    vmi_osc_disturbance(&beyond, state.W * vmi_exp(r->gamma * ln_J, 0), after);
+    to_mean = vmi_expansion_J(r, order, &f, after);
+    mean->ln_J += ln_J + to_mean;
+    mean->psi = state.psi + vmi_expansion_psi(r, order, &f, after);
+    mean->now = beyond;
+    vmi_osc_add_knot_error(p, before, after, mean);
+    return VM_OK;
+}
+
+/* -- The walk -- */
+
+/* The mean motion at t by a walk along both laws of the plan, from one point of a table to the next */
+VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;
-    const vm_real whole = VM_FABS(t), other = vmi_law_longest_panel(stiffness, whole);
-    vm_real at = 0, longest = vmi_law_longest_panel(mass, whole);
+    const int side = vmi_time_side(t);
+    const vm_real whole = VM_FABS(t);
+    const vm_real longest = vmi_smaller(vmi_law_longest_panel(mass, whole), vmi_law_longest_panel(stiffness, whole));
+    vm_real at = 0;
     int status = VM_OK;
-    if (other < longest) longest = other;
-    vmi_osc_walk_start(w, p, vmi_time_side(t), longest);
-    if (w->side < 0) status = vmi_osc_walk_past_knot(w, 0); /* the plan starts with the rates after t = 0 */
+    *mean = vmi_osc_mean_at_0(p);
+    mean->shortest = longest;
+    if (side < 0) status = vmi_osc_walk_past_knot(p, 0, side, mean); /* the plan starts with the laws after t = 0 */
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
-        status = vmi_osc_walk_piece(w, at, next, longest, whole);
+        status = vmi_osc_walk_piece(p, at, next, longest, whole, mean);
         at = next;
-        if (!status && at != t) status = vmi_osc_walk_past_knot(w, at);
+        if (!status && at != t) status = vmi_osc_walk_past_knot(p, at, side, mean);
     }
+    if (!status) status = vmi_osc_mean_update(p, t, side, mean);
     return status;
 }
 

@@ -161,7 +161,7 @@ static int tame_law(const vm_law *law)
     return tame(law->f0) && tame(law->f1) && tame(law->f2) && VM_FABS(law->f1) < 1 && VM_FABS(law->f2) < 4;
 }
 
-static int route_is_law(int route) { return route < VM_ROUTE_VARIATION; }
+static int route_is_law(int route) { return route < VM_ROUTE_COLLOCATION; }
 
 static int tame_problem(const vm_osc_problem *p)
 {
@@ -187,7 +187,7 @@ static int by_name(const vm_osc_problem *p, int route, vm_real t, vm_real tolera
     case VM_ROUTE_JACOBI: return vm_osc_by_route(p, VM_ROUTE_JACOBI, t, 0, m);
     case VM_ROUTE_ATEB: return vm_osc_by_route(p, VM_ROUTE_ATEB, t, 0, m);
     case VM_ROUTE_SECOND: return vm_osc_by_route(p, VM_ROUTE_SECOND, t, 0, m);
-    case VM_ROUTE_VARIATION: return vm_osc_by_route(p, VM_ROUTE_VARIATION, t, tolerance, m);
+    case VM_ROUTE_COLLOCATION: return vm_osc_by_route(p, VM_ROUTE_COLLOCATION, t, tolerance, m);
     case VM_ROUTE_RK45: return vm_osc_by_route(p, VM_ROUTE_RK45, t, tolerance, m);
     case VM_ROUTE_RK87: return vm_osc_by_route(p, VM_ROUTE_RK87, t, tolerance, m);
     default: return vm_osc_by_route(p, route, t, tolerance, m);

@@ -151,7 +151,7 @@ static void try_integrated_routes(void)
     const vm_real tolerance = VM_C(0.001);
     vm_osc_motion m;
     memset(&m, 0, sizeof m);
-    fold_int(vm_osc_by_route(&p, VM_ROUTE_VARIATION, 2, tolerance, &m));
+    fold_int(vm_osc_by_route(&p, VM_ROUTE_COLLOCATION, 2, tolerance, &m));
     fold_motion(&m);
     fold_int(vm_osc_by_route(&p, VM_ROUTE_RK45, 2, tolerance, &m));
     fold_motion(&m);

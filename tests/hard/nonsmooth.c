@@ -176,7 +176,7 @@ static vm_real rough_spring_ours(const vm_real *x)
 {
     const vm_osc_problem p = adiabatic_problem(x);
     vm_osc_motion motion;
-    return vm_osc_by_route(&p, VM_ROUTE_VARIATION, x[0], R(VM_C(1e-11), VM_C(1e-4)), &motion) >= 0 ? motion.x : VM_NAN;
+    return vm_osc_by_route(&p, VM_ROUTE_COLLOCATION, x[0], R(VM_C(1e-11), VM_C(1e-4)), &motion) >= 0 ? motion.x : VM_NAN;
 }
 static vm_real rough_spring_naive(const vm_real *x)
 {

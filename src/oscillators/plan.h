@@ -1,0 +1,143 @@
+/* oscillators/plan.h - the plan of an oscillator: what has to be computed only once for a motion
+
+   A plan serves many times of one motion. It holds the state at t = 0, reduced as in oscillators/reduction.h, the
+   start of the mean motion by the law of order five (oscillators/expansion.h), and the closed forms of the laws of
+   mass and stiffness, if they have such forms:
+       vm_osc_plan plan;
+       int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem
+   Tests: tests/test_slow_motion.c, tests/test_routes.c. */
+#ifndef VARMASS_OSCILLATORS_PLAN_H
+#define VARMASS_OSCILLATORS_PLAN_H
+
+#include "../ateb/period.h"
+#include "../ateb/plans.h"
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "constant_mass.h"
+#include "expansion.h"
+#include "laws.h"
+#include "problem.h"
+#include "reduction.h"
+#include "ripple.h"
+#include "waves.h"
+
+/* What is computed only once for a problem, by vm_osc_plan_init. To be read, not changed. It points to the problem's
+   tables and contexts, and is not to be copied bit by bit into another program. */
+typedef struct VM_TAG(vm_osc_plan) {
+    vm_osc_problem problem;
+    vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
+    vm_real A, psi, Om;      /* at t = 0: amplitude, m, Ateb phase, and its rate, 1/s */
+    vmi_osc_slow slow;       /* what the laws say just after t = 0 */
+    vm_real E[VMI_OSC_G];    /* the disturbance of the reduced state at t = 0 */
+    vmi_osc_reduced mean;    /* the mean motion at t = 0, by the order start_order */
+    int start_order;         /* 5, or 2 where the ripple has no polynomials; 0 where there is no mean motion */
+    vm_real base;            /* closed forms, 1/s: m = m0 exp(rate_m u), k = k0 exp(rate_k u), u = ln(1 + base t)/base */
+    vm_real rate_m, rate_k;  /* 1/s */
+    int closed;              /* whether m and k have these closed forms */
+    int has_ateb;            /* whether ateb is there */
+    vmi_ripple ripple;
+    ateb_plan ateb;
+} vm_osc_plan;
+
+/* The wave that a route uses; the plan must outlive it. */
+VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
+{
+    if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->ripple.pi);
+    if (route == VM_ROUTE_JACOBI) return vmi_osc_wave_cn(p->problem.alpha, p->ripple.pi);
+    return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
+}
+
+/* The time, s, over which derivatives of laws are sampled: 16 radians of the phase */
+VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p) { return p->Om > 0 ? 16 / p->Om : 0; }
+
+/* Finds whether both laws are exponentials in one u, so that all integrals are closed forms. With damping the integral
+   of b/m must be one in u, too: it is where m = m0 (1 + base t), or where only the damping changes the motion. */
+VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
+{
+    const vm_osc_problem *o = &p->problem;
+    vm_real base_m, base_k;
+    p->closed = vmi_law_exponential_form(&o->mass, &base_m, &p->rate_m) &&
+                vmi_law_exponential_form(&o->stiffness, &base_k, &p->rate_k) && !o->force;
+    if (!p->closed) return;
+    p->base = p->rate_m == 0 ? base_k : base_m;
+    if (p->rate_m == 0 && p->rate_k == 0) p->base = 0;
+    if (p->rate_m != 0 && p->rate_k != 0 && base_m != base_k) p->closed = 0;
+    if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
+}
+
+/* The mean motion that belongs to a reduced state with the disturbance E; order: 2 to 5 */
+VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
+{
+    const vmi_ripple *r = &p->ripple;
+    const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
+    vmi_osc_reduced mean;
+    vmi_ripple_values f;
+    vm_real sa, ca, ln_J;
+    vmi_osc_wave_at(&w, state->psi, &ca, &sa);
+    vmi_ripple_at(r, order, state->psi, sa, ca, &f);
+    ln_J = vmi_expansion_J(r, order, &f, E);
+    mean.A = state->A * vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
+    mean.W = state->W * vmi_exp(r->gamma * ln_J, 0);
+    mean.psi = state->psi + vmi_expansion_psi(r, order, &f, E);
+    return mean;
+}
+
+/* The start of the mean motion, by order 5 if the ripple has its polynomials, else by order 2 */
+VM_API int vmi_osc_start(vm_osc_plan *p)
+{
+    const vm_osc_problem *o = &p->problem;
+    vmi_osc_reduced state;
+    int status;
+    p->start_order = 0;
+    if (p->A == 0) return VM_OK;
+    status = vmi_osc_slow_at(o, 0, 1, vmi_osc_sampling_time(p), &p->slow);
+    if (status) return status;
+    state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
+    vmi_osc_disturbance(&p->slow, state.W, p->E);
+    p->start_order = p->ripple.has_polynomials ? 5 : 2;
+    p->mean = vmi_osc_mean_of(p, p->start_order, &state, p->E);
+    return VM_OK;
+}
+
+/* The plan but for vmi_osc_start, and without what pays only where many values are wanted: the plan of the Ateb
+   functions and the polynomials of the ripple */
+VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
+{
+    const vm_osc_problem *o = &p->problem;
+    vm_real omega;
+    int status;
+    p->problem = *problem;
+    p->has_ateb = 0;
+    status = vmi_osc_check_problem(o, &p->m0, &p->k0);
+    if (status) return status;
+    omega = VM_SQRT(p->k0 / p->m0);
+    vmi_ripple_init(&p->ripple, o->alpha, ateb_pi(o->alpha));
+    vm_osc_amplitude_phase(o->x, o->v, omega, o->alpha, &p->A, &p->psi);
+    p->Om = p->A == 0 ? 0 : vmi_osc_rate(p->A, omega, o->alpha);
+    if (!VM_IS_FINITE(p->A) || !VM_IS_FINITE(p->psi) || !VM_IS_FINITE(p->Om)) return VM_NOT_FINITE;
+    vmi_osc_find_closed_form(p);
+    return VM_OK;
+}
+
+/* Plan for many values of one problem's motion.
+   For vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged. Copies the problem; its tables and contexts
+   must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that
+   no constructor made, VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
+   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a function that fails. */
+VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
+{
+    vm_osc_plan plan;
+    int status;
+    if (!p || !problem) return VM_BAD_ARGUMENT;
+    status = vmi_osc_prepare(&plan, problem);
+    if (status) return status;
+    plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
+    vmi_ripple_complete(&plan.ripple);
+    status = vmi_osc_start(&plan);
+    if (!status) *p = plan;
+    return status;
+}
+
+#endif

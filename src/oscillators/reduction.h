@@ -1,0 +1,190 @@
+/* oscillators/reduction.h - an oscillator of slow mass and stiffness, reduced to a small disturbance of second order
+
+   The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 is d(mu x')/dt + kappa x|x|^(alpha-1) = 0, where
+   a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. With the rate p = (ln mu kappa)'/(alpha+3) and V = x' + p x the
+   state (x, V) has an amplitude A and a phase psi that only the numbers G_0, G_1 ... disturb (oscillators/expansion.h).
+   This file computes a, p and G_k from the derivatives of the laws, and goes from (x, x') to (A, psi) and back.
+       vmi_osc_slow now;
+       vmi_osc_reduced r;
+       int status = vmi_osc_slow_at(&problem, 0, 1, length, &now); // laws at t = 0; length, s: see vmi_law_derivatives
+       if (!status) r = vmi_osc_reduce(&now, alpha, x, v);
+   Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
+#ifndef VARMASS_OSCILLATORS_REDUCTION_H
+#define VARMASS_OSCILLATORS_REDUCTION_H
+
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "constant_mass.h"
+#include "laws.h"
+#include "problem.h"
+
+/* The numbers G_0 ... G_4: order five needs four of them, its estimate the fifth */
+enum { VMI_OSC_G = 5 };
+
+/* What the laws of mass and stiffness say at one time */
+typedef struct VM_TAG(vmi_osc_slow) {
+    vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
+    vm_real a, p;         /* see above, 1/s */
+    vm_real G[VMI_OSC_G]; /* G_i, 1/s^(i+2) */
+} vmi_osc_slow;
+
+/* The same without the numbers G_k, for which f and f' are enough */
+typedef struct VM_TAG(vmi_osc_rates) {
+    vm_real m, k; /* kg, N/m^alpha */
+    vm_real a, p; /* 1/s */
+} vmi_osc_rates;
+
+/* The rates at t; where they jump, those after t for side = 1, those before it for side = -1. The statuses are those of
+   the laws. */
+VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
+    if (status) return status;
+    r->m = m[0];
+    r->k = k[0];
+    r->a = (o->reactive * m[1] + o->damping) / m[0];
+    r->p = (k[1] / k[0] + 2 * r->a - m[1] / m[0]) / (o->alpha + 3);
+    return VM_OK;
+}
+
+/* -- Power series in time: coefficient i belongs to the ith power -- */
+
+/* Turns derivatives f, f', f'' ... into the coefficients of the series */
+VM_API void vmi_series_of_derivatives(int n, vm_real *f)
+{
+    vm_real factorial = 1;
+    int i;
+    for (i = 2; i < n; i++) {
+        factorial *= (vm_real)i;
+        f[i] /= factorial;
+    }
+}
+
+/* ratio = f'/f, with one coefficient less than f, which has n */
+VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
+{
+    int i, j;
+    for (i = 0; i < n - 1; i++) {
+        vm_real sum = (vm_real)(i + 1) * f[i + 1];
+        for (j = 1; j <= i; j++) sum -= f[j] * ratio[i - j];
+        ratio[i] = sum / f[0];
+    }
+}
+
+/* inverse = 1/f */
+VM_API void vmi_series_inverse(int n, const vm_real *f, vm_real *inverse)
+{
+    int i, j;
+    inverse[0] = 1 / f[0];
+    for (i = 1; i < n; i++) {
+        vm_real sum = 0;
+        for (j = 1; j <= i; j++) sum -= f[j] * inverse[i - j];
+        inverse[i] = sum / f[0];
+    }
+}
+
+/* Coefficient i of the product of two series */
+VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
+{
+    vm_real sum = 0;
+    int j;
+    for (j = 0; j <= i; j++) sum += f[j] * g[i - j];
+    return sum;
+}
+
+/* -- The numbers G_k -- */
+
+/* Fills now->G from the series of a and p, which have n coefficients: G_0 = p^2 - a p - p' and
+   G_(k+1) = G_k' - (k+2) (2p - a) G_k. Both series are destroyed. */
+VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
+{
+    vm_real G[VMI_LAW_ORDERS], next[VMI_LAW_ORDERS];
+    int i, k, terms = n - 1;
+    for (i = 0; i < n; i++) a[i] = p[i] - a[i]; /* p - a */
+    for (i = 0; i < terms; i++) G[i] = vmi_series_product(i, p, a) - (vm_real)(i + 1) * p[i + 1];
+    for (i = 0; i < n; i++) a[i] += p[i]; /* 2 p - a */
+    for (k = 0; k < VMI_OSC_G; k++) {
+        now->G[k] = G[0];
+        terms--;
+        for (i = 0; i < terms; i++)
+            next[i] = (vm_real)(i + 1) * G[i + 1] - (vm_real)(k + 2) * vmi_series_product(i, a, G);
+        for (i = 0; i < terms; i++) G[i] = next[i];
+    }
+}
+
+/* All of *now from m, k and their derivatives up to the sixth, which are destroyed */
+VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vmi_osc_slow *now)
+{
+    const int n = VMI_LAW_ORDERS - 1;
+    vm_real m_rate[VMI_LAW_ORDERS], k_rate[VMI_LAW_ORDERS], inverse[VMI_LAW_ORDERS];
+    int i;
+    now->m = m[0];
+    now->k = k[0];
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, m);
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, k);
+    vmi_series_log_rate(VMI_LAW_ORDERS, m, m_rate);
+    vmi_series_log_rate(VMI_LAW_ORDERS, k, k_rate);
+    vmi_series_inverse(n, m, inverse);
+    for (i = 0; i < n; i++) {
+        const vm_real a = o->reactive * m_rate[i] + o->damping * inverse[i];
+        m[i] = a;
+        k[i] = (k_rate[i] + 2 * a - m_rate[i]) / (o->alpha + 3);
+    }
+    now->a = m[0];
+    now->p = k[0];
+    vmi_osc_find_G(n, m, k, now);
+}
+
+/* *now at t; where derivatives jump, after t for side = 1, before it for side = -1. length, s: see
+   vmi_law_derivatives. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come from the laws. */
+VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vmi_osc_slow *now)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
+    if (!status) vmi_osc_slow_of(o, m, k, now);
+    return status;
+}
+
+/* -- Amplitude and phase -- */
+
+/* The state of the oscillator after the reduction */
+typedef struct VM_TAG(vmi_osc_reduced) {
+    vm_real A;   /* amplitude, m */
+    vm_real psi; /* Ateb phase */
+    vm_real W;   /* rate of the phase at this amplitude, 1/s */
+} vmi_osc_reduced;
+
+/* The reduced state of position x and velocity v */
+VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
+{
+    const vm_real omega = VM_SQRT(now->k / now->m);
+    vmi_osc_reduced r;
+    vm_osc_amplitude_phase(x, v + now->p * x, omega, alpha, &r.A, &r.psi);
+    r.W = r.A == 0 ? 0 : vmi_osc_rate(r.A, omega, alpha);
+    return r;
+}
+
+/* Position and velocity of a reduced state, where sa and ca are those of its phase */
+VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
+                             vm_real *v)
+{
+    *x = r->A * ca;
+    *v = -2 / (alpha + 1) * r->W * r->A * sa - p * *x;
+}
+
+/* The numbers E_k = G_k/W^(k+2) */
+VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
+{
+    vm_real power = 1 / (W * W);
+    int k;
+    for (k = 0; k < VMI_OSC_G; k++) {
+        E[k] = now->G[k] * power;
+        power /= W;
+    }
+}
+
+#endif

@@ -1,0 +1,266 @@
+/* oscillators/ripple.h - the ripple of ca^2 within a period, and its integrals over the Ateb phase
+
+   An oscillator whose mass or stiffness varies slowly swings about a mean motion. The difference, the ripple, is made
+   of five functions of the Ateb phase psi. With C = ca^2(psi) - <ca^2>, where < > is the mean over a period,
+     S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>,
+   each with mean 0, all of period Pi_alpha. A vmi_ripple is one alpha, prepared: two sets of four polynomials and the
+   constants of the law of order five (oscillators/expansion.h). It is plain data and may lie in flash.
+       vmi_ripple r;
+       vmi_ripple_values f;
+       vmi_ripple_init(&r, VM_C(1.5), ateb_pi(VM_C(1.5)));
+       vmi_ripple_complete(&r);
+       ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
+       vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
+
+   Method: near a zero of ca the functions are |ca|^3, |ca|^4 or |ca|^5 times a power series in w = |ca|^(alpha+1); near
+   a zero of sa they are series in y = sa^2. Where w = y = 1/2 one takes over from the other. On [0, 1/2] each series is
+   replaced by its first Chebyshev polynomials: 15 of them for 1e-12, 8 for 1e-7, whatever alpha is.
+   Tests: tests/test_slow_motion.c. */
+#ifndef VARMASS_OSCILLATORS_RIPPLE_H
+#define VARMASS_OSCILLATORS_RIPPLE_H
+
+#include "../ateb/phase.h"
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "constant_mass.h"
+
+/* Terms of each polynomial, Chebyshev polynomials that are kept while it is made, and terms of the power series */
+#if VM_MANT_DIG > 24
+enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
+#else
+enum { VMI_RIPPLE_TERMS = 8, VMI_RIPPLE_KEPT = 13, VMI_RIPPLE_SERIES = 28 };
+#endif
+
+/* The polynomials: integrals of ca^2 and of ca^4, from the nearest zero of ca or sa on, and the first and the second
+   integral of that of ca^2 */
+enum { VMI_RIPPLE_CA2, VMI_RIPPLE_CA4, VMI_RIPPLE_FIRST, VMI_RIPPLE_SECOND, VMI_RIPPLE_FUNCTIONS };
+
+/* One alpha, prepared by vmi_ripple_init */
+typedef struct VM_TAG(vmi_ripple) {
+    vm_real alpha;
+    vm_real gamma;              /* (alpha-1)/(alpha+3): the rate of the phase grows like J^gamma with the action J */
+    vm_real scale;              /* (alpha+1)(alpha+3)/4 */
+    vm_real pi;                 /* Pi_alpha, the period of the functions */
+    vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
+    vm_real variance;           /* the mean of C^2 */
+    int has_polynomials;        /* whether what follows is set */
+    vm_real at_sa_0, at_ca_0;   /* S2 where sa = 0, and where ca = 0 */
+    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1 */
+    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1 */
+} vmi_ripple;
+
+/* The ripple at one phase */
+typedef struct VM_TAG(vmi_ripple_values) {
+    vm_real sa, ca;
+    vm_real C, S, S2, S3, Q; /* see above; S is right from order 3 on, S2 from order 4 on, S3 and Q for order 5 */
+} vmi_ripple_values;
+
+/* -- Making the polynomials -- */
+
+/* Coefficients of the power series at index i. near_ca_0: the integral of ca^2 is |ca|^3 sum ca2_i w^i, and so on */
+typedef struct VM_TAG(vmi_ripple_series) {
+    vm_real root;                 /* of (1-w)^(-1/2) */
+    vm_real power2, power3, power4; /* of (1-y)^((j-alpha)/(alpha+1)), j = 2, 3, 4 */
+    vm_real product;              /* of (1-y)^(1-nu) T, T |sa| the integral of ca^2, nu = 2 alpha/(alpha+1) */
+    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS], near_sa_0[VMI_RIPPLE_FUNCTIONS];
+} vmi_ripple_series;
+
+/* Coefficient i of (1-y)^exponent from coefficient i - 1 */
+VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
+{
+    if (i == 0) return 1;
+    return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
+}
+
+/* Coefficients i from those of i - 1 (for i = 0 from zeros). The integrals of an integral follow from its differential
+   equation along the phase: with x = |ca|, D'' = x^2 (1-w)^(-1/2) ... gives each coefficient from the one before. */
+VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
+{
+    const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
+    const vm_real now = (vm_real)i * n, before = now - n;
+    vm_real *zero = s->near_ca_0, *turn = s->near_sa_0;
+    s->root = vmi_binomial_next(s->root, i, VM_C(-0.5));
+    s->power2 = vmi_binomial_next(s->power2, i, (2 - alpha) / n);
+    s->power3 = vmi_binomial_next(s->power3, i, (3 - alpha) / n);
+    s->power4 = vmi_binomial_next(s->power4, i, (4 - alpha) / n);
+    s->product = (s->product * (k - 3 + 2 * nu) + s->power4) / (k + 1);
+    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
+    zero[VMI_RIPPLE_CA4] = n / 2 * s->root / (5 + now);
+    if (i == 0) zero[VMI_RIPPLE_FIRST] = n * n / 48;
+    else zero[VMI_RIPPLE_FIRST] *= (4 + before) * (3 + before + n / 2) / ((4 + now) * (3 + now));
+    zero[VMI_RIPPLE_SECOND] =
+        (zero[VMI_RIPPLE_SECOND] * (5 + before) * (4 + before + n / 2) + n * n / 4 * zero[VMI_RIPPLE_CA2]) /
+        ((5 + now) * (4 + now));
+    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
+    turn[VMI_RIPPLE_CA4] = s->power4 / (k + 1);
+    turn[VMI_RIPPLE_FIRST] = (turn[VMI_RIPPLE_FIRST] * k * (k - 1 + nu) + s->power3) / ((k + 2) * (k + 1));
+    turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
+}
+
+/* Multiplies the series sum c_k T_k(z) of Chebyshev polynomials by w = (1 + z)/4: z T_k = (T_(k+1) + T_(k-1))/2 */
+VM_API void vmi_chebyshev_times_w(vm_real *c)
+{
+    const int last = VMI_RIPPLE_KEPT - 1;
+    vm_real below = 0, first = c[0] + c[1] / 2; /* of 1 + z */
+    int k;
+    for (k = 0; k <= last; k++) {
+        const vm_real own = c[k], above = k < last ? c[k + 1] : 0;
+        vm_real share = (below + above) / 2;
+        if (k == 1) share += below / 2; /* z T_0 = T_1 */
+        c[k] = (own + share) / 4;
+        below = own;
+    }
+    c[0] = first / 4;
+}
+
+/* The polynomial in powers of z in place of the series of Chebyshev polynomials, by T_k = 2 z T_(k-1) - T_(k-2) */
+VM_API void vmi_chebyshev_to_powers(vm_real *c)
+{
+    int j, k;
+    for (j = 0; j < VMI_RIPPLE_TERMS; j++) {
+        for (k = VMI_RIPPLE_TERMS - 1; k >= j + 2; k--) c[k - 2] -= c[k];
+        for (k = j + 2; k < VMI_RIPPLE_TERMS; k++) c[k] *= 2;
+    }
+}
+
+/* All eight polynomials */
+VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
+{
+    vm_real w_power[VMI_RIPPLE_KEPT]; /* w^i as a series of Chebyshev polynomials */
+    vmi_ripple_series s;
+    int i, j, k;
+    s.root = s.power2 = s.power3 = s.power4 = s.product = 0;
+    for (j = 0; j < VMI_RIPPLE_FUNCTIONS; j++) {
+        s.near_ca_0[j] = 0;
+        s.near_sa_0[j] = 0;
+        for (k = 0; k < VMI_RIPPLE_TERMS; k++) {
+            r->near_ca_0[j][k] = 0;
+            r->near_sa_0[j][k] = 0;
+        }
+    }
+    for (k = 0; k < VMI_RIPPLE_KEPT; k++) w_power[k] = 0;
+    w_power[0] = 1;
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        vmi_ripple_next_terms(&s, i, r->alpha);
+        for (j = 0; j < VMI_RIPPLE_FUNCTIONS; j++)
+            for (k = 0; k < VMI_RIPPLE_TERMS; k++) {
+                r->near_ca_0[j][k] += s.near_ca_0[j] * w_power[k];
+                r->near_sa_0[j][k] += s.near_sa_0[j] * w_power[k];
+            }
+        vmi_chebyshev_times_w(w_power);
+    }
+    for (j = 0; j < VMI_RIPPLE_FUNCTIONS; j++) {
+        vmi_chebyshev_to_powers(r->near_ca_0[j]);
+        vmi_chebyshev_to_powers(r->near_sa_0[j]);
+    }
+}
+
+VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
+{
+    vm_real sum = c[VMI_RIPPLE_TERMS - 1];
+    int k;
+    for (k = VMI_RIPPLE_TERMS - 2; k >= 0; k--) sum = sum * z + c[k];
+    return sum;
+}
+
+/* -- The integrals from a zero of ca or sa on -- */
+
+/* Integrals from the nearest zero of ca (of sa) to a phase at a distance from it */
+typedef struct VM_TAG(vmi_ripple_integrals) {
+    vm_real ca2, ca4, first, second; /* of ca^2 and ca^4; first and second integral of that of ca^2 */
+} vmi_ripple_integrals;
+
+/* From a zero of ca on, where |ca| = x and sa^2 = y; order: as in vmi_ripple_at */
+VM_API vmi_ripple_integrals vmi_ripple_from_ca_0(const vmi_ripple *r, int order, vm_real x, vm_real y)
+{
+    const vm_real x2 = x * x, x3 = x2 * x, x4 = x2 * x2, z = 4 * (1 - y) - 1;
+    vmi_ripple_integrals d;
+    d.ca2 = x3 * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_CA2], z);
+    d.ca4 = d.first = d.second = 0;
+    if (order >= 4) d.first = x4 * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_FIRST], z);
+    if (order >= 5) {
+        d.ca4 = x4 * x * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_CA4], z);
+        d.second = x4 * x * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_SECOND], z);
+    }
+    return d;
+}
+
+/* From a zero of sa on, where |sa| = u and u^2 = y */
+VM_API vmi_ripple_integrals vmi_ripple_from_sa_0(const vmi_ripple *r, int order, vm_real u, vm_real y)
+{
+    const vm_real z = 4 * y - 1;
+    vmi_ripple_integrals d;
+    d.ca2 = u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_CA2], z);
+    d.ca4 = d.first = d.second = 0;
+    if (order >= 4) d.first = y * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_FIRST], z);
+    if (order >= 5) {
+        d.ca4 = u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_CA4], z);
+        d.second = y * u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_SECOND], z);
+    }
+    return d;
+}
+
+/* -- Preparing an alpha, and the functions -- */
+
+/* Prepares alpha >= 0, whose Pi_alpha is pi, but for the polynomials. Then S, S2, S3 and Q are not to be had. */
+VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
+{
+    r->alpha = alpha;
+    r->gamma = (alpha - 1) / (alpha + 3);
+    r->scale = (alpha + 1) * (alpha + 3) / 4;
+    r->pi = pi;
+    r->mean2 = vmi_osc_mean_ca(2, alpha, pi);
+    r->mean4 = vmi_osc_mean_ca(4, alpha, pi);
+    r->variance = r->mean4 - r->mean2 * r->mean2;
+    r->has_polynomials = 0;
+}
+
+/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values follow from the phase at which both sets
+   of polynomials meet: there both must have the same S2 and S3. */
+VM_API void vmi_ripple_complete(vmi_ripple *r)
+{
+    const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
+    const vm_real t = ateb_phase(sa, ca, r->alpha), s = r->pi / 2 - t; /* from sa = 0, from ca = 0 */
+    vmi_ripple_integrals zero, turn;
+    vm_real jump; /* at_sa_0 - at_ca_0 */
+    if (r->has_polynomials) return;
+    vmi_ripple_make_polynomials(r);
+    zero = vmi_ripple_from_ca_0(r, 5, ca, half);
+    turn = vmi_ripple_from_sa_0(r, 5, sa, half);
+    jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
+    r->at_ca_0 = -((turn.second - r->mean2 * t * t * t / 6) + (zero.second - r->mean2 * s * s * s / 6) + jump * t) /
+                 (r->pi / 2);
+    r->at_sa_0 = r->at_ca_0 + jump;
+    r->has_polynomials = 1;
+}
+
+/* The ripple at phase psi, where sa and ca have these values. order: 2 to 5, that of the law that asks; above 2 it needs
+   the polynomials. */
+VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
+{
+    const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
+    const vm_real side = from_sa_0 < 0 ? -1 : 1, t = VM_FABS(from_sa_0), s = r->pi / 2 - t;
+    const vm_real constant4 = 2 * m * m - r->mean4;
+    vmi_ripple_integrals d;
+    f->sa = sa;
+    f->ca = ca;
+    f->C = ca * ca - m;
+    f->S = f->S2 = f->S3 = f->Q = 0;
+    if (order < 3) return;
+    if (y > VM_C(0.5)) {
+        d = vmi_ripple_from_ca_0(r, order, VM_FABS(ca), y);
+        f->S = -side * (d.ca2 - m * s);
+        f->S2 = r->at_ca_0 + d.first - m * s * s / 2;
+        f->S3 = -side * (r->at_ca_0 * s + d.second - m * s * s * s / 6);
+        f->Q = -side * (d.ca4 - 2 * m * d.ca2 + constant4 * s);
+    } else {
+        d = vmi_ripple_from_sa_0(r, order, VM_FABS(sa), y);
+        f->S = side * (d.ca2 - m * t);
+        f->S2 = r->at_sa_0 + d.first - m * t * t / 2;
+        f->S3 = side * (r->at_sa_0 * t + d.second - m * t * t * t / 6);
+        f->Q = side * (d.ca4 - 2 * m * d.ca2 + constant4 * t);
+    }
+}
+
+#endif
