@@ -125,7 +125,8 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
     const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
     const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
     const int start_order = order < p->start_order ? order : p->start_order;
-    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, rate = mean->third;
+    const vm_real largest_known = VM_C(0.25); /* a larger estimate means that the motion is not slow: nothing is known */
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error, rate = mean->third;
     int i;
     vmi_osc_disturbance(&mean->now, state.W, e);
     for (i = 0; i < VMI_OSC_G; i++) {
@@ -140,7 +141,8 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
     phase = vmi_osc_size_psi(r, order, e0) + vmi_osc_size_psi(r, order, e) + g * turns * (start_J + knot_J) + rate +
             VM_SQRT(mean->knots_psi[start_order - 2]);
     amplitude = vmi_osc_size_J(r, order, e) + start_J + knot_J;
-    return 4 / n * phase + 4 / (n + 2) * amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    error = 4 / n * phase + 4 / (n + 2) * amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    return error < largest_known ? error : VM_INFINITY;
 }
 
 /* -- The solutions -- */
