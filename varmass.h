@@ -8931,16 +8931,18 @@ VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* The error of first order, to first order: the solution leaves out how far the start is from its mean motion, the
-   ripple of a period, and the second order of the mean phase. The phase multiplies errors of ln J by gamma Om t. */
+   ripple of a period, and the second order of the mean phase. The phase multiplies errors of ln J by gamma Om t. The
+   phase of x and x' is that of x and V plus (alpha+1)/2 p/Om ca^2, of which the mean belongs to both ends alike. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real n = r->alpha + 1, e = VM_FABS((n + 2) * mean->now.p) / (p->Om * mean->ratio), M = r->mean2;
     const vm_real ripple = e * n / (2 * (n + 2)) * vmi_larger(M, 1 - M), turns = p->Om * VM_FABS(mean->phase);
     const vm_real ln_A = VM_FABS(vmi_log(p->mean.A / p->A).hi) + VM_FABS(mean->ln_J) * 2 / (n + 2);
-    const vm_real phase = VM_FABS(r->gamma) * (n + 2) / 2 * ln_A * turns + VM_FABS(p->mean.psi - p->psi) + ripple +
+    const vm_real shift = (p->mean.psi - p->psi) + n / 2 * p->slow.p / p->Om * M;
+    const vm_real phase = VM_FABS(r->gamma) * (n + 2) / 2 * ln_A * turns + VM_FABS(shift) + ripple +
                           VM_FABS(mean->first);
-    return phase + ln_A + e / (n + 2) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    return phase + ln_A + e / (2 * (n + 2)) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
 /* The error of order 2, 3, 4 or 5: terms of the next weight at the start, which the phase multiplies, and at t, at the
@@ -10509,12 +10511,18 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     return VM_TOLERANCE_MISSED;
 }
 
-/* The motion at t by integration: by collocation, and where amplitude and phase do not describe it by rk87 */
+/* The motion at t by integration: by collocation, and where amplitude and phase do not describe it by rk87. If both miss
+   the tolerance, the one with the smaller error is taken. */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    int status = vmi_osc_collocate(p, VM_ROUTE_COLLOCATION, t, tolerance, motion);
-    if (status == VM_OK || !(status == VM_NOT_INTEGRATED || status == VM_TOLERANCE_MISSED)) return status;
-    return vmi_osc_integrate_rk87(p, VM_ROUTE_RK87, t, tolerance, motion);
+    vm_osc_motion direct;
+    int direct_status, status = vmi_osc_collocate(p, VM_ROUTE_COLLOCATION, t, tolerance, motion);
+    if (status == VM_NOT_INTEGRATED) return vmi_osc_integrate_rk87(p, VM_ROUTE_RK87, t, tolerance, motion);
+    if (status != VM_TOLERANCE_MISSED) return status;
+    direct_status = vmi_osc_integrate_rk87(p, VM_ROUTE_RK87, t, tolerance, &direct);
+    if (direct_status < 0 || !(direct.error < motion->error)) return status;
+    *motion = direct;
+    return direct_status;
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan.

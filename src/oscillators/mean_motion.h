@@ -105,16 +105,18 @@ VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* The error of first order, to first order: the solution leaves out how far the start is from its mean motion, the
-   ripple of a period, and the second order of the mean phase. The phase multiplies errors of ln J by gamma Om t. */
+   ripple of a period, and the second order of the mean phase. The phase multiplies errors of ln J by gamma Om t. The
+   phase of x and x' is that of x and V plus (alpha+1)/2 p/Om ca^2, of which the mean belongs to both ends alike. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real n = r->alpha + 1, e = VM_FABS((n + 2) * mean->now.p) / (p->Om * mean->ratio), M = r->mean2;
     const vm_real ripple = e * n / (2 * (n + 2)) * vmi_larger(M, 1 - M), turns = p->Om * VM_FABS(mean->phase);
     const vm_real ln_A = VM_FABS(vmi_log(p->mean.A / p->A).hi) + VM_FABS(mean->ln_J) * 2 / (n + 2);
-    const vm_real phase = VM_FABS(r->gamma) * (n + 2) / 2 * ln_A * turns + VM_FABS(p->mean.psi - p->psi) + ripple +
+    const vm_real shift = (p->mean.psi - p->psi) + n / 2 * p->slow.p / p->Om * M;
+    const vm_real phase = VM_FABS(r->gamma) * (n + 2) / 2 * ln_A * turns + VM_FABS(shift) + ripple +
                           VM_FABS(mean->first);
-    return phase + ln_A + e / (n + 2) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    return phase + ln_A + e / (2 * (n + 2)) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
 /* The error of order 2, 3, 4 or 5: terms of the next weight at the start, which the phase multiplies, and at t, at the

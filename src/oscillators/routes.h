@@ -203,12 +203,18 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     return VM_TOLERANCE_MISSED;
 }
 
-/* The motion at t by integration: by collocation, and where amplitude and phase do not describe it by rk87 */
+/* The motion at t by integration: by collocation, and where amplitude and phase do not describe it by rk87. If both miss
+   the tolerance, the one with the smaller error is taken. */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    int status = vmi_osc_collocate(p, VM_ROUTE_COLLOCATION, t, tolerance, motion);
-    if (status == VM_OK || !(status == VM_NOT_INTEGRATED || status == VM_TOLERANCE_MISSED)) return status;
-    return vmi_osc_integrate_rk87(p, VM_ROUTE_RK87, t, tolerance, motion);
+    vm_osc_motion direct;
+    int direct_status, status = vmi_osc_collocate(p, VM_ROUTE_COLLOCATION, t, tolerance, motion);
+    if (status == VM_NOT_INTEGRATED) return vmi_osc_integrate_rk87(p, VM_ROUTE_RK87, t, tolerance, motion);
+    if (status != VM_TOLERANCE_MISSED) return status;
+    direct_status = vmi_osc_integrate_rk87(p, VM_ROUTE_RK87, t, tolerance, &direct);
+    if (direct_status < 0 || !(direct.error < motion->error)) return status;
+    *motion = direct;
+    return direct_status;
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan.
