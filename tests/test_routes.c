@@ -1,5 +1,5 @@
-/* The routes to x(t) of an oscillator with variable mass, and the choice among them. The second-order law is
-   compared with its published errors, every route and its estimate of error, which must be honest and sharp, with
+/* The routes to x(t) of an oscillator with variable mass, and the choice among them. The laws of first and of second
+   order are compared with their published errors, every route and its estimate of error, which must be honest and sharp, with
    motions that tests/gen/routes_reference.c computes without the headers (tests/data/routes_table.h), with
    integration of the exact equations, with closed solutions and with the impulse of the elastic force. */
 #include <stdlib.h>
@@ -20,7 +20,7 @@ static int sine_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
     return 0;
 }
 
-/* ---- The second-order law ---- */
+/* ---- The laws of first and of second order ---- */
 
 /* Largest |x - true| on [0.9 T, T] by the laws of first and of second order */
 static void waveform_errors(vm_osc_problem *o, double psi, double T, double error[2])
@@ -37,7 +37,7 @@ static void waveform_errors(vm_osc_problem *o, double psi, double T, double erro
         truth_follow(&c, R(T * (0.9 + 0.1 * i / 399)));
         ateb_plan_saca(&c.ateb, c.s.y[1], &sa, &ca);
         for (k = 0; k < 2; k++) {
-            CHECK(vm_osc_plan_by_route(&p, k ? VM_ROUTE_SECOND : VM_ROUTE_ATEB, c.s.t, 0, &motion) == VM_OK);
+            CHECK(vm_osc_plan_by_route(&p, k ? VM_ROUTE_ORDER2 : VM_ROUTE_ATEB, c.s.t, 0, &motion) == VM_OK);
             error[k] = fmax(error[k], fabs((double)motion.x - exp((double)c.s.y[0]) * (double)ca));
         }
     }
@@ -97,9 +97,8 @@ static void test_second_order(void)
     }
 }
 
-/* The law of second order rests on this: the mean amplitude by the formula of the start, taken at any time of a
-   motion, is (mu kappa)^(-1/(alpha+3)) times a constant, up to the third order of eps. This is by how much the
-   logarithm of that constant wanders along an exact motion. */
+/* The law of order five rests on this: the action of the mean motion, found at any time of a motion, is the same up to
+   the sixth order of eps. This is by how much its logarithm wanders along an exact motion. */
 static double action_wander(double alpha, double e, double b)
 {
     static truth c;
@@ -123,7 +122,7 @@ static double action_wander(double alpha, double e, double b)
         later.x = R(A) * ca;
         later.v = -VM_SQRT(2 * k / ((o.alpha + 1) * m)) * R(pow(A, (alpha + 1) / 2)) * sa;
         CHECK(vm_osc_plan_init(&p, &later) == VM_OK);
-        I = 0.5 * log((double)(m * k)) + (alpha + 3) / 2 * log((double)p.A) - (double)p.ln_rho;
+        I = 0.5 * log((double)(m * k)) + (alpha + 3) / 2 * log((double)p.mean.A);
         if (i == 0) first = I;
         worst = fmax(worst, fabs(I - first));
     }
@@ -134,10 +133,10 @@ static void test_action(void)
 {
     const double alphas[] = {0.5, 1, 2, 3, 6};
     int i;
-    if (is_float) return; /* float holds no second order so long */
+    if (is_float) return; /* float holds no fifth order so long */
     for (i = 0; i < 5; i++) {
-        double order = log(action_wander(alphas[i], 0.08, 0.5) / action_wander(alphas[i], 0.02, 0.5)) / log(4);
-        check_error("ln rho", "order", "3", fabs(order - 3), 0.35, alphas[i], order);
+        double order = log(action_wander(alphas[i], 0.1, 0.5) / action_wander(alphas[i], 0.05, 0.5)) / log(2);
+        check_error("mean action", "order", "6", fabs(order - 6), 0.35, alphas[i], order);
     }
 }
 
@@ -182,7 +181,7 @@ static int estimate_ratio(const routes_case *c, const vm_osc_problem *o, const v
 
 static void test_estimates(void)
 {
-    enum { TOLERANCES = 3, ROUTES = 7, N = TOLERANCES * 100 };
+    enum { TOLERANCES = 3, ROUTES = VM_ROUTE_RK87 + 1, N = TOLERANCES * 100 };
     static double ratio[ROUTES + 1][N];
     int i, k, route, count[ROUTES + 1] = {0};
     for (i = 0; i < COUNT(routes_smooth) * TOLERANCES; i++) {
@@ -194,7 +193,7 @@ static void test_estimates(void)
         for (route = 0; route <= ROUTES; route++) {
             vm_osc_motion m;
             int status;
-            if (route <= VM_ROUTE_SECOND && i % TOLERANCES)
+            if (route <= VM_ROUTE_ORDER5 && i % TOLERANCES)
                 continue; /* the laws take no tolerance: once is enough */
             if (is_float && route == VM_ROUTE_RK87) continue;
             status = route == ROUTES ? vm_osc_plan_within(&plan, R(c->T), R(tolerance), &m)
@@ -209,7 +208,7 @@ static void test_estimates(void)
             }
         }
     }
-    for (route = 0; route <= VM_ROUTE_SECOND; route++)
+    for (route = 0; route <= VM_ROUTE_ORDER5; route++)
         judge(vm_osc_route_name(route), ratio[route], count[route], 2, 10, 10);
     /* Where f is not smooth two runs may agree by chance. With contracted operations one of 282 runs by the
        variation of constants errs by 37 times its estimate (alpha = 1.5), without them none by more than 9. */
@@ -240,9 +239,9 @@ static void test_localised(void)
             if (estimate_ratio(c, &o, &m, &ratio))
                 check_error("localised", "vm_osc_within, true/est", "", 1 / ratio, 10, i, tolerances[k]);
         }
-        for (route = 0; route <= VM_ROUTE_SECOND; route++) {
+        for (route = 0; route <= VM_ROUTE_ORDER5; route++) {
             const int status = vm_osc_by_route(&o, route, R(c->T), 0, &m);
-            CHECK(status == VM_OK || (status == VM_NOT_FINITE && route == VM_ROUTE_SECOND)); /* far from slow */
+            CHECK(status == VM_OK || (status == VM_NOT_FINITE && route >= VM_ROUTE_ORDER2)); /* far from slow */
             if (status == VM_OK && estimate_ratio(c, &o, &m, &ratio))
                 check_error("localised", "laws, true/est", "", 1 / ratio, 10, i, route);
         }
@@ -334,7 +333,7 @@ static void test_plan_and_calls(void)
     int route;
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
     for (route = 0; route <= VM_ROUTE_RK87; route++) {
-        const int is_law = route <= VM_ROUTE_SECOND;
+        const int is_law = route <= VM_ROUTE_ORDER5;
         CHECK(vm_osc_plan_by_route(&p, route, 33, 0, &m) >= 0 && m.route == route);
         CHECK(vm_osc_by_route(&o, route, 33, 0, &n) >= 0);
         check_error("plan, call", "", "eps", fabs((double)(m.x - n.x)) / eps, is_law ? 400 : 1, route, 0);
@@ -382,7 +381,7 @@ static void test_speed(void)
     for (i = 0; i < 2000; i++) CHECK(vm_osc_within(&o, 1000, R(1e-4), &m) == VM_OK);
     law_time = seconds(from) / 2000;
     wanted = error_of(&c, &m);
-    CHECK(m.route == VM_ROUTE_SECOND);
+    CHECK(m.route >= VM_ROUTE_ORDER2);
     y0[0] = o.x;
     y0[1] = o.v;
     options.max_steps = -1;
@@ -412,7 +411,7 @@ static void test_evaluations(void)
         vm_osc_motion a, b;
         CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 1000, R(1e-6), &a) == VM_OK &&
               vm_osc_by_route(&o, VM_ROUTE_RK45, 1000, R(1e-6), &b) == VM_OK);
-        check_error("variation", "evals by direct", "", (double)a.evals / (double)b.evals, 0.7, alphas[i],
+        check_error("collocation", "evals by direct", "", (double)a.evals / (double)b.evals, 0.7, alphas[i],
                     (double)b.evals);
     }
 }
@@ -479,7 +478,8 @@ static void test_force(void)
         o.force = van_der_pol;
         o.ctx = &strength;
         CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, 100, R(by_precision(1e-7, 1e-2)), &direct) >= 0);
-        CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 100, 0, &m) == VM_NO_LAW);
+        for (route = VM_ROUTE_ORDER2; route <= VM_ROUTE_ORDER5; route++)
+            CHECK(vm_osc_by_route(&o, route, 100, 0, &m) == VM_NO_LAW);
         CHECK(vm_osc_within(&o, 100, R(by_precision(1e-7, 1e-2)), &m) >= 0 && m.route == VM_ROUTE_COLLOCATION);
         check_error("force", "exact routes", "", fabs((double)(m.x - direct.x)) / (by_precision(1e-6, 3e-2)), 1,
                     alphas[i], 0);
@@ -619,19 +619,19 @@ static void test_sizes(void)
             vm_osc_exact_from(R(0.3 * T), R(x0), 0, 1, R(a), &x, &v);
             vm_osc_amplitude_phase(x, v, 1, R(a), &A, &psi);
             near(title, "A kept", (double)A / x0, 1, 1e-12);
-            CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, R(20.3 * T), 0, &m) == VM_OK);
-            CHECK(vm_osc_by_route(&one, VM_ROUTE_SECOND, R(20.3 * T1), 0, &n) == VM_OK);
-            near(title, "second order", (double)m.x / x0, (double)n.x, by_precision(1e-10, 1e-3));
+            CHECK(vm_osc_by_route(&o, VM_ROUTE_ORDER5, R(20.3 * T), 0, &m) == VM_OK);
+            CHECK(vm_osc_by_route(&one, VM_ROUTE_ORDER5, R(20.3 * T1), 0, &n) == VM_OK);
+            near(title, "order five", (double)m.x / x0, (double)n.x, by_precision(1e-10, 1e-3));
             CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, R(2.3 * T), tolerance, &m) >= 0 &&
-                  vm_osc_by_route(&o, VM_ROUTE_SECOND, R(2.3 * T), 0, &n) == VM_OK);
+                  vm_osc_by_route(&o, VM_ROUTE_ORDER5, R(2.3 * T), 0, &n) == VM_OK);
             near(title, "rk45", (double)m.x / x0, (double)n.x / x0, bound);
             CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, R(2.3 * T), tolerance, &m) >= 0);
-            near(title, "variation", (double)m.x / x0, (double)n.x / x0, bound);
+            near(title, "collocation", (double)m.x / x0, (double)n.x / x0, bound);
         }
 }
 
 /* The mass grows a million-fold (a thousand-fold in float, or without reactive force) or falls to a thousandth:
-   the law of second order against the exact equations. */
+   the law of order five against the exact equations. */
 static void test_masses(void)
 {
     static const char *const title = "m to 1e6 m0, m0/1000";
@@ -642,7 +642,7 @@ static void test_masses(void)
             const double end = (falls ? 0.999 : growth) / 0.01;
             const vm_osc_problem o = problem(3, vm_law_linear(1, R(rate)), reactive, 0);
             vm_osc_motion m, n;
-            CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, R(end), 0, &m) == VM_OK);
+            CHECK(vm_osc_by_route(&o, VM_ROUTE_ORDER5, R(end), 0, &m) == VM_OK);
             CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, R(end), R(by_precision(1e-7, 1e-3)), &n) >= 0);
             near(title, "x", (double)(m.x - n.x) / (double)n.amplitude, 0,
                  3 * (double)(m.error + n.error) + by_precision(0, 1e-2));
@@ -658,7 +658,7 @@ static void test_many_periods(void)
     const vm_osc_problem o = problem(1, vm_law_power(1, R(e), 2), 1, 0);
     vm_osc_motion m;
     if (is_float) return; /* float tells no phase apart so late */
-    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, R(t), 0, &m) == VM_OK);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_ORDER5, R(t), 0, &m) == VM_OK);
     near("1e7 periods", "closed solution", (double)m.x, exact, 1e-7);
     CHECK((double)m.error < 1e-6 && (double)m.error > fabs((double)m.x - exact) / 3);
 }
@@ -667,11 +667,11 @@ static void test_extreme_orders(void)
 {
     vm_osc_problem o = problem(0, vm_law_linear(1, R(1e-3)), 1, 0);
     vm_osc_motion m, n;
-    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 500, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 500, R(1e-3), &n) >= 0);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_ORDER5, 500, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 500, R(1e-3), &n) >= 0);
     near("alpha = 0", "", (double)m.x, (double)n.x, by_precision(3e-3, 2e-2));
     o.alpha = 1000;
     o.x = R(1.001);
-    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 300, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 300, R(1e-3), &n) >= 0);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_ORDER5, 300, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 300, R(1e-3), &n) >= 0);
     near("alpha = 1000", "", (double)m.x, (double)n.x, by_precision(1e-3, 1e-2));
 }
 
@@ -681,7 +681,7 @@ static void test_not_slow(void)
     vm_osc_problem o = problem(3, vm_law_linear(1, R(0.3)), 0, 0);
     vm_osc_motion m, n;
     o.v = R(0.3);
-    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 10, 0, &m) == VM_OK && m.error > R(1e-2));
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_ORDER5, 10, 0, &m) == VM_OK && m.error > R(1e-2));
     CHECK(vm_osc_within(&o, 10, R(1e-3), &n) == VM_OK && n.route >= VM_ROUTE_COLLOCATION);
     check_error("eps = 0.3", "|x - true| by estimate", "3",
                 fabs((double)(m.x - n.x) / (double)n.amplitude) / (double)m.error, 3, 0, 0);
@@ -732,14 +732,14 @@ static void test_bad_calls(void)
     vm_osc_motion m;
     vm_osc_plan p;
     vm_real A_rate, theta_rate, psi_rate;
-    CHECK(vm_osc_by_route(&o, 7, 1, 0, &m) == VM_BAD_ARGUMENT && vm_osc_by_route(&o, -1, 1, 0, &m) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_RK87 + 1, 1, 0, &m) == VM_BAD_ARGUMENT && vm_osc_by_route(&o, -1, 1, 0, &m) == VM_BAD_ARGUMENT);
     CHECK(vm_osc_within(&o, 1, -1, &m) == VM_DOMAIN);
     CHECK(vm_osc_within(NULL, 1, 0, &m) == VM_BAD_ARGUMENT && vm_osc_within(&o, 1, 0, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_osc_plan_init(NULL, &o) == VM_BAD_ARGUMENT && vm_osc_plan_init(&p, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
     CHECK(vm_osc_averaged(&p, 3, 0, 1, &A_rate, &theta_rate, &psi_rate) == VM_BAD_ARGUMENT);
     CHECK(vm_osc_averaged(&p, 0, 0, -1, &A_rate, &theta_rate, &psi_rate) == VM_DOMAIN);
-    CHECK(strcmp(vm_osc_route_name(VM_ROUTE_SECOND), "second-order law") == 0);
+    CHECK(strcmp(vm_osc_route_name(VM_ROUTE_ORDER5), "law of order five") == 0);
     CHECK(strcmp(vm_osc_route_name(99), "unknown route") == 0);
 }
 
