@@ -7979,7 +7979,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 {
     vm_real sum;
     int status;
-    if (!law || !integral) return VM_BAD_ARGUMENT;
+    if (!law || !law->derivatives || !integral) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     status = vmi_law_check(law, VM_BAD_MASS, t);
     if (status) return status;
@@ -9994,7 +9994,7 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
     vm_complex load;
     int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
     if (r->nodes < 0) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(r->gyro)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (!VM_IS_FINITE(r->gyro) || y[0] != y[0]) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, y[0], &slope);
     W = vmi_jeffcott_root(r->gyro, mass, stiffness, sense);
