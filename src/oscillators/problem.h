@@ -160,8 +160,8 @@ VM_API void vmi_osc_phase_from_mean(const vm_osc_plan *p, const vmi_osc_wave *w,
 /* -- Making the plan -- */
 
 /* Finds whether both laws are exponentials in the same variable u (see `base` in vm_osc_plan), so that all integrals
-   have closed forms. With damping the integral of b/m must be proportional to u as well, which is so where m = m0 (1
-   + base t). */
+   have closed forms. With damping the integral of b/m must be proportional to u as well, which is so where
+   m = m0 (1 + base t). */
 VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
@@ -175,9 +175,9 @@ VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
     if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
 }
 
-/* Computes the constants of the second-order solution from the state at t = 0: ln rho, where rho = (A/mean
-   A)^((alpha+3)/2), and the mean phase minus the phase. rho depends on Om at the mean amplitude, which in turn
-   depends on rho; three iterations find both. */
+/* Computes the constants of the second-order solution from the state at t = 0: ln rho, where rho is
+   (A/mean A)^((alpha+3)/2), and the mean phase minus the phase. rho depends on Om at the mean amplitude, which in
+   turn depends on rho; three iterations find both. */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
     const vm_real n = p->problem.alpha + 1, mean = p->mean_ca2, scale = 1 / p->Om;
