@@ -77,7 +77,7 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
    radians: (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339). For VM_ROUTE_JACOBI it is the
    argument of cn: (380)-(382) with theta' in the second equation of (382). Gauss' rule takes the means on each
    quarter of the period, so F may jump where x or x' is 0. The relative error is at most 1e-10 (float 2e-6) for F
-   linear or cubic in x and x' or dry friction, with alpha up to 30. F is called 160 times. Returns VM_BAD_ARGUMENT
+   linear or cubic in x and x' or dry friction, with alpha up to 30. Returns VM_BAD_ARGUMENT
    for a null pointer or another route, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
    VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, t outside a table, or a user's
    function of a law that fails; then the results are untouched. */

@@ -83,7 +83,7 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
 }
 
 /* Computes the Fourier coefficients of ca, within 8 eps, and from them those of sa. The coefficients of ca are
-    c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
+     c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
    computed by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), because ca is not analytic at u = 1 and, for large
    alpha, bends sharply at u = 0. cos((2j+1) x) follows from the two cosines before it by the recurrence with 2
    cos(2x). */
@@ -117,10 +117,9 @@ VM_API void vmi_forced_fourier(vm_forced *f)
 }
 
 /* Prepare an excited oscillator: check its fields at t = 0, and write pi, Om1, G, c and s. All other functions need
-   this call. It evaluates sa and ca at 105 points (float 53). Returns VM_BAD_ARGUMENT for a null pointer or a law
-   that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for
-   one that is not positive, VM_DOMAIN for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An
-   error leaves f as it was. */
+   this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a number
+   that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, VM_DOMAIN for alpha < 0 or a
+   frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -192,10 +191,10 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87.
-   The main resonance is nu = w(A). The state is y = (A, delta, theta), where A is the mean amplitude and delta = phi
-   - theta the phase by which the vibration leads the force. Start with vm_forced_to_averaged, and end with
-   vm_forced_from_averaged. The error is of the order of b, m' and F up to times of their inverses, and larger away
-   from the resonance. The argument forced and the statuses are those of vm_forced_rhs. */
+   The main resonance is nu = w(A). The state is y = (A, delta, theta), where A is the mean amplitude and
+   delta = phi - theta the phase by which the vibration leads the force. Start with vm_forced_to_averaged, and end
+   with vm_forced_from_averaged. The error is of the order of b, m' and F up to times of their inverses, and larger
+   away from the resonance. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -214,8 +213,8 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 }
 
 /* The ripple of the exact amplitude about its mean A, m, to first order: exact amplitude = A + ripple. It is
-    q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
-   with n = 2j + 1. The term of n - 1 = 0 is left out: it does not vary at the resonance. */
+     q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
+   with n = 2j + 1. For n = 1 the last term is left out, since it does not vary at the resonance. */
 VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                  vm_real theta)
 {
