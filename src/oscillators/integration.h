@@ -82,8 +82,8 @@ VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
     return method;
 }
 
-/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the other two systems
-   */
+/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the other two
+   systems */
 enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_STATES = 2 };
 
 /* The longest step of the first loose run, in periods */
@@ -214,7 +214,7 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */
-    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* the Pi_alpha that is large */
+    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* Pi_alpha counts as large from 10 on */
     const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
     vm_real longest = period * c->longest, steps;
