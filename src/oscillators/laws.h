@@ -6,8 +6,8 @@
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
-   Every kind of law has a section below with its constructor and with the functions for this kind alone, to which the
-   constructor makes the vm_law point. No code outside the section depends on the kind. The integral of 1/f from 0 to t is
+   Every kind of law has a section below, with the functions for this kind alone and the constructor that makes the
+   vm_law point to them. No code outside the section depends on the kind. The integral of 1/f from 0 to t is
    vm_law_inverse_integral (oscillators/panels.h).
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
@@ -72,7 +72,8 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
 }
 
 /* Checks that a constructor made the law, and that the law is finite and positive between 0 and t, as far as this can
-   be told without going there. With if_not_positive = VM_OK it may have any sign. A table is checked as a whole. */
+   be told without a walk from 0 to t. With if_not_positive = VM_OK it may have any sign. A table is checked as a
+   whole. */
 VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS];
@@ -213,8 +214,8 @@ VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rat
     return VM_FABS(rest) <= 4 * VM_EPSILON * square;
 }
 
-/* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t. With x = 2 f0 + f1 t, D = f1^2 - 4 f0 f2 and s = sqrt|D| it is
-   (2/s) atan(s t/x) for D < 0, and (2/s) atanh(s t/x) otherwise. */
+/* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t. With x = 2 f0 + f1 t, D = f1^2 - 4 f0 f2 and d = sqrt|D| it is
+   (2/d) atan(d t/x) for D < 0, and (2/d) atanh(d t/x) otherwise. */
 VM_API vm_real vmi_law_quadratic_inverse_integral(const vm_law *law, vm_real t)
 {
     const vm_real D = law->f1 * law->f1 - 4 * law->f0 * law->f2, x = 2 * law->f0 + law->f1 * t;
