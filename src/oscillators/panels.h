@@ -181,11 +181,11 @@ VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_r
 }
 
 /* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. Laws with a closed form use it, also next
-   to values where it becomes 0/0. Tables and functions use Gauss' rule, to 1e-13 (float 1e-5) if f changes no faster
-   than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made,
-   VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0 anywhere between 0 and t, and
-   VM_DOMAIN for t outside a table, for a table out of order, where the user's function fails, or where change_time is
-   negative or less than |t|/2^20. An error leaves *integral untouched. */
+   to values where it becomes 0/0. Tables and functions use Gauss' rule; for functions the relative error is at most
+   1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for
+   a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
+   anywhere between 0 and t, and VM_DOMAIN for t outside a table, for a table out of order, where the user's function
+   fails, or where change_time is negative or less than |t|/2^20. An error leaves *integral untouched. */
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real sum;
