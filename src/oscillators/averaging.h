@@ -24,10 +24,10 @@
 
 /* -- Averaged equations with a force -- */
 
-/* Means over a period of F s and F c, where the wave moves as x = A c, x' = -V s. Each quarter of the period is cut
-   in two. Up to the cut, Gauss' rule takes 20 points in psi; for large alpha the velocity varies like tanh psi there.
-   From the cut to x = 0 the rule takes 20 points in the square root of the distance of psi from its value at x = 0,
-   because F may contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period, where the wave moves as x = A c, x' = -V s. Each quarter of the
+   period is cut in two. Up to the cut, Gauss' rule takes 20 points in psi; for large alpha the velocity varies like
+   tanh psi there. From the cut to x = 0 the rule takes 20 points in the square root of the distance of psi from its
+   value at x = 0, because F may contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -71,16 +71,16 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
 }
 
-/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are taken at time t (s) and
-   amplitude A (m), in m/s and 1/s. psi is the angle of the route's wave, theta its slow part. For VM_ROUTE_ATEB psi
-   is the Ateb phase: (314), (315) averaged, with the term of omega' that they lack. For VM_ROUTE_TRIG it is in
-   radians: (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339). For VM_ROUTE_JACOBI it is the
-   argument of cn: (380)-(382) with theta' in the second equation of (382). Gauss' rule takes the means on each
-   quarter of the period, so F may jump where x or x' is 0. The relative error is at most 1e-10 (float 2e-6) for F
-   linear or cubic in x and x' or dry friction, with alpha up to 30. Returns VM_BAD_ARGUMENT
-   for a null pointer or another route, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
+/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force.
+   They are taken at time t (s) and amplitude A (m), in m/s and 1/s. psi is the angle of the route's wave, theta its
+   slow part. For VM_ROUTE_ATEB psi is the Ateb phase: (314), (315) averaged, with the term of omega' that they lack.
+   For VM_ROUTE_TRIG it is in radians: (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339). For
+   VM_ROUTE_JACOBI it is the argument of cn: (380)-(382) with theta' in the second equation of (382). Gauss' rule
+   takes the means on each quarter of the period, so F may jump where x or x' is 0. For alpha up to 30, and F linear
+   or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float 2e-6). Returns VM_BAD_ARGUMENT for
+   a null pointer or another route, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
    VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, t outside a table, or a user's
-   function of a law that fails; then the results are untouched. */
+   function of a law that fails. An error leaves the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -113,7 +113,7 @@ enum { VMI_AVERAGING_POINTS = 64 };
 typedef struct VM_TAG(vmi_osc_moment) {
     const vm_osc_plan *plan;
     vmi_osc_rates now;  /* mass, stiffness and rates just before t */
-    vm_real t, t_end;   /* s */
+    vm_real t, t_end;   /* this time and the last time, s */
     vm_real A, psi, Om; /* amplitude, m, Ateb phase, and rate of this phase, 1/s */
 } vmi_osc_moment;
 
@@ -126,8 +126,9 @@ typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real growth;             /* rate, 1/s, at which a small change of ln A grows */
 } vmi_osc_averaging;
 
-/* The exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first period if t
-   is not yet that late. If `frozen` is 1 the force acts as at the time t, otherwise its time runs along. */
+/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first
+   period if less than a period has passed. If `frozen` is 1 the force is that at the time t, otherwise the force
+   varies with time. */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
@@ -138,7 +139,7 @@ VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) {
         const vm_real way = 2 * p->pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
         vm_real ca, sa, F, time = at->t + side * (way - 2 * p->pi) / at->Om;
-        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* no time before the start */
+        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* no force before the start */
         if (VM_FABS(time) > VM_FABS(at->t_end)) time = at->t_end;
         if (frozen) time = at->t;
         vmi_osc_wave_at(&w, at->psi + way, &ca, &sa);
@@ -246,8 +247,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* Number of times at which motions by integration are compared; they are the last 8 of the ends of 11 equal parts of
-   the interval from 0 to t */
+/* Number of times at which motions by integration are compared: the ends of the last 8 of 11 equal parts of the
+   interval from 0 to t */
 enum { VMI_OSC_CHECKS = 8 };
 
 VM_API vm_real vmi_osc_check_time(vm_real t, int i)

@@ -73,7 +73,7 @@ VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha
 
 /* -- Exact motion -- */
 
-/* Position x and velocity v at the amplitude A, of either sign, and the Ateb phase psi */
+/* Writes position x and velocity v at the Ateb phase psi of a motion with the amplitude A, of either sign. */
 VM_API void vmi_osc_at_phase(vm_real A, vm_real psi, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
     vm_real sa, ca;
@@ -134,7 +134,7 @@ VM_API vm_real vmi_osc_mean_ca2(vm_real alpha, vm_real pi)
 
 /* -- Approximations by cos and cn, with the exact amplitude and period -- */
 
-/* Position x and velocity v, with the wave w, of a motion from rest at x0 */
+/* Writes position x and velocity v at time t, by the wave w, of a motion that starts at rest at x0. */
 VM_API void vmi_osc_by_wave(const vmi_osc_wave *w, vm_real t, vm_real x0, vm_real omega0, vm_real *x, vm_real *v)
 {
     vm_real c, s;

@@ -165,7 +165,7 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     vmi_osc_run *c = (vmi_osc_run *)run;
     const vm_osc_plan *p = c->plan;
     const vm_osc_problem *o = &p->problem;
-    const vm_real speed = 2 * p->Om / (o->alpha + 1); /* vmax/A0 */
+    const vm_real speed = 2 * p->Om / (o->alpha + 1); /* vmax/A0 at t = 0 */
     vmi_osc_rates now;
     vm_real m, weight;
     c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);

@@ -28,7 +28,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_integrals integral; /* integrals from 0 to t */
     vm_real fourth;             /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi with epsilon = q/Om */
     vm_real ln_A, ratio;        /* ln(A/A0) and Om/Om0 by the adiabatic law */
-    vm_real kick2, kick3;       /* effects of the points of tables, as in vmi_osc_walk */
+    vm_real kick2, kick3;       /* squares of jumps at points of tables, as in vmi_osc_walk */
     vm_real fast;               /* bound of the change of ln J by fast changes of m and k, where J is the action */
     vm_real phase_error;        /* error of the mean phase that comes from the error of integral.phase */
 } vmi_osc_mean;
@@ -48,7 +48,7 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
     vm_real size[VMI_WALK_ORDERS], least = VM_INFINITY; /* size[i]: largest value of the ith integral of w */
     int i;
     size[0] = n < 2 ? 1 / n : VM_C(0.5);
-    size[1] = VM_C(0.25); /* sa ca/2 */
+    size[1] = VM_C(0.25); /* the first integral of w is sa ca/2 */
     size[2] = n / 8 * larger_part;
     for (i = 3; i < VMI_WALK_ORDERS; i++) size[i] = size[i - 1] * turn;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {

@@ -41,7 +41,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     p.end = end;
     p.side = VM_COPYSIGN(1, end - start);
     p.longest = vmi_smaller(longest, VM_FABS(end - start));
-    p.least = whole / VM_C(1099511627776.); /* 2^40 */
+    p.least = whole / VM_C(1099511627776.); /* 2^40; still shorter panels do not matter */
     p.size = p.longest;
     p.left = 0;
     p.step = 0;

@@ -29,7 +29,7 @@ enum {
     VM_ROUTE_JACOBI = 1,    /* Jacobi's cn (370), (371), averaged to first order */
     VM_ROUTE_ATEB = 2,      /* the Ateb function ca (310), (311), averaged to first order */
     VM_ROUTE_SECOND = 3,    /* ca averaged to second order, error of order (q/Om)^2 up to t = 1/q; only without F */
-    VM_ROUTE_VARIATION = 4, /* exact equations of amplitude and phase, (314), (315) completed, integrated by rk45 */
+    VM_ROUTE_VARIATION = 4, /* exact equations of amplitude and phase, (314), (315) corrected, integrated by rk45 */
     VM_ROUTE_RK45 = 5,      /* the equation of motion, integrated by rk45 */
     VM_ROUTE_RK87 = 6       /* the equation of motion, integrated by rk87 */
 };
@@ -46,8 +46,8 @@ typedef struct VM_TAG(vm_osc_problem) {
                            mass has the body's own velocity, as in a leak; numbers between are allowed */
     vm_real damping;    /* damping b, kg/s, the dissertation's eps b; a positive b takes energy out */
     vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
-    vm_osc_force force; /* a further small force F, or NULL */
-    void *ctx;          /* last argument of force */
+    vm_osc_force force; /* function for a further small force F, or NULL */
+    void *ctx;          /* the user's pointer, last argument of force */
 } vm_osc_problem;
 
 /* The motion at one time */
@@ -72,7 +72,7 @@ typedef struct VM_TAG(vm_osc_plan) {
     vm_real q, h, h_rate;   /* the numbers of vmi_osc_rates at t = 0 */
     vm_real ln_rho;         /* for the second order: (alpha+3)/2 times ln(amplitude/mean amplitude) at t = 0 */
     vm_real shift;          /* for the second order: mean phase minus phase at t = 0 */
-    vm_real base;           /* 1/s; closed forms are m0 exp(rate_m u), k0 exp(rate_k u) with u = ln(1 + base t)/base */
+    vm_real base;           /* 1/s; for closed forms m0 exp(rate_m u), k0 exp(rate_k u), u = ln(1 + base t)/base */
     vm_real rate_m, rate_k; /* exponents of m and k in these closed forms, 1/s */
     int closed;             /* 1 where m and k have these closed forms, else 0 */
     int has_ateb;           /* 1 where the plan of the Ateb functions, ateb, is ready, else 0 */
@@ -92,8 +92,8 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 /* Mass and stiffness at one time, and how fast they and the damping change the motion at that time */
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k;   /* mass, kg, and stiffness, N/m^alpha */
-    vm_real q;      /* the rate q of the banner, 1/s */
-    vm_real h;      /* h of the banner, 1/s^2: q' - q (k'/k - m'/m - gamma q)/2 with gamma = (alpha-1)/(alpha+3) */
+    vm_real q;      /* rate at which m, k and the damping change the motion, 1/s */
+    vm_real h;      /* Om (q/Om)', 1/s^2, which is q' - q (k'/k - m'/m - gamma q)/2 */
     vm_real h_rate; /* the terms of h' with m''' and k''', 1/s^3; only tables have these derivatives */
 } vmi_osc_rates;
 

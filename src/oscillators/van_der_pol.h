@@ -32,7 +32,7 @@
 /* Methods of averaging: the motion over which means are taken */
 enum {
     VM_VDP_ATEB = 0,         /* the exact motion without damping, by Ateb functions: exact to first order */
-    VM_VDP_JACOBI = 1,       /* Jacobi's cn (411)-(413): limit cycles of 0.51 % error for alpha from 1/3 to 5 */
+    VM_VDP_JACOBI = 1,       /* Jacobi's cn (411)-(413): limit cycles err by at most 0.51 % for 1/3 <= alpha <= 5 */
     VM_VDP_TRIGONOMETRIC = 2 /* the cosine: limit cycles whose amplitude does not depend on alpha */
 };
 

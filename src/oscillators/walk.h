@@ -20,8 +20,7 @@
 #include "problem.h"
 #include "waves.h"
 
-/* Number of orders of derivatives of epsilon that the error estimate uses: epsilon itself and its derivatives 1 to
-   4 */
+/* Number of derivatives of epsilon that the error estimate uses, from the order 0 (epsilon itself) to the order 4 */
 enum { VMI_WALK_ORDERS = 5 };
 
 /* The results of a walk along the laws from 0 to t; psi is the mean phase. */

@@ -3,7 +3,8 @@
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
    the phase psi (282), (283); A is the amplitude, vmax(A) the largest velocity. Two simpler waves with the same
    amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave is one of the
-   three waves c, with its derivative s and all that averaged equations for a force F on the mass m need:
+   three waves c of the position, with its wave s of the velocity and what averaged equations need for a force F on the
+   mass m:
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
    where <> is the mean over a period, q the rate at which stiffness, mass and damping change the motion, and theta the
    slow part of the wave's own angle. A new wave needs a function that evaluates it and a constructor.
