@@ -310,10 +310,11 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
     return direction * speed;
 }
 
-/* Frequency W of circular whirl of radius A, rad/s, by the corrected remark after (516). W solves m W^2 - 2 g W =
-   F_e(A)/A. Forward whirl has W > 0, and is meant by sense >= 0; backward whirl has W < 0, and is meant by sense < 0.
-   A >= 0 is in m, mass > 0 in kg. The result is within 8 eps and the error of the stiffness. Returns NaN for null
-   pointers, for a rotor without stiffness, and for arguments outside the domain. */
+/* Frequency W of circular whirl of radius A, rad/s.
+   By the corrected remark after (516), W solves m W^2 - 2 g W = F_e(A)/A. Forward whirl has W > 0; sense >= 0 asks
+   for it. Backward whirl has W < 0; sense < 0 asks for it. A >= 0 is in m, mass > 0 in kg. The result is within 8 eps
+   and the error of the stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments
+   outside the domain. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;

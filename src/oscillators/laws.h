@@ -45,7 +45,7 @@ struct VM_TAG(vm_law) {
 
 /* -- What every kind of law shares -- */
 
-/* The direction of time for a length of time: 1 forward, -1 backward */
+/* The direction of an interval of time of this length: 1 forward, -1 backward */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
 /* How many numbers the function `derivatives` of a law writes: f, f', f'', f'''; the index is the order */
@@ -57,8 +57,8 @@ VM_API int vmi_law_is_finite(const vm_real *f) { return (f[0] - f[0]) + (f[1] - 
 /* Writes the value of a law at t and its first three derivatives to f[0] ... f[3]. A constructor must have made the
    law. Where a derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. step is
    a short time, s, that user's functions need for f''; it is 0 where f'' is not wanted. f''' is computed for tables
-   only; for other laws it is 0 and not needed. if_not_positive is the status for f <= 0, for example VM_BAD_MASS for
-   a mass; it is VM_OK for numbers of any sign. */
+   only; for other laws it is set to 0, since no caller needs it. if_not_positive is the status for f <= 0, for
+   example VM_BAD_MASS for a mass; it is VM_OK for numbers of any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real step, vm_real *f)
 {
     int status;

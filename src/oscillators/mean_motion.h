@@ -120,7 +120,7 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* Error of both solutions by what they leave out between 0 and t: fast changes of m and k, and jumps in derivatives
-   of tables. The mean phase grows this error of ln A by the factor gamma Om t. */
+   of tables. Such an error of ln A causes an error of the phase that is gamma Om t times as large. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real g = VM_FABS(p->gamma * p->Om * mean->integral.phase);

@@ -81,7 +81,7 @@ typedef struct VM_TAG(vm_osc_plan) {
 
 /* -- What drives the averaged motion -- */
 
-/* The wave that a route uses; the plan must outlive it. */
+/* The wave that a route uses. The plan must outlive the wave. */
 VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 {
     if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->pi);

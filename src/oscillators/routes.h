@@ -135,9 +135,10 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. route is one of VM_ROUTE_....
-   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep this number
-   within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). The comment above says what a route costs. Returns
-   VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance.
+   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
+   it that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). The comment at
+   the top of this file says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but
+   the error of integration is larger than the tolerance.
    An error leaves *motion untouched; it returns
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,

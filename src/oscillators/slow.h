@@ -3,7 +3,7 @@
    Here are, in closed form, the amplitude and the largest velocity of an oscillator
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x'
    whose mass m(t) varies slowly, that is little within a period: (325), (326), (344), (364), (367), (389), (395).
-   The chapters on Van der Pol's oscillator, on the rotor, on two bodies and on harmonic excitation build on it.
+   The chapters on Van der Pol's oscillator, on the rotor, on two bodies and on harmonic excitation build on this file.
 
        vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
 

@@ -198,7 +198,7 @@ VM_API int vmi_osc_walk_piece(vmi_osc_walk *w, vm_real start, vm_real end, vm_re
     return VM_OK;
 }
 
-/* Begins a walk of a plan at t = 0, towards that side */
+/* Begins a walk at t = 0 for the plan p, forward in time for side = 1 and backward for side = -1 */
 VM_API void vmi_osc_walk_start(vmi_osc_walk *w, const vm_osc_plan *p, int side, vm_real longest)
 {
     int i;

@@ -82,8 +82,8 @@ VM_API vm_real vmi_osc_cos_error(const vmi_osc_wave *w, vm_real mean_ca2)
     return VM_FABS(w->speed - 1) * (1 + w->alpha / 100);
 }
 
-/* The wave x = A cos with the exact period, where pi is Pi_alpha. Its gains are those of (337)-(339) with alpha + 3
-   for 5 - alpha, which comes from a wrong sign in (335). */
+/* The wave x = A cos with the exact period, where pi is Pi_alpha. Its gains are those of (337)-(339), but with
+   alpha + 3 for 5 - alpha, which is due to a wrong sign in (335). */
 VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
