@@ -146,7 +146,8 @@ typedef struct VM_TAG(vmi_osc_course) {
     int parts;             /* steps of a half period, 1 or 2 */
     vm_real stop;          /* laws are not asked beyond this time, s: a point of a table or the end */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this */
+    vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this, */
+    int least_rounds;      /* but not before so many rounds */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
     vm_real t_low;         /* what t as one number loses, s */
     vm_real contraction;   /* by this factor each round of the iteration reduces its error */
@@ -275,7 +276,7 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
         status = vmi_osc_sweep(c, s, &change);
         if (status) return status;
         if (round > 0 && before > 0) c->contraction = vmi_larger(change / before, least_contraction);
-        if (change * c->contraction <= c->sweep_limit) return VM_OK;
+        if (round + 1 >= c->least_rounds && change * c->contraction <= c->sweep_limit) return VM_OK;
         if (round > 2 && !(change < before)) break;
         before = change;
     }
@@ -391,7 +392,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
         if (status) return status;
         missing = (way - vmi_osc_step_whole(c, &s, VMI_COLLOCATED_T)) /
                   s.rates.by_psi[VMI_COLLOCATED_T][c->rule.n - 1];
-        if (VM_FABS(missing) <= c->sweep_limit / 4) break;
+        if (round + 1 >= c->least_rounds && VM_FABS(missing) <= c->sweep_limit / 4) break;
         s.length += missing;
     }
     vmi_osc_take(c, &s);
@@ -468,6 +469,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->side = side;
     c->parts = parts;
     c->sweep_limit = sweep_limit;
+    c->least_rounds = 1;
     c->stop = 0;
     c->longest = VM_INFINITY;
     c->psi = start->psi;
@@ -568,6 +570,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     vmi_osc_course_start(strict, plan, &state, side, points.strict, points.parts, sweep_limit);
     loose.longest = longest;
     strict->longest = longest;
+    strict->least_rounds = 2; /* one more than the loose run, or the error of the iteration would make no difference */
     while (!status && strict->t != t)
         status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
     strict->evals += loose.evals;
