@@ -134,14 +134,14 @@
        rk45_defaults                  Options of rk45 with each zero replaced by its default, as rk45_init uses them
        rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
        rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
-       rk45_restart                   Continues a run of rk45 from another time or state, for example after a jump of the state
-       rk87_restart                   Continues a run of rk87 from another time or state, as rk45_restart continues one of rk45
+       rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
+       rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
        rk45_step                      One accepted step of rk45, or the part of it before an event that ends the step
-       rk87_step                      One accepted step of rk87, or the part of it before an event, as rk45_step makes one of rk45
-       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run
-       rk87_solve                     Steps of rk87 to t_end exactly, or to an event that ends the run, as rk45_solve makes steps of rk45
+       rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
+       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event
+       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event
        rk45_solve_with                Steps of rk45 to t_end, with f and n named again so that f is inlined
-       rk87_solve_with                Steps of rk87 to t_end, with f and n named again so that f is inlined, as in rk45_solve_with
+       rk87_solve_with                Steps of rk87 to t_end, with f and n named again so that f is inlined
        rk45_interpolate               State y(t) at a time t within the last step of rk45, accurate to order 4
        rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8 */
 #ifndef VARMASS_INTEGRATORS_H
@@ -2588,27 +2588,28 @@ VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
     return vmi_ode_init(s, vmi_rk87_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
-/* Continues a run of rk45 from another time or state, for example after a jump of the state. The step size and the
-   counters are kept. y has n numbers and may be s->y. If t is s->t, events that have just happened are not found again.
-   Returns ODE_OK or ODE_BAD_ARGUMENT. */
+/* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
+   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
+   ODE_BAD_ARGUMENT. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* Continues a run of rk87 from another time or state, as rk45_restart continues one of rk45. */
+/* Continues a run of rk87 from another time or state, such as after a jump. All else is as in rk45_restart. */
 VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
 /* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
    positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
 VM_INLINE int rk45_step(rk45 *s) { return vmi_step(s, VMI_RK45); }
 
-/* One accepted step of rk87, or the part of it before an event, as rk45_step makes one of rk45. */
+/* One accepted step of rk87, or the part of it before an event that ends the step. All else is as in rk45_step. */
 VM_INLINE int rk87_step(rk87 *s) { return vmi_step(s, VMI_RK87); }
 
-/* Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. Nothing changes if s->t is
+/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
    t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
    is after options.max_steps attempts, another call continues the run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end) { return vmi_solve(s, VMI_RK45, t_end); }
 
-/* Steps of rk87 to t_end exactly, or to an event that ends the run, as rk45_solve makes steps of rk45. */
+/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
+   rk45_solve. */
 VM_INLINE int rk87_solve(rk87 *s, vm_real t_end) { return vmi_solve(s, VMI_RK87, t_end); }
 
 /* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
@@ -2619,7 +2620,7 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_solve_with(s, VMI_RK45, f, n, t_end);
 }
 
-/* Steps of rk87 to t_end, with f and n named again so that f is inlined, as in rk45_solve_with. */
+/* Steps of rk87 to t_end, with f and n named again so that f is inlined. All else is as in rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     return vmi_solve_with(s, VMI_RK87, f, n, t_end);
