@@ -355,13 +355,13 @@
        vm_force_harmonic              The force of harmonic excitation, amplitude cos(frequency t + phase)
        vm_force_stream                The reactive force of a stream, rate (u - reactive v)
        vm_force_gravity               The weight of a mass, mass g
-       vm_force_shaft                 The force of an elastic shaft, -k r |r|^(alpha-1), r = (x, y)
+       vm_force_shaft                 The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y)
        vm_force_unbalance             The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase)
        vm_force_gyroscopic            The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx)
 
      scenes/effects: springs, dampers, motors and other forces on a coordinate
        vm_effect_gravity              Gravity along a coordinate, the force M g
-       vm_effect_spring               A nonlinear spring, the force -k z |z|^(alpha-1), z = x - rest (248)
+       vm_effect_spring               A nonlinear spring, the force -k z |z|^(alpha-1) with z = x - rest (248)
        vm_effect_linear_spring        A linear spring, the force -k (x - rest)
        vm_effect_damper               A linear damper, the force -damping v
        vm_effect_rotational_damper    A damper of the rotation, the torque -damping omega
@@ -371,7 +371,7 @@
        vm_effect_force_between        A force that the caller's function returns, between two coordinates
        vm_effect_force                A force that the caller's function returns
        vm_effect_custom               An effect that the caller's function applies
-       vm_effect_shaft                An elastic shaft, the force -k r |r|^(alpha-1), r = (x, y)
+       vm_effect_shaft                An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y)
        vm_effect_unbalance            A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase)
        vm_effect_gyroscopic           A gyroscopic force across the velocity, 2 gyro (-vy, vx)
 
@@ -411,18 +411,18 @@
        vm_scene_start                 Start of a scene at time t
 
      scenes/balance: the budget of momentum, angular momentum and energy of a scene
-       vm_scene_keep_budget           Makes a scene keep a budget of momentum, angular momentum and energy
+       vm_scene_keep_budget           Makes a scene keep a budget of momentum, angular momentum and energy, or none if budget_or_NULL is NULL
        vm_scene_budget_at             The budget of a scene in the state y at time t
 
      scenes/events: when an event happens, and what it does
-       vm_event_at                    An event at a time (s), which happens once
+       vm_event_at                    An event at a time in s, which happens once
        vm_event_position              An event when a position crosses a value
        vm_event_velocity              An event when a velocity crosses a value
        vm_event_mass                  An event when a mass crosses a value
-       vm_event_user                  An event when a function of the caller's crosses zero
-       vm_then_stop                   The event ends the run, which returns VM_STOPPED
-       vm_then_switch                 The event switches an effect off (off = 1) or on (0)
-       vm_then_user                   The event calls a function of the caller's
+       vm_event_user                  An event when a function of the caller crosses zero
+       vm_then_stop                   The event ends the run
+       vm_then_switch                 The event switches an effect off (off = 1) or on (off = 0)
+       vm_then_user                   The event calls a function of the caller
 
      scenes/jumps: separation and attachment as events of a scene
        vm_then_separate_on_line       The event separates a part from a body on a line or on an axle
@@ -10867,8 +10867,8 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 /* scenes/scene.h - what a scene is made of: bodies, effects, events
 
    A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that change
-   them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers to the one
-   function that its body, effect or event needs, so that the executable holds no other. All arrays are the caller's.
+   them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers only to the
+   functions that its body, effect or event needs, so that the executable holds no others. All arrays are the caller's.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s, which keeps its velocity
@@ -10886,252 +10886,257 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
        if (status < 0) printf("%s %d: %s\n", fault.kind, fault.index, vm_strerror(status));
        else status = vm_scene_run(&scene, &t, 10, y, work, NULL);            // y[0] = x(10), y[1] = v(10)
 
-   Bodies, effects and events are known by their index. With events, scene.events, scene.located (as many) and
-   scene.n_events are set as well, before the start. From the start on all arrays stay where they are. A start begins
-   everything anew, as the constructors have made it; a second vm_scene_run goes on where the first one ended.
-   An evaluation takes about 80 instructions for a body on a line and 20 to 40 for an effect, beyond the arithmetic of
-   its force. That is 3 times and 0.3 times the C library's sin.
+   Bodies, effects and events are known by their index. A scene with events also needs scene.events, scene.n_events and
+   scene.located, an array of n_events elements, before the start. After the start all arrays must stay where they are.
+   A start sets everything to what the constructors have made; a second vm_scene_run continues where the first ended.
+   A listed motor, for example, adds at most 35 machine instructions to an evaluation of the right-hand side.
 
-   The state y has so many numbers for each body, from y[bodies[i].at] on, positions first:
+   The state y has these numbers for body i, from y[bodies[i].at] on, positions first. r is the position of the mass
+   centre, v its velocity, q the attitude and omega the angular velocity:
      line   x, v                                 point  r (3), v (3)
      axle   angle, omega                         free   r (3), q (4), v (3), omega (3, in body axes)
      plane  x, y, angle, vx, vy, omega
-   One more number follows where the mass is a state. For a growing body two further groups follow: where the mass
-   centre is, in body axes and from where it was at the start (2 numbers in the plane, else 3), and the inertia about it
-   (1 number in the plane, else xx, yy, zz, xy, xz, yz).
+   If the mass is a state, it is one more number. A growing body has two further groups of numbers: the displacement of
+   the mass centre in the body since the start, in body axes (2 numbers in the plane, else 3), and the inertia about the
+   mass centre (1 number in the plane, else xx, yy, zz, xy, xz, yz).
 
    An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z of
-   a point or a free body. On an axle, the moment of inertia takes the place of the mass and a torque that of the force.
+   a point or a free body. On an axle, a moment of inertia replaces the mass, and a torque replaces the force.
 
    Tests: tests/test_scenes.c and tests/test_scene_*.c. Flash that each part takes: docs/scene-sizes.md. */
 #ifndef VARMASS_SCENES_SCENE_H
 #define VARMASS_SCENES_SCENE_H
 
 enum {
-    VM_LINE = 1, /* along a line */
-    VM_AXLE,     /* about a fixed axle */
-    VM_PLANE,    /* in the plane: translation and rotation */
-    VM_POINT,    /* in space, without rotation */
-    VM_FREE      /* in space, with rotation */
+    VM_LINE = 1, /* motion along a line */
+    VM_AXLE,     /* rotation about a fixed axle */
+    VM_PLANE,    /* translation and rotation in the plane */
+    VM_POINT,    /* translation in space */
+    VM_FREE      /* translation and rotation in space */
 }; /* the motions of a body */
 
-enum { VM_GROUND = -1 }; /* in place of the index of a body: an effect acts against the ground */
+enum { VM_GROUND = -1 }; /* stands for the ground where an index of a body is expected */
 
-/* Sums of what acts on a body at one evaluation. Every evaluation clears them, and then each effect adds its part. */
+/* Sums of the loads on a body at one evaluation. Every evaluation sets them to 0, and then each effect adds its
+   part. */
 typedef struct VM_TAG(vm_load) {
-    vm_real mass;       /* kg (on an axle kg m^2): the mass now */
-    vm_real extra_mass; /* kg: M'(v) (v - u) of a mass law M(v), which accelerates together with the mass */
-    vm_real mass_rate;  /* kg/s, where the mass is a state */
-    vm_real force[6];   /* N (N m on an angle), on each coordinate; 3 to 5: the torque on a free body, inertial axes */
-    vm_real mass_by_v;  /* kg s/m: M'(v) of a mass law M(v) */
-    vm_real joining_v;  /* m/s: the velocity of the mass that joins or leaves by such a law */
-    /* for growing bodies alone */
-    vm_vec3 drift;           /* m/s: r' - v, since the mass centre moves in the body; inertial axes */
-    vm_vec3 centre_rate;     /* m/s, of the mass centre in the body, body axes */
-    vm_inertia inertia_rate; /* kg m^2/s, body axes */
-    /* where the scene keeps a budget */
-    vm_real reactive[6];    /* N, N m: the part of `force` that is reactive */
+    vm_real mass;       /* kg (on an axle kg m^2): the present mass */
+    vm_real extra_mass; /* kg: M'(v) (reactive v - u) of a mass law M(v), added to the mass that is accelerated */
+    vm_real mass_rate;  /* kg/s: rate of the mass, if the mass is a state */
+    vm_real force[6];   /* N (N m on an angle) on each coordinate; 3 to 5: torque on a free body, inertial axes */
+    vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
+    vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
+    /* only for growing bodies */
+    vm_vec3 drift;           /* m/s, inertial axes: velocity of the mass centre relative to the body */
+    vm_vec3 centre_rate;     /* m/s, body axes: velocity of the mass centre relative to the body */
+    vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia */
+    /* only if the scene keeps a budget */
+    vm_real reactive[6];    /* N, N m: the reactive part of `force` */
     vm_real brought[6];     /* N, N m: momentum and angular momentum that streams bring per second */
     vm_real brought_energy; /* W: kinetic energy that streams bring per second */
-    vm_real mixing;         /* W: energy that is lost as this mass takes on the velocity of the body */
+    vm_real mixing;         /* W: kinetic energy lost per second as mass of streams takes on the body's velocity */
 } vm_load;
 
 typedef struct VM_TAG(vm_scene_body) vm_scene_body;
 
-/* A body of a scene, made by vm_scene_body_line and its like; the caller changes no field. */
+/* A body of a scene. A constructor such as vm_scene_body_line makes it; the caller changes no field. */
 struct VM_TAG(vm_scene_body) {
     /* set by the constructor */
-    int motion;        /* VM_LINE, ... */
+    int motion;        /* VM_LINE, VM_AXLE, VM_PLANE, VM_POINT or VM_FREE */
     int mass_is_state; /* 1: the mass is a number of the state, so that streams can change it */
-    int grows;         /* 1: mass centre and inertia are numbers of the state as well */
+    int grows;         /* 1: mass centre and inertia are numbers of the state too */
     int absent;        /* 1: the body is not present until an event brings it in */
-    int positions;     /* how many numbers of its state are positions */
-    int coordinates;   /* how many are velocities */
+    int positions;     /* number of positions in the state of the body */
+    int coordinates;   /* number of velocities in the state of the body */
     /* set by vm_scene_start, and kept up to date by a run */
-    int at;      /* index into y of the first number of its state */
-    int mass_at; /* index into y of the mass, where it is a state */
+    int at;      /* index in y of the first number of the body */
+    int mass_at; /* index in y of the mass, if the mass is a state */
     int away;    /* 1 while the body is not present */
-    /* What the motion needs, as pointers, so that a scene links only the motions of its bodies.
-       accelerate: the derivatives of the state from the load; returns a status.
-       begin: NULL, or what a growing body prepares before the effects of an evaluation. */
+    /* The functions of the motion. They are pointers, so that a program links only those for the motions of its bodies.
+       accelerate computes the derivatives of the state from the load and returns a status. begin is NULL, or prepares a
+       growing body before the effects of an evaluation. */
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
     void (*begin)(vm_scene_body *b, const vm_real *state);
-    vm_real mass; /* kg: the mass, where it is neither a state nor given by a law */
-    vm_load load; /* what acts on it at the last evaluation */
-    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes the state */
-    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads the state */
-    int (*check)(const vm_body *start); /* NULL, or a check of its inertia, which returns a status */
-    vm_body start;                      /* as it starts; of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z */
-    vm_real angle;                      /* rad: the angle at which an axle or a body in the plane starts */
-    vm_real law_offset;     /* kg: what jumps, and switching the mass law, have added to the mass by its law */
-    vm_inertia inertia;     /* kg m^2: now, body axes */
-    vm_inertia invertible;  /* kg m^2: the same with a dummy moment about each axis that has none */
-    vmi_mat3 axes;          /* of a growing body: its axes now, in inertial ones */
-    int listed_orders;      /* bits (1 << order) of the effects on it so far, while vm_scene_check runs */
-    int status;             /* VM_OK, or why the constructor could not make it */
-    vm_real noted_mass;     /* kg: the mass before an event, which switching an effect must not change */
+    vm_real mass; /* kg: the mass, if it is neither a state nor given by a law */
+    vm_load load; /* the loads on the body at the last evaluation */
+    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes `now` to the state */
+    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads `now` from the state */
+    int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
+    vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (in kg m^2), omega.z */
+    vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
+    vm_real law_offset;     /* kg: mass that jumps and switches of the mass law have added to the mass by the law */
+    vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
+    vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
+    vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
+    int listed_orders;      /* bits (1 << order) of the effects on the body that vm_scene_check has seen */
+    int status;             /* VM_OK, or the reason why the constructor could not make the body */
+    vm_real noted_mass;     /* kg: the mass before an event that must not change it */
 };
 
-/* Position (m), velocity (m/s) and acceleration (m/s^2) at time t of a point whose motion is given */
+/* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
 typedef void (*vm_moving_point)(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx);
 typedef struct VM_TAG(vm_scene) vm_scene;
 typedef struct VM_TAG(vm_effect) vm_effect;
 typedef struct VM_TAG(vm_event) vm_event;
 
-/* What a mass law M(t, x, v) returns: the mass and its partial derivatives */
+/* What a mass law M(t, x, v) returns: the mass and its partial derivatives by time t, position x and velocity v */
 typedef struct VM_TAG(vm_mass_law_values) {
-    vm_real mass; /* kg (on an axle kg m^2) */
-    vm_real by_t; /* dM/dt, kg/s (on an axle kg m^2/s) */
-    vm_real by_x; /* dM/dx, kg/m (on an axle kg m^2/rad) */
-    vm_real by_v; /* dM/dv, kg s/m (on an axle kg m^2 s/rad) */
+    vm_real mass; /* kg (on an axle kg m^2): the mass M */
+    vm_real by_t; /* kg/s (on an axle kg m^2/s): dM/dt */
+    vm_real by_x; /* kg/m (on an axle kg m^2/rad): dM/dx */
+    vm_real by_v; /* kg s/m (on an axle kg m^2 s/rad): dM/dv */
 } vm_mass_law_values;
 
-/* The place of an effect in the list of effects on its body */
+/* The place of an effect among the effects on its body */
 enum {
-    VMI_ORDER_MASS_LAW = 0, /* first, since the others need the mass */
+    VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
-    VMI_ORDER_LINK = 2 /* last, since its force is the reaction to the others */
+    VMI_ORDER_LINK = 2 /* links stand last, since their force is the reaction to all other forces */
 };
 
 /* What an effect needs of the mass of its body */
 enum { VMI_NEEDS_ANY_MASS = 0, VMI_NEEDS_MASS_STATE = 1, VMI_NEEDS_GROWING_BODY = 2 };
 
-/* Why an effect does not act now, as bits of vm_effect.idle */
+/* Reasons why an effect does not act now, as bits of vm_effect.idle */
 enum { VMI_IDLE_SWITCHED_OFF = 1, VMI_IDLE_BODY_AWAY = 2 };
 
-/* An effect, made by vm_effect_spring and its like. To write a new one: effects.h says how, above vmi_effect. */
+/* An effect. A constructor such as vm_effect_spring makes it. The comment above vmi_effect in effects.h explains how to
+   write a new one. */
 struct VM_TAG(vm_effect) {
     /* set by the constructor */
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
-    int variant; /* which of its variants it is: the kind of mass law, a band in layers, a cord */
-    /* set by vm_scene_start, so that an evaluation need not look for it */
+    int variant; /* its variant, such as the kind of a mass law, a band in layers, a cord */
+    /* found once by vm_scene_start, so that evaluations are fast */
     int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
-    int x, v;             /* indices into y: position and velocity of the coordinate on which it acts */
-    int other_x, other_v; /* indices into y: position and velocity of the coordinate that takes the reaction */
-    vm_load *load;        /* of the body */
-    vm_load *other_load;  /* of the body that takes the reaction; NULL for the ground */
-    /* set by the constructor, too */
-    int body, coordinate;        /* on what it acts */
-    int other, other_coordinate; /* against what: another body, or VM_GROUND */
+    int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
+    int other_x, other_v; /* indices in y: position and velocity of the coordinate that takes the reaction */
+    vm_load *load;        /* load of the body on which the effect acts */
+    vm_load *other_load;  /* load of the body that takes the reaction; NULL for the ground */
+    /* also set by the constructor */
+    int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
+    int other, other_coordinate; /* index and coordinate of the body that takes the reaction, or VM_GROUND */
     vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their places */
-    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_force: N or N m */
-    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
-    vm_moving_point point;                                          /* of vm_effect_link: NULL, or the far end */
-    const vm_stream *stream;                                        /* of vm_effect_stream_mass and its like */
-    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* NULL, or of vm_effect_varying */
+    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function of vm_effect_force */
+    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function of vm_effect_mass_law */
+    vm_moving_point point;                                          /* NULL, or the moving end of vm_effect_link */
+    const vm_stream *stream;                                        /* stream of vm_effect_stream_mass and its like */
+    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function of vm_effect_varying */
     int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
-    void *ctx;                             /* handed to the caller's function */
-    unsigned motions;                      /* bit (1 << motion) for each motion of a body on which it can act */
-    unsigned other_motions;                /* and of a body against which it can act */
-    int needs;                             /* VMI_NEEDS_... */
-    int order;                             /* VMI_ORDER_... */
+    void *ctx;                             /* pointer that the caller's function receives */
+    unsigned motions;                      /* bit (1 << motion) for each motion on which the effect can act */
+    unsigned other_motions;                /* bit (1 << motion) for each motion that can take the reaction */
+    int needs;                             /* what it needs of the mass of its body: VMI_NEEDS_... */
+    int order;                             /* its place among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
-    int not_on_angle; /* 1: the angle of a body in the plane is no coordinate for it */
+    int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
 };
 
 /* What a jump event does */
 enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 
-/* An event: when it happens, made by vm_event_at and its like, and what happens then, by vm_then_stop and its like. */
+/* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop what it
+   does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; NULL: it happens at `time` */
-    /* What happens then; returns a status, and VM_STOPPED ends the run. NULL: the event is only counted */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or it crosses zero at the event */
+    /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
+       run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
-    vm_real time;  /* s: when it happens, where `when` is NULL; else when it last happened, or when the scene started */
-    int direction; /* > 0: `when` rises through zero; < 0: it falls; 0: both */
-    /* of events that watch a body: they happen when its coordinate, velocity or mass crosses `value` */
-    int watches; /* 1: it watches a body */
+    vm_real time;  /* s: when it happens, if `when` is NULL; else when it last happened, or the start of the scene */
+    int direction; /* > 0: `when` rises through zero; < 0: `when` falls; 0: both count */
+    /* for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
+    int watches; /* 1: the event watches a body */
     int body, coordinate;
     vm_real value;
-    /* of events that switch an effect */
-    int switches; /* 1: it switches an effect */
+    /* for an event that switches an effect */
+    int switches; /* 1: the event switches an effect */
     int effect;   /* index of the effect */
-    int off;      /* 1: off; 0: on */
-    /* of jumps: check returns a status; jump computes the motion afterwards, on a line, in the plane, or anywhere */
+    int off;      /* 1: the effect is switched off; 0: on */
+    /* for a jump: check returns a status; jump computes the motion after the jump on a line, in the plane, or for any
+       motion */
     int (*check)(const vm_scene *scene, const vm_event *event);
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
-    int jump_kind;       /* VMI_JUMP_... */
-    int jump_body;       /* the body that loses or gains mass */
-    int other;           /* the body that separates from it, or is attached to it */
+    int jump_kind;       /* VMI_JUMP_NONE, VMI_JUMP_SEPARATES or VMI_JUMP_ATTACHES */
+    int jump_body;       /* index of the body that loses or gains mass */
+    int other;           /* index of the body that separates from jump_body, or is attached to it */
     vm_body part;        /* the part that separates */
-    int relative;        /* 1: the motion of `part` is relative to the body, in its axes */
-    vm_impulse external; /* acts from outside during the jump; the caller may set it */
-    /* of vm_event_user and vm_then_user */
+    int relative;        /* 1: the motion of `part` is relative to the body, in body axes */
+    vm_impulse external; /* impulse from outside during the jump; the caller may set it */
+    /* for vm_event_user and vm_then_user */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
-    void *ctx;      /* handed to user_when */
-    void *then_ctx; /* handed to user_then */
+    void *ctx;      /* pointer that user_when receives */
+    void *then_ctx; /* pointer that user_then receives */
     /* for the caller */
-    long most;  /* it happens so often at the most; 0: without limit. The caller may set it */
-    long count; /* how often it has happened */
+    long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
+    long count; /* how often the event has happened */
     /* set by vm_scene_start, and kept up to date by a run */
-    long seen;       /* crossings that the integrator had counted when the run last looked */
-    vm_scene *scene; /* to which it belongs */
-    int status;      /* VM_OK, or why a constructor could not make it */
+    long seen;       /* number of crossings by the integrator that the run has already handled */
+    vm_scene *scene; /* the scene to which the event belongs */
+    int status;      /* VM_OK, or the reason why a constructor could not make the event */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
 
-/* The budget of momentum, angular momentum and energy: what is there, what came in from outside, and the difference.
-   vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
+/* The budget of momentum, angular momentum and energy of a scene: what the bodies have, what came in from outside, and
+   the difference. vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
-    vm_vec3 impulse;          /* N s, of the effects and of the external impulses of jumps */
-    vm_vec3 angular_impulse;  /* N m s, of the same, about the origin */
+    vm_vec3 impulse;          /* N s: impulse of the effects and of the external impulses of jumps */
+    vm_vec3 angular_impulse;  /* N m s: angular impulse of the effects and of jumps about the origin */
     vm_vec3 brought;          /* N s: momentum that streams and mass laws brought */
-    vm_vec3 brought_angular;  /* N m s: angular momentum that they brought, about the origin */
-    vm_real work;             /* J, of the effects, reactive forces excepted */
+    vm_vec3 brought_angular;  /* N m s: angular momentum about the origin that streams and mass laws brought */
+    vm_real work;             /* J: work of the effects, without reactive forces */
     vm_real brought_energy;   /* J: kinetic energy that streams and mass laws brought */
-    vm_real mixing;           /* J: lost as this mass took on the velocity of the body */
-    vm_vec3 momentum;         /* N s, of all bodies that are present */
-    vm_vec3 angular_momentum; /* N m s, of all bodies that are present, about the origin */
-    vm_real energy;           /* J: their kinetic energy */
+    vm_real mixing;           /* J: kinetic energy lost as the mass of streams took on the velocity of the body */
+    vm_vec3 momentum;         /* N s: momentum of all bodies that are present */
+    vm_vec3 angular_momentum; /* N m s: angular momentum of all bodies that are present, about the origin */
+    vm_real energy;           /* J: kinetic energy of all bodies that are present */
     vm_real jump_energy;      /* J: kinetic energy that jumps have added */
-    vm_vec3 momentum_defect;  /* N s: what is there, minus what was there at the start, minus what came in */
-    vm_vec3 angular_defect;   /* N m s, likewise */
-    vm_real energy_defect;    /* J, likewise */
-    /* internal; as pointers, so that a scene without a budget links none of it */
+    vm_vec3 momentum_defect;  /* N s: momentum - momentum at the start - impulse - brought */
+    vm_vec3 angular_defect;   /* N m s: this difference for the angular momentum, angular_impulse and brought_angular */
+    vm_real energy_defect;    /* J: energy - energy at the start - work - brought_energy + mixing - jump_energy */
+    /* internal functions; they are pointers, so that a program without a budget does not link them */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
     void (*rates)(vm_scene *scene, const vm_real *y, vm_real *rates);
     void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *budget);
 };
 
-/* A scene. Fields that are 0 or NULL mean: there is none. */
+/* A scene. Every field that is 0 or NULL means that the scene has no such part. */
 struct VM_TAG(vm_scene) {
     /* set by the caller before vm_scene_start */
-    vm_scene_body *bodies; /* n_bodies of them */
+    vm_scene_body *bodies; /* array of n_bodies bodies */
     int n_bodies;
-    vm_effect *effects; /* n_effects of them */
+    vm_effect *effects; /* array of n_effects effects */
     int n_effects;
-    vm_event *events;   /* n_events of them */
-    ode_event *located; /* room for n_events, for the integrator, which locates the events */
+    vm_event *events;   /* array of n_events events */
+    ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
-    vm_budget *budget; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET_STATES numbers join the state */
-    /* called when a run starts and after each step, or at the times that follow; the run stops where it returns
-       another number than 0 */
+    vm_budget *budget; /* set by vm_scene_keep_budget: the budget at the start; it adds VM_BUDGET_STATES numbers to y */
+    /* NULL, or a function of the caller. It is called when a run starts and after each step, or at `times`. The run
+       stops if it returns a number other than 0. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times rising times; output is then called at them, not after steps */
+    const vm_real *times; /* s: NULL, or n_times rising times at which output is called, not after steps */
     int n_times;
-    void *output_ctx; /* handed to output */
-    int y_size;       /* how many numbers y has room for: a start and a run then check it. 0: they do not */
-    int work_size;    /* how many numbers work has room for, likewise */
+    void *output_ctx; /* pointer that output receives */
+    int y_size;       /* number of elements of y, which a start and a run check; 0 means no check */
+    int work_size;    /* number of elements of work, which a run checks; 0 means no check */
     /* set by vm_scene_start and by a run, for the caller to read */
     int status;     /* of the right-hand side: VM_OK, or why a body cannot be accelerated or an effect cannot act */
-    int ode_status; /* of the integrator: ODE_... */
-    int size;       /* how many numbers the state has; 0 before the start */
+    int ode_status; /* of the integrator: ODE_OK or another status of ode.h */
+    int size;       /* number of elements of the state; 0 before the start */
 };
 
-/* Sets of motions, a bit (1 << motion) each */
+/* Sets of motions, with the bit (1 << motion) for each motion */
 enum {
-    VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE, /* one coordinate */
+    VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE, /* motions with one coordinate */
     VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT,
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 
-/* The place of the mass among the numbers of a body, where it is a state */
+/* The place of the mass among the numbers of a body, if the mass is a state */
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
-/* How many numbers of the state belong to the body */
+/* The number of elements of the state that belong to the body */
 VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
 {
     int size = vmi_scene_mass_at(b) + (b->mass_is_state != 0);
@@ -11139,19 +11144,21 @@ VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
     return size;
 }
 
-/* Position on which an effect acts, relative to the coordinate that takes the reaction; the ground's position is 0 */
+/* Position of the coordinate on which an effect acts, relative to the coordinate that takes the reaction or to the
+   ground */
 VM_INLINE vm_real vmi_effect_x(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->x] - y[e->other_x] : y[e->x];
 }
 
-/* Velocity on which an effect acts, relative to the coordinate that takes the reaction; the ground's velocity is 0 */
+/* Velocity of the coordinate on which an effect acts, relative to the coordinate that takes the reaction or to the
+   ground */
 VM_INLINE vm_real vmi_effect_v(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->v] - y[e->other_v] : y[e->v];
 }
 
-/* Adds the force f to the coordinate of the effect, and -f to the one that takes the reaction */
+/* Adds the force f to the coordinate on which the effect acts, and -f to the coordinate that takes the reaction */
 VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 {
     e->load->force[e->coordinate] += f;
@@ -11683,8 +11690,8 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 
    The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
    return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v its
-   rate. Nothing is checked: an argument that is NaN gives NaN. The results are right to some eps of the terms that are
-   added.
+   rate (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6 VM_EPSILON times the sum
+   of the absolute values of the terms, if the angle of a sine or cosine is exact.
 
        vm_real x = VM_C(0.1), v = 2, mass = 3;
        vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
@@ -11693,8 +11700,8 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 #ifndef VARMASS_SCENES_FORCES_H
 #define VARMASS_SCENES_FORCES_H
 
-/* The force of a spring, -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN
-   below. The exponents 1, 2 and 3 take no power. */
+/* The force of a spring, -k x |x|^(alpha-1) (248). The stiffness k in N/m^alpha may have either sign. The result is NaN
+   for alpha < 0. The exponents alpha = 1, 2 and 3 are computed without a power. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
@@ -11703,21 +11710,21 @@ VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
     return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
 }
 
-/* The force of a linear damper, -damping v. damping in N s/m takes energy out if it is positive. */
+/* The force of a linear damper, -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
 VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping * v; }
 
-/* The force of Van der Pol's damper, (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
-   takes it out at large amplitudes. */
+/* The force of Van der Pol's damper, (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in N
+   s/m^3 takes energy out at large amplitudes. */
 VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
 
-/* The torque of a motor, stall_torque - kappa omega. Its characteristic is a straight line; stall_torque in N m is the
-   torque at rest, kappa in N m s. */
+/* The torque of a motor, stall_torque - kappa omega. omega is the angular velocity in rad/s, stall_torque the torque at
+   rest in N m, and kappa the slope of the straight characteristic in N m s. */
 VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real stall_torque, vm_real kappa)
 {
     return stall_torque - kappa * omega;
 }
 
-/* The force of harmonic excitation, amplitude cos(frequency t + phase). amplitude in N, frequency in rad/s, phase in
+/* The force of harmonic excitation, amplitude cos(frequency t + phase). amplitude is in N, frequency in rad/s, phase in
    rad. */
 VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real frequency, vm_real phase)
 {
@@ -11726,21 +11733,20 @@ VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real freque
     return amplitude * c;
 }
 
-/* The reactive force of a stream, rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
-   the velocity of its mass is u + (1 - reactive) v: for reactive = 1 the absolute velocity u, for reactive = 0 the
-   velocity u relative to the body. */
+/* The reactive force of a stream, rate (u - reactive v). The stream brings mass at the rate in kg/s; a negative rate
+   takes mass away. The velocity of this mass is u + (1 - reactive) v: the absolute velocity u for reactive = 1, and u
+   relative to the body, whose velocity is v, for reactive = 0. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
     return rate * (u - reactive * v);
 }
 
-/* The weight of a mass, mass g. It points along the coordinate, so that g is negative where the coordinate points up.
-   mass in kg, g in m/s^2. */
+/* The weight of a mass, mass g. mass is in kg and g in m/s^2. g is negative if the coordinate points up. */
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
-/* The force of an elastic shaft, -k r |r|^(alpha-1), r = (x, y). It points to the origin of the plane; r in m. The
-   components go to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN
-   below. */
+/* The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y). It points to the origin of the plane. r
+   is in m, the stiffness k in N/m^alpha, and the force is NaN for alpha < 0. The components are written to *fx and *fy;
+   if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -11749,8 +11755,9 @@ VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm
     *fy = f * y;
 }
 
-/* The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
-   frequency in rad/s. The components go to *fx and *fy; nothing happens if one of these pointers is NULL. */
+/* The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase). unbalance is the mass m times its
+   eccentricity e in kg m, and frequency is the angular velocity Omega in rad/s. The components are written to *fx and
+   *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
 {
@@ -11762,9 +11769,9 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
-   equation has the term 2 i gyro z'. It does no work. The components go to *fx and *fy; nothing happens if one of these
-   pointers is NULL. */
+/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, in
+   whose equation 2 i gyro z' is a term. The force does no work. The components are written to *fx and *fy; if one of
+   these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -11775,18 +11782,18 @@ VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real
 #endif
 /* scenes/effects.h - springs, dampers, motors and other forces on a coordinate
 
-   An effect exerts a force of forces.h on a coordinate of a body. x and v are then the position and the velocity of
-   this coordinate. Where an effect acts against another body, x and v are relative to a coordinate of that body, which
-   takes the reaction; against VM_GROUND they are relative to a point at rest. A mass law of a body stands before the
-   other effects on it, and a link stands after them.
+   An effect exerts a force of forces.h on a coordinate of a body. x and v are the position and the velocity of this
+   coordinate. If an effect acts against another body, x and v are relative to a coordinate of that body, which takes
+   the reaction; against VM_GROUND they are relative to a point at rest. A mass law stands before all other effects on
+   its body, and a link stands after them.
 
        vm_effect effects[] = {vm_effect_gravity(0, 0, -9.81),                       // weight of body 0
                               vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1000, 0), // 1000 N/m to the ground
                               vm_effect_damper(1, 0, 0, 0, 5)};                     // 5 N s/m between bodies 1 and 0
 
-   Arguments of all constructors here: `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
-   coordinates of them (scene.h has a list). A constructor checks nothing but functions that are missing; vm_scene_check
-   and vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN or outside their
+   In all constructors of this file `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
+   their coordinates (scene.h has a list). A constructor checks only whether a function is missing; vm_scene_check and
+   vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN or outside their
    domain.
 
    Tests: tests/test_scene_effects.c. */
@@ -11795,16 +11802,16 @@ VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real
 
 #include <string.h>
 
-/* To add an effect, write one block like that of the spring below, and nothing else in the headers:
-     an enum          the places of its parameters in p[6];
-     vmi_apply_NAME   adds its force to the loads, at each evaluation;
-     vmi_NAME_check   only where not all finite parameters are allowed: returns a status;
-     vm_effect_NAME   the constructor: vmi_effect, the parameters by name, and what differs from its defaults (the
-                      motions on which it can act, the check).
+/* To add an effect, write one block like that of the spring (vm_effect_spring), and nothing else in the headers:
+     an enum          names the places of the parameters in p[6];
+     vmi_apply_NAME   adds the force to the loads, at each evaluation;
+     vmi_NAME_check   returns a status, if not all finite parameters are allowed;
+     vm_effect_NAME   is the constructor: it calls vmi_effect and sets the parameters and all that differs from the
+                      defaults (the motions on which the effect can act, the check).
    The force itself may be a function of forces.h. */
 
-/* An effect on a coordinate of a body against another one. It may act on all motions, is neither a mass law nor a link,
-   and its parameters are 0. */
+/* An effect on a coordinate of a body against a coordinate of another body. It can act on all motions, is neither a
+   mass law nor a link, and its parameters are 0. */
 VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int other_coordinate,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene))
@@ -11822,7 +11829,7 @@ VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int oth
     return e;
 }
 
-/* An effect on a coordinate of a body against the ground; otherwise it is what vmi_effect_between makes */
+/* An effect on a coordinate of a body against the ground, with the defaults of vmi_effect_between */
 VM_API vm_effect vmi_effect(int body, int coordinate,
                             void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene))
 {
@@ -11839,8 +11846,8 @@ VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, v
     e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[VMI_GRAVITY_G]);
 }
 
-/* Gravity along a coordinate, the force M g. M is the mass of the body now. g in m/s^2 is -9.81 where the coordinate
-   points up. Not on an axle (VM_BAD_MOTION), nor on the angle of a body in the plane (VM_NOT_ON_ANGLE). */
+/* Gravity along a coordinate, the force M g. M is the present mass of the body. g in m/s^2 is -9.81 if the coordinate
+   points up. Gravity cannot act on an axle (VM_BAD_MOTION) or on the angle of a body in the plane (VM_NOT_ON_ANGLE). */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_gravity);
@@ -11862,8 +11869,8 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
 
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
-/* A nonlinear spring, the force -k z |z|^(alpha-1), z = x - rest (248). k in N/m^alpha may have either sign; rest is in
-   m or rad. VM_DOMAIN for alpha < 0. */
+/* A nonlinear spring, the force -k z |z|^(alpha-1) with z = x - rest (248). The stiffness k in N/m^alpha may have
+   either sign; rest is in m or rad. A start returns VM_DOMAIN if alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
 {
@@ -11883,8 +11890,8 @@ VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real
     vmi_effect_act(e, -e->p[VMI_SPRING_STIFFNESS] * extension);
 }
 
-/* A linear spring, the force -k (x - rest). k in N/m may have either sign; rest is in m or rad. Unlike vm_effect_spring
-   it links no power. */
+/* A linear spring, the force -k (x - rest). The stiffness k in N/m may have either sign; rest is in m or rad. Unlike
+   vm_effect_spring, this effect does not link the power function. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
 {
@@ -11903,7 +11910,7 @@ VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* A linear damper, the force -damping v. damping in N s/m takes energy out if it is positive. */
+/* A linear damper, the force -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
     vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
@@ -11919,8 +11926,8 @@ VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
 
-/* A damper of the rotation, the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
-   on an axle, in the plane, or free. */
+/* A damper of the rotation, the torque -damping omega. damping is in N m s; if it is positive, the damper takes energy
+   out. omega is the angular velocity of a body on an axle, in the plane, or free. */
 VM_API vm_effect vm_effect_rotational_damper(int body, vm_real damping)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_rotational_damper);
@@ -11939,8 +11946,8 @@ VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *
     vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
-/* Van der Pol's damper, the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
-   it out at large amplitudes. */
+/* Van der Pol's damper, the force (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in N s/m^3
+   takes energy out at large amplitudes. */
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_van_der_pol);
@@ -11958,8 +11965,9 @@ VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_STALL_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
-/* A motor, the torque stall_torque - kappa v. Its characteristic is a straight line; stall_torque in N m is the torque
-   at rest, kappa is in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
+/* A motor, the torque stall_torque - kappa v. v is the angular velocity in rad/s, stall_torque the torque at rest in N
+   m, and kappa the slope of the straight characteristic in N m s. On a coordinate that is a length the units are N and
+   N s/m. */
 VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real stall_torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
@@ -11978,7 +11986,7 @@ VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, 
     vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_AMPLITUDE], frequency, phase));
 }
 
-/* Harmonic excitation, the force amplitude cos(frequency t + phase). amplitude in N (N m on an angle), frequency in
+/* Harmonic excitation, the force amplitude cos(frequency t + phase). amplitude is in N (N m on an angle), frequency in
    rad/s, phase in rad. */
 VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real amplitude, vm_real frequency, vm_real phase)
 {
@@ -11995,9 +12003,9 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle);
-   x and v are relative to the other coordinate, which takes the reaction. VM_BAD_ARGUMENT at the start where force is
-   NULL. */
+/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle).
+   x and v are position and velocity relative to other_coordinate of the body `other`, which takes the reaction. A start
+   returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -12007,22 +12015,22 @@ VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, in
     return e;
 }
 
-/* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle), for time, position and
-   velocity of the coordinate. VM_BAD_ARGUMENT at the start where force is NULL. */
+/* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle) for the time t and the
+   position x and velocity v of the coordinate. A start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
     return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
-/* An effect that the caller's function applies. It may depend on the whole state.
-   apply adds to effect->load->force[coordinate]; where the mass is a state, to effect->load->mass_rate; where it is
-   neither a state nor given by a law, to effect->load->mass.
-   apply may read effect->load->mass; y[effect->x] and y[effect->v], position and velocity of coordinate 0; the state of
-   body i from y[scene->bodies[i].at] on; effect->p and effect->ctx; and effect->load->force, the sum of the effects
-   that stand before it in the list, so that a stop that is listed last can take away the force that it holds.
-   other is another body, or VM_GROUND. The effect acts only while both bodies are present; effect->other_load,
-   effect->other_x and effect->other_v belong to the other one. VM_BAD_ARGUMENT at the start where apply is NULL. */
+/* An effect that the caller's function applies. It may depend on the whole state. apply adds to
+   effect->load->force[coordinate]; if the mass is a state, also to effect->load->mass_rate; if the mass is neither a
+   state nor given by a law, also to effect->load->mass. apply may read effect->load->mass; y[effect->x] and
+   y[effect->v], position and velocity of coordinate 0; the state of body i from y[scene->bodies[i].at] on; effect->p
+   and effect->ctx; and effect->load->force, the sum of the effects that stand before it in the list. So a stop that is
+   listed last can take away the force that presses on it. other is another body, or VM_GROUND. The effect acts only
+   while both bodies are present; effect->other_load, effect->other_x and effect->other_v belong to the body `other`. A
+   start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -12044,8 +12052,8 @@ VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_
     e->load->force[1] += fy;
 }
 
-/* An elastic shaft, the force -k r |r|^(alpha-1), r = (x, y). k in N/m^alpha; VM_DOMAIN for alpha < 0. For a body in
-   the plane, or a point, on whose coordinates 0 and 1 it acts. */
+/* An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y). The stiffness k is in N/m^alpha; a start
+   returns VM_DOMAIN if alpha < 0. The effect acts on coordinates 0 and 1 of a body in the plane or of a point. */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_shaft);
@@ -12069,8 +12077,9 @@ VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y,
     e->load->force[1] += fy;
 }
 
-/* A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m, frequency = Omega
-   in rad/s, phase in rad. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
+/* A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance is the mass m times its
+   eccentricity e in kg m, frequency the angular velocity Omega in rad/s, and phase is in rad. The effect acts on
+   coordinates 0 and 1 of a body in the plane or of a point. */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_unbalance);
@@ -12093,8 +12102,8 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation has
-   the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does no work. */
+/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, in whose equation 2
+   i gyro z' is a term. The effect acts on coordinates 0 and 1 of a body in the plane or of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
@@ -12457,12 +12466,13 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
 #endif
 /* scenes/band.h - a band that winds up on a drum or off it
 
-   The drum is a body on an axle (chapter 5.2). Its angle phi is 0 where the drum is bare, and the inertia with which
-   the body was made is that of the bare drum. The band comes or goes at the radius
+   The drum is a body on an axle (chapter 5.2 of [1]). It is bare at the angle phi = 0, and the body is made with the
+   inertia of the bare drum. The band comes or goes at the radius
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (by_layer),
-   and the inertia grows by rho b h radius^3 per radian. In layers, the torque has a kink at each complete turn.
-   vm_band_at computes what is wound up at any angle; vm_effect_band is the mass law of the drum in a scene.
+   and the inertia grows by rho b h radius^3 per radian: R is the radius of the drum, h the thickness of the band, b its
+   width and rho its density. In layers, the torque has a kink at each complete turn. vm_band_at computes what is wound
+   up at any angle; vm_effect_band is the mass law of the drum in a scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
@@ -12471,29 +12481,31 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
 #ifndef VARMASS_SCENES_BAND_H
 #define VARMASS_SCENES_BAND_H
 
-/* A band. Its own velocity is speed + (1 - reactive) (radius omega): it comes at the absolute velocity `speed` for
-   reactive = 1, and it moves with the drum for speed = 0, reactive = 0. */
+/* A band. Its velocity is speed + (1 - reactive) (radius omega), where omega is the angular velocity of the drum. The
+   band comes at the absolute velocity `speed` if reactive = 1, and moves with the drum if speed = 0 and reactive =
+   0. */
 typedef struct VM_TAG(vm_band) {
-    vm_real radius;    /* m: R, of the bare drum, > 0 */
-    vm_real thickness; /* m: h, >= 0 */
-    vm_real width;     /* m: b, >= 0 */
-    vm_real density;   /* kg/m^3: rho, >= 0 */
-    vm_real speed;     /* m/s */
-    vm_real reactive;     /* a pure number */
-    int by_layer;      /* 1: in layers; 0: along a spiral */
+    vm_real radius;    /* m: radius R of the bare drum, > 0 */
+    vm_real thickness; /* m: thickness h, >= 0 */
+    vm_real width;     /* m: width b, >= 0 */
+    vm_real density;   /* kg/m^3: density rho, >= 0 */
+    vm_real speed;     /* m/s: velocity of the band, see above */
+    vm_real reactive;     /* a pure number, see above */
+    int by_layer;      /* 1: the band lies in layers; 0: along a spiral */
 } vm_band;
 
-/* What is wound up at an angle */
+/* The part of a band that is wound up at an angle */
 typedef struct VM_TAG(vm_band_now) {
-    vm_real radius;  /* m, at which the band comes or goes */
-    vm_real rate;    /* kg/rad: mu, mass per radian at this radius (181) */
-    vm_real mass;    /* kg: of the band that is wound up */
-    vm_real inertia; /* kg m^2: of the band that is wound up */
+    vm_real radius;  /* m: radius at which the band comes or goes */
+    vm_real rate;    /* kg/rad: mass mu that comes per radian at this radius (181) */
+    vm_real mass;    /* kg: mass of the part that is wound up */
+    vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
 } vm_band_now;
 
-/* The band in layers. line = rho b h. Mass and inertia are line times the integrals of the radius and its cube over
-   phi; over n complete layers these are sums of R + i h and its cube, i < n. The sums of i, i^2 and i^3 are sum1, sum2
-   and sum1^2. */
+/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass and
+   inertia are line times the integrals of the radius and of its cube over phi; over n complete layers these are 2 pi
+   times the sums of R + i h and of its cube for i = 0 ... n - 1. The sums of i, i^2 and i^3 are sum1, sum2 and
+   sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -12512,8 +12524,8 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-/* The drum without a band: `radius` is its radius, and `others`, for all other numbers, is 0. Both are NaN where there
-   is no result. */
+/* The result for a drum without a band: its radius is `radius`, and all other numbers are `others`. If a result does
+   not exist, both arguments are NaN, else `others` is 0. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -12524,8 +12536,9 @@ VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
     return none;
 }
 
-/* Radius, mass and inertia of the band that is wound up at the angle phi. phi < 0 gives the bare drum. NaN where phi is
-   not finite, the radius is not positive, a size is negative, or band is NULL. Each number is right to some eps. */
+/* Radius, mass and inertia of the band that is wound up at the angle phi. If phi < 0, the drum is bare. All numbers are
+   NaN if phi is not finite, the radius is not positive, another size is negative, or band is NULL. In double the
+   relative errors are at most 1e-13, tested up to 30 turns. */
 VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
 {
     if (!band || !VM_IS_FINITE(phi) || !vmi_band_is_valid(band)) return vmi_band_none(VM_NAN, VM_NAN);
@@ -12564,8 +12577,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Applies the law J(phi): on an axle the moment of inertia takes the place of the mass. u is the angular velocity
-   about the axle at which the band arrives. */
+/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the angular
+   velocity about the axle at which the band arrives. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -12585,7 +12598,7 @@ VM_API int vmi_band_check(const vm_effect *e)
 }
 
 /* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle, and the band is
-   its mass law. At the start VM_BAD_ARGUMENT where band is NULL, VM_DOMAIN where its radius is not positive or a size
+   its mass law. A start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if its radius is not positive or a size
    is negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
@@ -12837,7 +12850,7 @@ VM_API void vmi_scene_presence(vm_scene *s)
 
 #include <string.h>
 
-/* Clears the load of a body before the effects add to it; of the forces only those that the body has */
+/* Sets the load of a body to 0 before the effects add to it, and of the forces only those on coordinates of the body */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -12865,7 +12878,7 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
-/* Why a body with this load cannot be accelerated */
+/* The status that says why a body with this load cannot be accelerated */
 VM_API int vmi_scene_mass_status(const vm_load *load)
 {
     if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
@@ -12873,8 +12886,8 @@ VM_API int vmi_scene_mass_status(const vm_load *load)
     return VM_BAD_MASS;
 }
 
-/* Writes the derivatives of a body's state and returns a status. A mass that is a state must be positive in y as well:
-   load->mass may also hold what an effect has added. */
+/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in y
+   as well, because load->mass may include what an effect has added. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
@@ -12887,8 +12900,9 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* After an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. Of several
-   evaluations in a row that fail the status stays that of the first, `before`, from whose NaN the others follow. */
+/* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
+   is the status of the evaluation before; if that failed too, its status is kept, because its NaN has caused this
+   failure. */
 VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 {
     int k;
@@ -12896,10 +12910,10 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
     if (before) s->status = before;
 }
 
-/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. It returns 0, or
-   VM_BAD_ARGUMENT for a NULL pointer or a negative number of bodies or effects. Where a body cannot be accelerated
-   (its mass or inertia is not positive, for one) or an effect cannot act, scene.status says why and all derivatives are
-   NaN, so that an integrator tries a shorter step. */
+/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
+   VM_BAD_ARGUMENT if a pointer is NULL or the number of bodies or effects is negative. If a body cannot be accelerated,
+   for example because its mass is not positive, or if an effect cannot act, scene.status is the reason and all
+   derivatives are NaN, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
@@ -12926,8 +12940,8 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #endif
 /* scenes/check.h - what can be wrong with a scene
 
-   vm_scene_check looks at bodies, effects and events once, before a run, and says what is wrong and where.
-   vm_scene_start calls it.
+   vm_scene_check examines bodies, effects and events once, before a run, and reports what is wrong and where.
+   vm_scene_start calls vm_scene_check.
 
        vm_scene_fault fault;
        int status = vm_scene_check(&scene, &fault);
@@ -12937,10 +12951,10 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #ifndef VARMASS_SCENES_CHECK_H
 #define VARMASS_SCENES_CHECK_H
 
-/* Where a scene is wrong */
+/* The part of a scene that is wrong */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect", "event"; "scene" for its arrays, and where nothing is wrong */
-    int index;        /* of the body, effect or event; -1 for the scene itself */
+    const char *kind; /* "body", "effect", "event", or "scene" for its arrays and if nothing is wrong */
+    int index;        /* index of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
@@ -12948,13 +12962,14 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_is_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
-    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* its mass is the inertia */
+    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* `mass` is the inertia on an axle */
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->check) return (b->check)(&b->start);
     return VM_OK;
 }
 
-/* A free body has six velocities, but no coordinate for its rotation */
+/* Checks that a body and its coordinate exist. A free body has six velocities, but only three coordinates, since its
+   rotation has none. */
 VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
 {
     if (body < 0 || body >= s->n_bodies) return VM_NO_SUCH_BODY;
@@ -12963,8 +12978,8 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
     return VM_OK;
 }
 
-/* On a body mass laws stand first and links last, and there is one of either at the most. The body keeps a bit for each
-   order that stands on it so far. */
+/* Checks the place of an effect among the effects on a body: a mass law stands first and a link last, and there is at
+   most one of each. b->listed_orders has a bit for each order that stands on the body so far. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
@@ -12977,7 +12992,8 @@ VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
     return VM_OK;
 }
 
-/* That the bodies of an effect move as it needs. A link holds mass centres; that of a growing body moves in it. */
+/* Checks that the bodies of an effect have motions on which it can act. A link holds mass centres, so that it cannot
+   act on a growing body, whose mass centre moves in the body. */
 VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 {
     const vm_scene_body *b = s->bodies + e->body, *other = e->other == VM_GROUND ? NULL : s->bodies + e->other;
@@ -13013,14 +13029,14 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     return status;
 }
 
-/* Whether a body can take up or give off another. On a line or an axle both move alike; else a point may be one of
-   them, since a point has no spin to bring. */
+/* Whether a body of one motion can take up or give off a body of another motion. On a line or an axle both must have
+   the same motion. In the plane or in space one of them may be a point, since a point has no rotation. */
 VM_API int vmi_scene_can_jump(int motion, int other)
 {
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* A jump. The part that separates must be a body that the one into which it goes can be. */
+/* Checks a jump. The part that separates must be a possible body for the motion of the body that it becomes. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -13072,15 +13088,15 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
     fault_or_NULL->index = index;
 }
 
-/* The first thing that is wrong with a scene, or VM_OK. It returns the status and writes to *fault_or_NULL in which
-   body, effect or event the fault is. One pass, in time proportional to their number; it uses a mark in each body. The
-   statuses are those that the constructors' comments name, and
-     VM_BAD_ARGUMENT        a NULL pointer, a negative count, no body, a function that is missing
-     VM_NOT_FINITE          a parameter, a time or a number of a body is infinite or NaN
-     VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       of a body, or of the part that separates
-     VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      an index that does not exist
-     VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   the list of effects
-     VM_BAD_TIMES           times of output that do not increase */
+/* The first thing that is wrong with a scene, or VM_OK. Returns the status of this fault, and writes to *fault_or_NULL
+   in which body, effect or event it is. The time is proportional to the number of bodies, effects and events. The
+   statuses are those in the comments of the constructors, and
+     VM_BAD_ARGUMENT        if a pointer is NULL, a count is negative, or a body or a function is missing;
+     VM_NOT_FINITE          if a parameter, a time or a number of a body is infinite or NaN;
+     VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;
+     VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      for an index that does not exist;
+     VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   for the list of effects;
+     VM_BAD_TIMES           if the times of output do not increase. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 {
     int i, status = vmi_scene_check_arrays(scene);
@@ -13227,9 +13243,10 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 #endif
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates along with its bodies what comes in from outside: the impulse and the work
-   of the effects, and what streams bring. At any time, what is there must be what was there at the start plus what
-   came in. The difference, the defect, shows the error of a run, and what constraints take.
+   A scene that keeps a budget integrates, together with the motion of its bodies, what comes in from outside: the
+   impulse and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of
+   the bodies must equal those at the start plus what came in. The difference, the defect, shows the error of a run and
+   the reactions of constraints.
 
        vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
@@ -13263,7 +13280,7 @@ VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
     sum[2] += a.z;
 }
 
-/* Adds to the rates of the sums what the load of a body makes of them */
+/* Adds the load of a body to the rates of the budget's sums */
 VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
@@ -13281,8 +13298,8 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds what a body makes of the rates. The part M'(v) v' of its mass rate is known only now, with the acceleration
-   v'. */
+/* Adds the part of a body to the rates of the budget's sums. The term M'(v) v' of the mass rate can be computed only
+   now, since the acceleration v' is known. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -13296,7 +13313,7 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
     vmi_scene_enter_loads(b, y, rates);
 }
 
-/* The derivatives of the sums, after an evaluation */
+/* Computes the rates of the budget's sums after an evaluation */
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
@@ -13305,8 +13322,8 @@ VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
         if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
 
-/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. What is the mass of
-   a body on an axle is its inertia and has no momentum. */
+/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. A body on an axle has
+   its inertia in place of the mass, and no momentum. */
 VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *budget)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -13328,7 +13345,7 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *bud
     }
 }
 
-/* At the start of the scene: notes what is there, and sets the sums to 0 */
+/* Begins the budget at the start of the scene: stores the momentum and energy of the bodies, and sets the sums to 0 */
 VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 {
     const vm_budget functions = *s->budget;
@@ -13341,9 +13358,9 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET_STATES; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be
-   called before vm_scene_start; the state then has VM_BUDGET_STATES numbers more. *budget_or_NULL must stay where it
-   is; the scene keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy, or none if budget_or_NULL is NULL. It must be
+   called before vm_scene_start, and the state then has VM_BUDGET_STATES further numbers. *budget_or_NULL must not move;
+   the scene stores in it the values at the start. Between two runs a scene may end its budget, but not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -13355,10 +13372,10 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
-   are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
-   bodies. VM_BAD_ARGUMENT where the scene keeps no budget, a pointer is NULL or a count negative; VM_NOT_STARTED;
-   VM_NOT_FINITE for such a state. */
+/* The budget of a scene in the state y at time t: what the bodies have, what came in since the start, and the defects.
+   Defects come from rounding, from the errors of the integrator, and from constraints: a line, an axle and the plane
+   hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative,
+   VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite, and else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
@@ -13389,24 +13406,25 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
 #endif
 /* scenes/events.h - when an event happens, and what it does
 
-   An event is made in two steps: vm_event_... says when it happens, vm_then_... says what happens then, one thing for
-   an event. An event without vm_then_... is only counted: event.count says how often it has happened, event.time when
-   it last did, and the motion is what it would be without the event.
+   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what happens then. An event
+   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often it
+   has happened and event.time when it last happened, and the motion is the same as without the event.
 
        vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
                             vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
-       ode_event located[2];                                                    // as many
+       ode_event located[2];                                                    // one for each event
        vm_scene scene;
        memset(&scene, 0, sizeof scene);                                         // its bodies and effects: see scene.h
        scene.events = events;
        scene.located = located;
        scene.n_events = 2;
 
-   An event at a time happens once. A crossing happens as often as it may, or event.most times: direction > 0 counts
-   rising values, < 0 falling ones, 0 both. Only motion crosses a value; an event that sets a coordinate beyond it does
-   not. Bodies that are not present cross nothing. Events at one instant happen in the order of the list; where a jump
-   and a crossing are within rounding of each other, either may be the first. To get the times (or states) of all events
-   of one run, set scene.located[i].times (or .states) and .room after the start.
+   An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if this is
+   0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only motion crosses a
+   value: an event that moves a coordinate beyond the value causes no crossing, and neither does a body that is not
+   present. Events at one instant happen in the order of the list; if a jump and a crossing are within rounding of each
+   other, either of the two may be the first. To get the times (or states) of all events of one run, set
+   scene.located[i].times (or .states) and .room after the start.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
@@ -13427,7 +13445,8 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
     return e;
 }
 
-/* An event at a time (s), which happens once. A time before the start of the run is due as the run begins. */
+/* An event at a time in s, which happens once. If the time is before the start of the run, the event happens as the run
+   begins. */
 VM_API vm_event vm_event_at(vm_real time)
 {
     vm_event e = vmi_event(0, 0, 0, 0);
@@ -13443,7 +13462,7 @@ VM_API vm_real vmi_when_position(const vm_event *e, vm_real t, const vm_real *y)
     return y[e->scene->bodies[e->body].at + e->coordinate] - e->value;
 }
 
-/* An event when a position crosses a value. The position is a coordinate of a body, value is in m or rad. */
+/* An event when a position crosses a value. The position is a coordinate of a body, and value is in m or rad. */
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, coordinate, value, direction);
@@ -13458,7 +13477,7 @@ VM_API vm_real vmi_when_velocity(const vm_event *e, vm_real t, const vm_real *y)
     return y[b->at + b->positions + e->coordinate] - e->value;
 }
 
-/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, value is in m/s or
+/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, and value is in m/s or
    rad/s. */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction)
 {
@@ -13486,8 +13505,8 @@ VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 
 VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { return e->user_when(t, y, e->ctx); }
 
-/* An event when a function of the caller's crosses zero. when(t, y, ctx) gets the state of the whole scene.
-   VM_BAD_ARGUMENT at the start where when is NULL. */
+/* An event when a function of the caller crosses zero. when(t, y, ctx) receives the state of the whole scene. A start
+   returns VM_BAD_ARGUMENT if when is NULL. */
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
 {
     vm_event e = vmi_event(0, 0, 0, direction);
@@ -13507,24 +13526,24 @@ VM_API int vmi_then_stop(vm_event *e, vm_real t, vm_real *y)
     return VM_STOPPED;
 }
 
-/* The event ends the run, which returns VM_STOPPED. */
+/* The event ends the run. vm_scene_run then returns VM_STOPPED. */
 VM_API vm_event vm_then_stop(vm_event event)
 {
     event.then = vmi_then_stop;
     return event;
 }
 
-/* Notes the masses of all bodies, for vmi_scene_hold_masses after a change */
+/* Stores the masses of all bodies, which vmi_scene_hold_masses restores after a change */
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
     for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
-/* Gives all bodies the mass that was noted. Switching a mass law, and a jump, would otherwise change a mass without
-   anything that carries off the mass and its momentum. The loads are evaluated twice: first to see which masses the
-   laws give now, and what they lack; then anew, since the masses have changed and the loads depend on them.
-   A body uses only one of `mass` and `law_offset`, the latter where it has a mass law, so that both may be changed. */
+/* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass law,
+   would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find by how
+   much the masses of the laws differ from the stored ones, then again with the corrected masses. A body uses only one
+   of the fields `mass` and `law_offset`, the latter if it has a mass law, so that both may be corrected. */
 VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
@@ -13551,8 +13570,9 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* The event switches an effect off (off = 1) or on (0). effect is its index. Switching a mass law does not change the
-   mass at this instant: the law goes on from the mass that is there. VM_NO_SUCH_EFFECT at the start. */
+/* The event switches an effect off (off = 1) or on (off = 0). effect is the index of the effect. Switching a mass law
+   does not change the mass at this instant: the law continues from the present mass. A start returns VM_NO_SUCH_EFFECT
+   if no effect has this index. */
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 {
     event.then = vmi_then_switch;
@@ -13564,8 +13584,8 @@ VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
 
-/* The event calls a function of the caller's. then(t, y, ctx) may change y; it returns a status: VM_OK to go on,
-   VM_STOPPED or a negative number to end the run with it. VM_BAD_ARGUMENT at the start where then is NULL. */
+/* The event calls a function of the caller. then(t, y, ctx) may change y and returns a status: VM_OK to continue, or
+   VM_STOPPED or a negative number, with which the run ends. A start returns VM_BAD_ARGUMENT if then is NULL. */
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
     event.then = vmi_then_user;
