@@ -339,13 +339,13 @@
        vm_scene_body_axle             A body on a fixed axle
        vm_scene_body_plane            A body in the plane
        vm_scene_body_point            A point in space
-       vm_scene_body_free             A body that moves and turns freely in space, as *start says
-       vm_scene_body_with_mass_state  A body whose mass is a state, so that streams can change it
-       vm_scene_body_absent           A body that is not present until an event brings it in
+       vm_scene_body_free             A body that moves and turns freely in space
+       vm_scene_body_with_mass_state  A body like `body` whose mass is a state, so that streams can change the mass
+       vm_scene_body_absent           A body like `body` that is not present until an event brings it in
 
      scenes/growing: bodies whose mass centre and inertia change
-       vm_scene_body_growing_plane    A growing body in the plane, made of one by vm_scene_body_plane
-       vm_scene_body_growing_free     A growing body in space, made of one by vm_scene_body_free
+       vm_scene_body_growing_plane    A growing body in the plane, made of a body by vm_scene_body_plane
+       vm_scene_body_growing_free     A growing body in space, made of a body by vm_scene_body_free
 
      scenes/forces: the forces of effects, as functions of numbers
        vm_force_spring                The force of a spring, -k x |x|^(alpha-1) (248)
@@ -383,7 +383,7 @@
        vm_effect_mass_of_time         A mass that follows a vm_law, with its reactive force
 
      scenes/streams: streams of mass into and out of the bodies of a scene
-       vm_effect_stream               A stream that crosses at the mass centre, with its reactive force
+       vm_effect_stream               A stream that enters or leaves at the mass centre, with its reactive force
        vm_effect_stream_mass          Mass, mass centre and inertia that a stream brings to a growing body
        vm_effect_stream_force         Reactive force M' (u - v) of a stream at a point of a growing body (156)
        vm_effect_stream_moment        Moment d x M' (u - v) of a stream on a growing body (158)
@@ -398,7 +398,7 @@
        vm_effect_link                 A rigid link of a given length, or a cord, which can only pull
 
      scenes/state: the state of a scene: its size, and the bodies in it
-       vm_scene_size                  How many numbers the state of a scene has
+       vm_scene_size                  Number of elements of the state of a scene
        vm_scene_body_at               The motion of a body in the state y
 
      scenes/evaluate: the right-hand side of a scene
@@ -411,7 +411,7 @@
        vm_scene_start                 Start of a scene at time t
 
      scenes/balance: the budget of momentum, angular momentum and energy of a scene
-       vm_scene_keep_budget           Makes a scene keep a budget of momentum, angular momentum and energy, or none if budget_or_NULL is NULL
+       vm_scene_keep_budget           Makes a scene keep a budget of momentum, angular momentum and energy
        vm_scene_budget_at             The budget of a scene in the state y at time t
 
      scenes/events: when an event happens, and what it does
@@ -428,9 +428,9 @@
        vm_then_separate_on_line       The event separates a part from a body on a line or on an axle
        vm_then_separate_in_plane      The event separates a part from a body in the plane
        vm_then_separate               The event separates a part from a body of any motion
-       vm_then_attach_on_line         The event attaches a body to another one on its line or its axle
-       vm_then_attach_in_plane        The event attaches a body to another one in the plane
-       vm_then_attach                 The event attaches a body to another one, of any motion
+       vm_then_attach_on_line         The event attaches a body to another body on the same line or axle
+       vm_then_attach_in_plane        The event attaches a body to another body in the plane
+       vm_then_attach                 The event attaches a body to another body, of any motion
 
      scenes/run: runs of a scene with its events and its output
        vm_scene_run                   Run of a scene from *t to t_end, with its events and its output */
@@ -11168,19 +11168,18 @@ VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 #endif
 /* scenes/motions.h - the bodies of a scene, and how each of them moves
 
-   A body moves along a line, about an axle, in the plane, or in space: there as a point or, with rotation, free. Its
-   constructor states how it starts, in SI units. Each kind of body brings four functions: put writes its motion into
-   the state, get reads it from there, accelerate computes the derivatives of the state from the load, and check refuses
-   an inertia that it cannot have.
+   A body moves along a line, about an axle, in the plane, as a point in space, or free in space, with rotation. The
+   arguments of its constructor are its motion at the start, in SI units. Each kind of body has four functions: put
+   writes its motion into the state, get reads its motion from the state, accelerate computes the derivatives of the
+   state from the load, and check refuses an inertia that the body cannot have.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
                                  vm_scene_body_axle(0.5, 0, 30),                             // 0.5 kg m^2 at 30 rad/s
                                  vm_scene_body_absent(vm_scene_body_point(1, zero, zero))};  // an event brings it in
 
-   The constructors check nothing but NULL pointers; vm_scene_check and vm_scene_start refuse a mass that is not
-   positive (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite
-   (VM_NOT_FINITE).
+   The constructors check only for NULL pointers; vm_scene_check and vm_scene_start refuse a mass that is not positive
+   (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite (VM_NOT_FINITE).
 
    Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_MOTIONS_H
@@ -11200,7 +11199,7 @@ VM_API vm_scene_body vmi_scene_body(int motion, int positions, int coordinates)
 
 /* -- One coordinate: a line and an axle -- */
 
-/* x'' = F/(M + extra mass) */
+/* Computes the acceleration x'' = force/(mass + extra_mass) along the only coordinate */
 VM_API int vmi_single_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     rates[0] = state[1];
@@ -11223,7 +11222,7 @@ VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->v.x = state[1];
 }
 
-/* A body on a line. mass in kg, x in m, v in m/s. */
+/* A body on a line. mass is in kg, the position x in m, the velocity v in m/s. */
 VM_API vm_scene_body vm_scene_body_line(vm_real mass, vm_real x, vm_real v)
 {
     vm_scene_body b = vmi_scene_body(VM_LINE, 1, 1);
@@ -11250,7 +11249,8 @@ VM_API void vmi_axle_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->inertia.zz = now->mass;
 }
 
-/* A body on a fixed axle. inertia about the axle in kg m^2, angle in rad, omega in rad/s. */
+/* A body on a fixed axle. inertia is the moment of inertia about the axle in kg m^2; angle is in rad, omega in
+   rad/s. */
 VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_AXLE, 1, 1);
@@ -11265,7 +11265,7 @@ VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real 
 
 /* -- The plane -- */
 
-enum { VMI_PLANE_X, VMI_PLANE_Y, VMI_PLANE_ANGLE, VMI_PLANE_VX, VMI_PLANE_VY, VMI_PLANE_OMEGA }; /* its state */
+enum { VMI_PLANE_X, VMI_PLANE_Y, VMI_PLANE_ANGLE, VMI_PLANE_VX, VMI_PLANE_VY, VMI_PLANE_OMEGA }; /* indices in state */
 
 VM_API int vmi_plane_check(const vm_body *start) { return start->inertia.zz > 0 ? VM_OK : VM_BAD_INERTIA; }
 
@@ -11290,7 +11290,8 @@ VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
-/* As a lamina: the moments about x and y, which no motion in the plane asks for, make a body that is possible */
+/* Reads a body in the plane. As in a lamina, the moments of inertia about x and y, which no motion in the plane needs,
+   have the sum zz, so that such a body is possible. */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
@@ -11303,8 +11304,8 @@ VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body 
     now->inertia.xx = now->inertia.yy = now->inertia.zz / 2;
 }
 
-/* A body in the plane. mass in kg, inertia about the mass centre in kg m^2 (> 0), r in m, angle in rad (anticlockwise),
-   v in m/s, omega in rad/s. r.z and v.z do not count. */
+/* A body in the plane. mass is in kg, the moment of inertia about the mass centre in kg m^2 (> 0), the position r in m,
+   the angle in rad (anticlockwise), the velocity v in m/s, omega in rad/s. r.z and v.z have no effect. */
 VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
                                     vm_real omega)
 {
@@ -11333,7 +11334,7 @@ VM_API int vmi_point_body_check(const vm_body *start)
     return VM_BAD_INERTIA;
 }
 
-/* r' and v' of a point, and of a free body, whose state has q between r and v */
+/* Computes r' and v' of a point, or of a free body, in whose state q stands between r and v */
 VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
@@ -11355,7 +11356,7 @@ VM_API void vmi_point_body_get(const vm_scene_body *b, const vm_real *state, vm_
     now->v = vmi_get3(state + b->positions);
 }
 
-/* A point in space. mass in kg, r in m, v in m/s. */
+/* A point in space. mass is in kg, the position r in m, the velocity v in m/s. */
 VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 {
     vm_scene_body b = vmi_scene_body(VM_POINT, 3, 3);
@@ -11371,10 +11372,11 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 /* -- A free body in space -- */
 
-enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* its state; omega in body axes */
+enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes. The second term holds the length of q at 1; it
-   acts as fast as q turns, so that a slow rotation is not stiff. mechanics/flow.h has the same law. */
+/* Computes q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8 for the attitude q, with omega in body axes. The second term
+   keeps the length of q at 1. It acts as fast as q turns, so that it does not make a slow rotation stiff.
+   mechanics/flow.h has the same law. */
 VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
 {
     const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
@@ -11386,8 +11388,9 @@ VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
     rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
-/* Euler's equations I omega' = torque - omega x I omega in body axes. They are solved with the dummy moments, and so
-   the spin about the null axis of a rod stays: no load turns a rod about it. */
+/* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
+   includes the dummy moments of b->invertible; therefore the spin of a rod about its own axis stays, since no load
+   turns a rod about it. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -11415,7 +11418,7 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
 }
 
 /* The inertia with a dummy moment about each axis that has none, so that it can be inverted. No torque acts about such
-   an axis, so that the dummy accelerates nothing. */
+   an axis, so that the dummy moment has no effect on the motion. */
 VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
 {
     const vm_real trace = i->xx + i->yy + i->zz, dummy = trace > 0 ? trace : 1;
@@ -11451,8 +11454,8 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* A body that moves and turns freely in space, as *start says. It may be a rod, whose spin about itself then stays.
-   VM_BAD_ARGUMENT at the start of the scene where start is NULL. */
+/* A body that moves and turns freely in space. *start is its motion at the start. It may be a rod, whose spin about its
+   own axis then stays. A start of the scene returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
@@ -11468,28 +11471,30 @@ VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 
 /* -- Any body -- */
 
-/* A body whose mass is a state, so that streams can change it. Otherwise it is `body`. */
+/* A body like `body` whose mass is a state, so that streams can change the mass. */
 VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 {
     body.mass_is_state = 1;
     return body;
 }
 
-/* A body that is not present until an event brings it in. Otherwise it is `body`. Effects on it do not act before. */
+/* A body like `body` that is not present until an event brings it in. Effects on the body do not act before this
+   event. */
 VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
     return body;
 }
 
-/* How many coordinates the mass moves in; of an axle, the one in which the inertia turns */
+/* The number of coordinates along which the mass moves; on an axle 1, the coordinate about which the inertia turns */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;
     return motion == VM_PLANE ? 2 : 3;
 }
 
-/* Numbers by coordinate as a vector, inertial axes: the part that moves the mass centre */
+/* The vector, in inertial axes, of the numbers in a, one for each coordinate, that belong to the motion of the mass
+   centre */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -11498,7 +11503,8 @@ VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
     return vmi_get3(a);
 }
 
-/* Numbers by coordinate as a vector: the part that turns the body, in the axes in which the numbers are */
+/* The vector of the numbers in a, one for each coordinate, that belong to the rotation of the body, in the axes of
+   these numbers */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
@@ -11507,7 +11513,7 @@ VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
     return vmi_vec3(0, 0, 0);
 }
 
-/* The angular velocity of a body, inertial axes */
+/* The angular velocity of a body in inertial axes */
 VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
 {
     const vm_vec3 omega = vmi_scene_turning(b, y + b->at + b->positions);
@@ -11517,7 +11523,8 @@ VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
     return vmi_times(&axes, omega);
 }
 
-/* Adds two vectors to numbers by coordinate: the inverse of vmi_scene_moving and vmi_scene_turning */
+/* Adds two vectors to the numbers in a, one for each coordinate: `moving` to those of the mass centre, `turning` to
+   those of the rotation. So it is the inverse of vmi_scene_moving and vmi_scene_turning. */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {
@@ -11538,8 +11545,8 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
 /* scenes/growing.h - bodies whose mass centre and inertia change
 
    The mass, the mass centre in the body, and the inertia of a growing body are numbers of the state, so that streams
-   can cross at its points (streams.h). It moves in the plane or in space. A body without extension (a rod, a point)
-   cannot grow.
+   can enter or leave at its points (streams.h). A growing body moves in the plane or in space. A body without extension
+   (a rod, a point) cannot grow.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_growing_plane(vm_scene_body_plane(2, 1, zero, 0, zero, 0))};
@@ -11549,10 +11556,10 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
 #ifndef VARMASS_SCENES_GROWING_H
 #define VARMASS_SCENES_GROWING_H
 
-/* Where the mass centre begins in the state of a growing body: after the mass */
+/* The index of the mass centre in the state of a growing body: it follows the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
-/* Where its inertia begins: after the 2 or 3 numbers of the mass centre */
+/* The index of the inertia in the state of a growing body: it follows the 2 or 3 numbers of the mass centre */
 VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
 {
     const int directions = b->motion == VM_PLANE ? 2 : 3;
@@ -11615,8 +11622,8 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
     vmi_plane_get(b, state, now);
 }
 
-/* A growing body in the plane, made of one by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when its inertia is
-   no longer positive. VM_BAD_MOTION at the start for any other body. */
+/* A growing body in the plane, made of a body by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when the inertia
+   is no longer positive. A start returns VM_BAD_MOTION for any other body. */
 VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -11638,7 +11645,7 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* not used: Euler's equations below solve with pivots */
+    vmi_inertia_ldl factors; /* only for the check: vmi_free_accelerate solves Euler's equations with pivots */
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
@@ -11661,7 +11668,8 @@ VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, v
     vmi_free_get(b, state, now);
 }
 
-/* A rod or a point has an axis about which no stream could turn it, and is refused */
+/* Checks the inertia of a growing body. A rod or a point is refused, since no stream could turn it about one of its
+   axes. */
 VM_API int vmi_free_growing_check(const vm_body *start)
 {
     vmi_inertia_ldl factors;
@@ -11671,8 +11679,8 @@ VM_API int vmi_free_growing_check(const vm_body *start)
     return VM_OK;
 }
 
-/* A growing body in space, made of one by vm_scene_body_free. A run ends with VM_BAD_INERTIA when no body can have its
-   inertia any longer. VM_BAD_MOTION at the start for any other body, VM_BAD_INERTIA for a rod. */
+/* A growing body in space, made of a body by vm_scene_body_free. A run ends with VM_BAD_INERTIA when no body can have
+   the inertia any longer. A start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for a rod or a point. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -12115,18 +12123,20 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 #endif
 /* scenes/mass.h - mass that follows a law, and its reactive force
 
-   A mass law M(t, x, v) says what mass a body has at any time; the mass is then no state of the scene. What joins or
-   leaves has the velocity u + (1 - reactive) v, where v is that of the body. So M v' = F + M' (u - reactive v), with
+   A mass law M(t, x, v) gives the mass of a body at any time; the mass is then no number of the state. The mass that
+   joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. So the equation of motion
+   under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
      reactive = 1  the absolute velocity u: the full reactive force (156), with u = 0 Levi-Civita's (167)-(169);
-     reactive = 0  the velocity of the body and u beyond it: no reactive force if u = 0 (166).
-   x and v are those of a line or an axle: J(phi), J(omega). For any other motion a law is M(t). u is in m/s; on a line
-   u.x alone counts, on an axle too, in rad/s.
+     reactive = 0  the velocity u relative to the body: no reactive force if u = 0 (166).
+   A law may depend on position x and velocity v only on a line or an axle, where it is J(phi) or J(omega). u is in m/s;
+   on a line only u.x is used, and on an axle too, in rad/s.
 
        vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0); // body 0 loses 10 g/s, which keeps its velocity
 
-   A law stands before the other effects on its body, and a body has one at the most. What jumps add comes on top of the
-   law. If an event switches a law off, the mass stays as it is; if it switches a law on, the law goes on from the mass
-   that is there (of M0 + c t then only c counts). So a switch never changes a mass suddenly.
+   A law stands before all other effects on its body, and a body has at most one law. Mass that jumps add is added to
+   the mass of the law. If an event switches a law off, the mass remains constant; if it switches a law on, the law
+   continues from the present mass (for the law M0 + c t then only c has an effect). So a switch never changes a mass
+   suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
@@ -12136,8 +12146,8 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
    of a law or the rate of a stream */
 enum { VMI_MASS_U = 0, VMI_MASS_REACTIVE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
 
-/* Adds the reactive force rate (u - reactive v) to each coordinate in which the mass moves, and to the budget what the
-   mass brings */
+/* Adds the reactive force rate (u - reactive v) on each coordinate along which the mass moves, and adds to the budget
+   what the mass brings */
 VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate, const vm_real *u,
                                   vm_real reactive)
 {
@@ -12156,8 +12166,9 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
     }
 }
 
-/* Gives the body the mass of a law. M' = by_t + by_x v + by_v v'; the last term is not known before the acceleration
-   is, so that (M'(v) (v - u)) v' goes to the other side of the equation, into extra_mass. */
+/* Gives the body the mass of a law. The rate is M' = by_t + by_x v + by_v v'. The acceleration v' is not known yet;
+   therefore its reactive force by_v v' (u - reactive v) moves to the left side of the equation of motion, as the mass
+   extra_mass = by_v (reactive v - u). */
 VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_law_values *now,
                                 const vm_real *u, vm_real reactive)
 {
@@ -12176,9 +12187,10 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
-   the mass that joins or leaves is u + (1 - reactive) v. VM_BAD_ARGUMENT at the start where law is NULL. A run ends
-   with VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
+/* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of the
+   mass that joins or leaves is u + (1 - reactive) v. A start returns VM_BAD_ARGUMENT if law is NULL. A run ends with
+   VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + M'(v) (reactive v - u) is not
+   positive. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {
@@ -12218,10 +12230,10 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. kind is VM_MASS_OF_T, VM_MASS_OF_X or
-   VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of the mass that joins or leaves is
-   u + (1 - reactive) v, with u along coordinate 0. VM_BAD_ARGUMENT at the start for another kind; errors of a run as in
-   vm_effect_mass_law. */
+/* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. M0 is the mass with which the body was
+   made. kind is VM_MASS_OF_T, VM_MASS_OF_X or VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of
+   the mass that joins or leaves is u + (1 - reactive) v, with u along coordinate 0. A start returns VM_BAD_ARGUMENT for
+   an unknown kind; a run ends with the errors of vm_effect_mass_law. */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass);
@@ -12239,8 +12251,8 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 /* scenes/mass_of_time.h - mass that follows a vm_law, and its reactive force
 
    A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table, or
-   a function. Here it is the mass of a body of a scene, of any motion. mass.h explains u and reactive, and what a
-   switch does; a law that depends on position or velocity is vm_effect_mass_law.
+   a function. vm_effect_mass_of_time makes it the mass of a body of any motion. mass.h explains u, reactive and the
+   switching of a law. For a law that depends on position or velocity use vm_effect_mass_law.
 
        vm_vec3 zero = {0, 0, 0};
        vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
@@ -12250,7 +12262,8 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 #ifndef VARMASS_SCENES_MASS_OF_TIME_H
 #define VARMASS_SCENES_MASS_OF_TIME_H
 
-/* A law that fails at t sets the status of the scene, so that a step that leads there is refused */
+/* Gives the body the mass of its law. If the law fails at t, the scene has the status of the law, so that the
+   integrator refuses the step. */
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_mass_law_values now = {0, 0, 0, 0};
@@ -12259,10 +12272,10 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the one with
-   which the body was made does not count. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law
-   stays the caller's and must stay where it is. VM_BAD_ARGUMENT at the start where law is NULL. A run ends where the
-   law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where that fails. */
+/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass with
+   which the body was made has no effect. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law
+   must not move, since it is not copied. A start returns VM_BAD_ARGUMENT if law is NULL. A run ends with VM_BAD_MASS if
+   the mass is not positive, and with the status of vm_law_at if this function fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
@@ -12279,9 +12292,10 @@ VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, 
 #endif
 /* scenes/streams.h - streams of mass into and out of the bodies of a scene
 
-   A stream changes a mass that is a state (vm_scene_body_with_mass_state). vm_effect_stream is a stream that crosses at
-   the mass centre: it changes the mass and has a reactive force. The other four are for a stream of chapter 5 that
-   crosses at a point of a growing body; each is one thing that the stream does, and each may be left out:
+   A stream carries mass into a body or out of it. It changes a mass that is a state (vm_scene_body_with_mass_state).
+   vm_effect_stream is a stream that enters or leaves at the mass centre: it changes the mass and has a reactive force.
+   Four further effects are for a vm_stream of mechanics/streams.h that enters or leaves at a point of a growing body.
+   Each of them is one action of the stream, and each may be left out:
      vm_effect_stream_mass    mass, mass centre and inertia; the mass centre then moves with r' = v + (M'/M) d
      vm_effect_stream_force   reactive force M' (u - v) (156)
      vm_effect_stream_moment  moment d x M' (u - v) about the mass centre (158)
@@ -12304,9 +12318,9 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_scene_reactive(e, y, s, rate, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A stream that crosses at the mass centre, with its reactive force. The mass of the body must be a state
-   (VM_MASS_IS_NO_STATE). rate in kg/s (on an axle kg m^2/s) is negative for mass that leaves; its own velocity is
-   u + (1 - reactive) v, as in vm_effect_mass_law. The inertia of the body stays as it is. */
+/* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
+   negative for mass that leaves; the velocity of the mass is u + (1 - reactive) v, as in vm_effect_mass_law. The
+   inertia of the body does not change. A start returns VM_MASS_IS_NO_STATE if the mass of the body is not a state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -12319,13 +12333,15 @@ VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real rea
     return e;
 }
 
-/* A stream at a point of a growing body: the motion of the body as the stream sees it, and the sums of chapter 5 */
+/* A stream at a point of a growing body: the motion of the body, as vmi_stream_sums needs it, and the sums of this
+   function */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
 } vmi_crossing;
 
-/* Fills *c. A varying stream whose motion has become unknown sets the status of the scene, which ends the run. */
+/* Fills *c with the sums of the stream of an effect. If vary has written an unknown motion to the stream, the scene
+   gets the status VM_BAD_ARGUMENT, which ends the run. */
 VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s, vmi_crossing *c)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -12343,8 +12359,9 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT;
 }
 
-/* Adds a reactive force and a moment or torque, inertial axes, to the load and to the budget. The budget has what the
-   stream brings together with the mass; here it loses from `mixing` the power of these loads. */
+/* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget. What the mass of the
+   stream brings is entered in the budget with the mass (vmi_apply_stream_mass); the power of force and torque is
+   subtracted from `mixing`. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -12401,7 +12418,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Chapter 5's check of a stream, and that it has no store: a scene has no place for what is on the way to it */
+/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene does not account for mass on
+   the way to or from a store */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
@@ -12419,40 +12437,42 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Mass, mass centre and inertia that a stream brings to a growing body. The stream stays the caller's: where an event
-   changes it, the run goes on with the change. Its points are in body axes from where the mass centre was at the start.
-   The budget's `mixing` is right where the stream's mass, force, moment and torque are all listed. At the start
-   VM_BAD_ARGUMENT for a NULL pointer or an unknown motion, VM_STORED_STREAM for a stream with a store, VM_DOES_NOT_GROW
-   for a body that is not a growing one. */
+/* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes it,
+   the run continues with the change. stream->at is in body axes, from the place of the mass centre at the start.
+   `mixing` of the budget is right if the effects for mass, force, moment and torque of the stream are all listed. A
+   start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown, VM_STORED_STREAM if it has a store, and
+   VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
 }
 
-/* Reactive force M' (u - v) of a stream at a point of a growing body (156). Conditions and errors are those of
-   vm_effect_stream_mass. */
+/* Reactive force M' (u - v) of a stream at a point of a growing body (156). M' is the rate of the mass, u its velocity
+   and v that of the body. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_force);
 }
 
-/* Moment d x M' (u - v) of a stream on a growing body (158). It is that of the reactive force about the mass centre.
-   Conditions and errors are those of vm_effect_stream_mass. */
+/* Moment d x M' (u - v) of a stream on a growing body (158). It is the moment about the mass centre of the reactive
+   force, which acts at the point d. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_moment);
 }
 
-/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). Conditions and errors are those of
-   vm_effect_stream_mass. */
+/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). M' is the rate of the mass, kappa its
+   gyration, omega2 its angular velocity; I' is the rate of the inertia of the body, omega its angular velocity.
+   Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_torque);
 }
 
-/* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass or its like. At each evaluation
-   vary receives a copy of the stream and writes what differs at t and y: the point, which may move in the body, the
-   rate, the velocity. VM_BAD_ARGUMENT at the start where vary is NULL or the effect has no stream. */
+/* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
+   each evaluation vary receives a copy of the stream and writes what has changed at t and y: the point, which may move
+   in the body, the rate or the velocity. A start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no
+   stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)
@@ -12620,9 +12640,9 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 #endif
 /* scenes/links.h - rigid links and cords between bodies
 
-   A link keeps the distance between two mass centres, or between a mass centre and a point that moves as given; a cord
-   is a link that can pull but not push. Its force is the reaction to what else acts on its ends, so that it stands last
-   in the list of effects on a body, and a body has one at the most.
+   A link keeps the distance between two mass centres, or between a mass centre and a point with a given motion. A cord
+   is a link that can pull but not push. The force of a link is the reaction to all other forces on its ends. Therefore
+   a link stands last among the effects on a body, and a body has at most one link.
 
        vm_effect pendulum = vm_effect_link(0, VM_GROUND, pivot, NULL, 1, 0, 10); // 1 m long, hung up at pivot(t)
 
@@ -12634,7 +12654,7 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 typedef struct VM_TAG(vmi_link_end) {
     vm_real r[3], v[3];
     vm_real a[3];        /* acceleration without the link */
-    vm_real mobility[3]; /* acceleration by force, along each coordinate: 1/mass, or 0 where it cannot move */
+    vm_real mobility[3]; /* acceleration per force along each coordinate: 1/mass, or 0 where the end cannot move */
 } vmi_link_end;
 
 VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
@@ -12668,19 +12688,20 @@ VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
     for (i = 0; i < 3; i++) end->mobility[i] = 0;
 }
 
-enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* its variant is 1 for a cord */
+enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* places of the parameters; the variant is 1 for a cord */
 
-/* The factor lambda of the force lambda d on the near end, d = r - far end. The deviation C = (d^2 - l^2)/2 obeys
-   C'' + 2 rate C' + rate^2 C = 0, in which C' = d v, C'' = d a + v^2 (v, a: relative), and the link adds to d a lambda
-   times the sum of mobility d^2. 0 for a cord that is slack. VM_SINGULAR where the ends are in one place or cannot move
-   along the link; VM_NOT_FINITE. */
+/* Computes the factor lambda of the force lambda d on the end `here`, where d leads from `there` to `here`. With the
+   length l of the link, the deviation C = (d^2 - l^2)/2 obeys C'' + 2 rate C' + rate^2 C = 0. In this equation C' = d v
+   and C'' = d a + v^2, where v and a are relative velocity and acceleration; the link adds lambda times the sum of
+   mobility d^2 to d a. lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are in one place or cannot move
+   along the link, and VM_NOT_FINITE if a number is not finite. */
 VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const vmi_link_end *there, vm_real *lambda)
 {
-    /* A cord does not pull while it is shorter by this part of its length. That is more than the uncertainty of the
-       length, so that the cord is not taut and slack in turns. */
+    /* A cord does not pull while it is shorter than its length by this fraction. The fraction is larger than the
+       uncertainty of the length, so that the cord does not alternate between taut and slack. */
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
     const vm_real length = e->p[VMI_LINK_LENGTH], rate = e->p[VMI_LINK_RATE];
-    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* products of d, v and a */
+    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products of d, v and a */
     int i;
     for (i = 0; i < 3; i++) {
         const vm_real v = here->v[i] - there->v[i], d = here->r[i] - there->r[i];
@@ -12725,13 +12746,14 @@ VM_API int vmi_link_check(const vm_effect *e)
 }
 
 /* A rigid link of a given length, or a cord, which can only pull. It holds the mass centre of `body`, a point or a body
-   in the plane, at the distance `length` (m) from the mass centre of `other` (not a body on an axle), or, for other =
-   VM_GROUND, from a point that moves as `point` says, which may lie above the plane; point is NULL otherwise.
-   cord = 1 makes it a cord. rate > 0 (1/s): deviations of the length die out as exp(-rate t); a cord that becomes taut
-   at a speed v is drawn out by v/(e rate) at most. In float a cord of 1 m at 5 m/s needs a rate of at most 200/s.
-   At the start VM_DOMAIN where length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass centre
-   moves in it; VM_TWO_LINKS, VM_LINK_NOT_LAST, VM_SAME_BODY. A run ends with VM_SINGULAR where the ends are in one
-   place or cannot move along the link. */
+   in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other mass centre is
+   that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the function `point`
+   gives the motion of the point, which may lie above the plane. cord = 1 makes the link a cord. Deviations of the
+   length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that becomes taut at the speed v is stretched by about
+   v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested for a cord of 1 m at 6
+   m/s. A start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass centre
+   moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the ends are in
+   one place or cannot move along the link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {
@@ -12751,8 +12773,8 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 #endif
 /* scenes/state.h - the state of a scene: its size, and the bodies in it
 
-   A scene's state y holds the numbers of each body one after the other, and at the end, where the scene keeps a budget,
-   the VM_BUDGET_STATES numbers of it. scene.h has a table of the numbers of each body.
+   The state y of a scene holds the numbers of the bodies, one body after the other. If the scene keeps a budget, its
+   VM_BUDGET_STATES numbers follow. scene.h has a table of the numbers of each body.
 
        vm_body now;
        vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y
@@ -12761,22 +12783,22 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 #ifndef VARMASS_SCENES_STATE_H
 #define VARMASS_SCENES_STATE_H
 
-enum { VM_BUDGET_STATES = 15 }; /* how many numbers a budget adds to the state */
+enum { VM_BUDGET_STATES = 15 }; /* number of elements that a budget adds to the state */
 
-/* How many numbers of work vm_scene_run needs for a state of so many numbers */
+/* The number of elements of work that vm_scene_run needs for a state of `size` numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
-/* Whether a list of so many elements can be there */
+/* Whether a list can have n elements: n is not negative, and list is not NULL unless n is 0 */
 VM_INLINE int vmi_scene_is_list(int n, const void *list) { return n == 0 || (n > 0 && list); }
 
-/* Whether the lists that an evaluation reads can be there */
+/* Whether the lists of bodies and effects, which an evaluation reads, have possible lengths and are not NULL */
 VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
 {
     return vmi_scene_is_list(s->n_bodies, s->bodies) && vmi_scene_is_list(s->n_effects, s->effects);
 }
 
-/* How many numbers the state of a scene has. It depends on the bodies and on whether the scene keeps a budget.
-   VM_BAD_ARGUMENT where scene is NULL, its bodies are missing or their number is negative. */
+/* Number of elements of the state of a scene. It depends on the bodies and on whether the scene keeps a budget. Returns
+   VM_BAD_ARGUMENT if scene is NULL, its bodies are missing or their number is negative. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
     int i, size = 0;
@@ -12795,9 +12817,9 @@ VM_API void vmi_scene_body_now(const vm_scene *s, int body, const vm_real *y, vm
     b->get(b, y + b->at, now);
 }
 
-/* The motion of a body in the state y. The scene must have been started; 0 <= body < n_bodies. A mass that is given by
-   a law is that of the last evaluation of the right-hand side. All numbers of *now are NaN for an index that does not
-   exist, for NULL pointers, and before a start. */
+/* The motion of a body in the state y. The scene must have been started, and 0 <= body < n_bodies. If a law gives the
+   mass, its value is that of the last evaluation of the right-hand side. All numbers of *now are NaN if no body has
+   this index, if a pointer is NULL, and before a start. */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
 {
     const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
@@ -12812,7 +12834,8 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
     now->r = now->v = now->omega = none;
 }
 
-/* Writes a body that moves as `now` into the state. Its angle comes apart, since `now` does not tell complete turns. */
+/* Writes the motion `now` of a body into the state. The angle is a separate argument, since `now` does not include
+   complete turns. */
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -12822,7 +12845,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Makes the effects idle that act on or against a body that is not present, and the others of these not */
+/* Makes effects idle whose body, or whose body that takes the reaction, is not present, and makes all other effects
+   active unless they are switched off */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
@@ -13139,8 +13163,8 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 
 #include <string.h>
 
-/* Whether the scene was started and its lists are still those of the start, as far as can be seen. The state may have
-   become shorter, since a budget may be given up. */
+/* Whether the scene was started and its lists are, as far as can be seen, those of the start. The state may have become
+   shorter, since a scene may end its budget. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -13152,7 +13176,7 @@ VM_API int vmi_scene_is_started(const vm_scene *s)
     return 1;
 }
 
-/* The event function that the integrator watches; ctx is the event of the scene */
+/* The function whose zeros the integrator locates; ctx is the event of the scene */
 VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 {
     const vm_event *e = (const vm_event *)ctx;
@@ -13160,7 +13184,8 @@ VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
     return 1;
 }
 
-/* The integrator's event i. An event that is only counted, without limit, need not end a step: ODE_RECORD. */
+/* Prepares the integrator's event i. It has the action ODE_RECORD, which does not end a step, if the event is only
+   counted, without limit. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -13172,7 +13197,8 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     if (!s->events[i].then && !s->events[i].most) located->action = ODE_RECORD;
 }
 
-/* Notes in an effect where its coordinates and loads are. Against the ground, other_coordinate may be any number. */
+/* Stores in an effect where its coordinates and loads are. If it acts against the ground, other_coordinate may be any
+   number. */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
     vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
@@ -13190,7 +13216,7 @@ VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
     e->other_v = e->other_x + other->positions;
 }
 
-/* Writes the bodies as they start into the state; returns where the numbers of the budget begin */
+/* Writes the motions of all bodies at the start into the state. Returns the index of the first number of the budget. */
 VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
 {
     int i, k, at = 0;
@@ -13218,10 +13244,10 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
     }
 }
 
-/* Start of a scene at time t: checks it and fills its state y, vm_scene_size numbers. Returns VM_OK or what
-   vm_scene_check says, with the place of the fault in *fault_or_NULL; VM_BAD_ARGUMENT where y is NULL, VM_NOT_FINITE
-   for t, VM_SHORT_ARRAY where scene.y_size is set and too small. y is untouched if the start fails. After the start the
-   arrays of the scene must stay where they are. */
+/* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns VM_OK,
+   or a status of vm_scene_check, with the place of the fault in *fault_or_NULL; VM_BAD_ARGUMENT if y is NULL;
+   VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the start
+   fails. After the start the arrays of the scene must stay where they are. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);
@@ -13358,9 +13384,10 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET_STATES; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy, or none if budget_or_NULL is NULL. It must be
-   called before vm_scene_start, and the state then has VM_BUDGET_STATES further numbers. *budget_or_NULL must not move;
-   the scene stores in it the values at the start. Between two runs a scene may end its budget, but not begin one. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
+   none. To be called before vm_scene_start; the state then has VM_BUDGET_STATES further numbers. *budget_or_NULL must
+   not move; the scene stores in it the values at the start. Between two runs a scene may end its budget, but not begin
+   one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -13598,9 +13625,8 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 #endif
 /* scenes/jumps.h - separation and attachment as events of a scene
 
-   An event can make a part separate from a body, which then moves on as a body of its own, or attach one body to
-   another, by the laws of chapter 3 (mechanics/jumps.h). The part must be among the bodies, absent before; an attached
-   body is absent afterwards.
+   An event can separate a part from a body, or attach one body to another, by the laws of mechanics/jumps.h. A part
+   that separates becomes another body of the scene, which must be absent before; an attached body is absent afterwards.
 
        vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
        vm_body part;
@@ -13609,28 +13635,28 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
        part.v.x = 2;    // m/s faster than the body
        vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);
 
-   A part is described as it is the instant after: in inertial axes, or, where relative is set, in the axes of the body,
-   with r from the mass centre of the body, and q, v and omega relative to the body as it moves there. In the plane and
-   on an axle the new body takes the angle of the old one, plus the angle with which it was made. event.external is an
-   impulse that acts from outside during the jump.
+   A part is described by its motion just after the jump: in inertial axes, or, if relative is 1, in the axes of the
+   body, with r from the mass centre of the body, and q, v and omega relative to the motion of the body at this point.
+   In the plane and on an axle the new body has the angle of the body from which it separates, plus the angle with which
+   it was made. event.external is an impulse that acts from outside during the jump.
 
-   Who can jump: bodies of one motion; a point and a body in the plane; a point and a free body. The functions whose
-   names end in _on_line and _in_plane do the same as vm_then_separate and vm_then_attach for these motions alone, and
-   link less (docs/scene-sizes.md). A point that takes up a body at another place loses the spin of the two; the
-   budget's angular_defect shows it.
+   Two bodies can jump together if they have the same motion, or if one of them is a point and the other is in the plane
+   or free. The functions whose names end in _on_line and _in_plane are vm_then_separate and vm_then_attach for these
+   motions alone, and link less code (docs/scene-sizes.md). A point that takes up a body at another place loses the
+   angular momentum of the two about their mass centre; angular_defect of the budget shows this.
 
-   A run ends with VM_IS_THERE where a part would separate into a body that is present already, with VM_IS_AWAY where a
-   body that jumps is not present, and with the errors of vm_separate and vm_attach. At the start vm_scene_check refuses
-   bodies that cannot jump together (VM_BAD_MOTION), a body with itself (VM_SAME_BODY), and a part that cannot be a
-   body.
+   A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
+   jumps is not present, and with the errors of vm_separate and vm_attach. A start returns VM_BAD_MOTION for bodies that
+   cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
 #define VARMASS_SCENES_JUMPS_H
 
-/* The jump on a line and on an axle. v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), sign = -1 for a part that
-   separates, and the mass centre moves by sign m/(M + sign m) of the way to that of the part (15). Line and axle go
-   through the same formulas: the numbers that a motion does not use are 0. */
+/* Computes the jump on a line and on an axle. With sign = -1 for a part that separates and 1 for a body that is
+   attached, the velocity becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and the mass centre moves by the
+   fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v belong to the body, m and v2 to
+   the part. Line and axle use the same formulas: the numbers that a motion does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
@@ -13648,7 +13674,7 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     return VM_OK;
 }
 
-/* The motion of a part in inertial axes, where it is given relative to the body */
+/* Converts the motion of a part, given relative to the body, to inertial axes */
 VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -13670,7 +13696,8 @@ VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
     return j;
 }
 
-/* The jump in the plane. A rest without inertia is a point, which cannot move on as a body in the plane. */
+/* Computes the jump in the plane. Returns VM_BAD_INERTIA if the rest has no inertia: it is then a point, which cannot
+   be a body in the plane. */
 VM_API int vmi_event_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_impulse2 external = vmi_event_impulse2(&e->external);
@@ -13703,15 +13730,15 @@ VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *o
     return vm_attach(body, other, &e->external, b);
 }
 
-/* The angle of a body in the plane or on an axle, complete turns included; of any other body a number that put
-   ignores */
+/* The angle of a body in the plane or on an axle, complete turns included. For all other bodies it is a number that put
+   ignores. */
 VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* A jump moves the mass centre of a growing body to r: so its place in the body changes as well */
+/* Changes the place of the mass centre in a growing body after a jump, which has moved the mass centre to r */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -13722,8 +13749,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Writes the bodies after a jump into the state: the one that lost or gained mass, and the part that separated, or NULL
-   where `other` was attached. Then the mass laws, which do not know of the jump, get their masses. */
+/* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
+   NULL if the body `other` was attached. Then corrects the masses of the mass laws, which the jump does not change. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -13743,8 +13770,8 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_hold_masses(s, t, y);
 }
 
-/* Writes the bodies after a jump into the state, and enters into the budget the energy that the jump adds and the
-   impulse from outside */
+/* Writes the bodies after a jump into the state, and adds to the budget the energy that the jump adds and the impulse
+   from outside */
 VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -13773,9 +13800,9 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* The event separates a part from a body on a line or on an axle. The part, as *part says, becomes the body `into`,
-   which was absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is
-   NULL. */
+/* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
+   with the index `into`, which was absent. If relative is 1, its motion is given relative to the body. A start returns
+   VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event.then = vmi_then_separate;
@@ -13791,8 +13818,9 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
     return event;
 }
 
-/* The event separates a part from a body in the plane. The part, as *part says, becomes the body `into`, which was
-   absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is NULL. */
+/* The event separates a part from a body in the plane. The part has the motion *part and becomes the body with the
+   index `into`, which was absent. If relative is 1, its motion is given relative to the body. A start returns
+   VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -13801,8 +13829,9 @@ VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, co
     return event;
 }
 
-/* The event separates a part from a body of any motion. The part, as *part says, becomes the body `into`, which was
-   absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is NULL. */
+/* The event separates a part from a body of any motion. The part has the motion *part and becomes the body with the
+   index `into`, which was absent. If relative is 1, its motion is given relative to the body. A start returns
+   VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -13825,8 +13854,8 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* The event attaches a body to another one on its line or its axle. `added` becomes a part of `body` and is no longer
-   present. */
+/* The event attaches a body to another body on the same line or axle. The body `added` becomes a part of `body` and is
+   no longer present. */
 VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
 {
     event.then = vmi_then_attach;
@@ -13840,7 +13869,8 @@ VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
     return event;
 }
 
-/* The event attaches a body to another one in the plane. `added` becomes a part of `body` and is no longer present. */
+/* The event attaches a body to another body in the plane. The body `added` becomes a part of `body` and is no longer
+   present. */
 VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
@@ -13849,7 +13879,7 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
     return event;
 }
 
-/* The event attaches a body to another one, of any motion. `added` becomes a part of `body` and is no longer
+/* The event attaches a body to another body, of any motion. The body `added` becomes a part of `body` and is no longer
    present. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
@@ -13872,23 +13902,23 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 #ifndef VARMASS_SCENES_RUN_H
 #define VARMASS_SCENES_RUN_H
 
-/* How events follow one another in a run */
+/* How quickly events follow each other in a run */
 typedef struct VM_TAG(vmi_scene_pace) {
-    long happened; /* events at this instant */
-    vm_real gap;   /* s: the shortest time since a crossing at this instant last happened, VM_MAX without one */
-    int crowded;   /* so many instants one after another have had a gap that the time hardly resolves */
+    long happened; /* number of events at this instant */
+    vm_real gap;   /* s: the shortest time between a crossing at this instant and the one before; VM_MAX if none */
+    int crowded;   /* number of successive instants with a gap that the time hardly resolves */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* at one instant; more of them cause each other without end */
-    VMI_SCENE_MOST_CROWDED = 3,    /* instants one after another whose gap the time hardly resolves */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events: the next one is seen even if gaps shrink */
+    VMI_SCENE_MOST_EVENTS = 10000, /* events at one instant; if there are more, they cause each other without end */
+    VMI_SCENE_MOST_CROWDED = 3,    /* successive instants with a gap that the time hardly resolves */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, to see the next one even if gaps shrink */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 
-/* Whether event i is due at t: its time has come, or the integrator has counted it anew, *times times. Counts begin
-   anew with each run, so that the difference may be negative as a run begins. */
+/* Whether event i is due at the time t: its time has come, or the integrator has counted *times new crossings. The
+   integrator counts from 0 in each run, so that *times may be negative at the beginning of a run. */
 VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 {
     vm_event *e = s->events + i;
@@ -13898,8 +13928,8 @@ VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
     return *times > 0;
 }
 
-/* Applies to y, in the order of the list, each event that is due at t. Returns the first status that is not VM_OK, or
-   an error that follows it. */
+/* Applies to y, in the order of the list, each event that is due at the time t. Returns VM_OK, or the first status that
+   is not VM_OK, or an error of a later event. */
 VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
@@ -13923,12 +13953,12 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
     return status;
 }
 
-/* Applies all events of an instant; an event may cause others at the same instant. Events that follow one another
-   faster and faster, like the contacts of a ball that comes to rest, end the run where the time no longer resolves
-   them. Until then the step after such an event is short enough to see the next one. */
+/* Applies all events of an instant, including those that an event causes at the same instant. Events may follow each
+   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the time no longer
+   resolves them; until then the step after such an event is made so short that the next event is seen. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const vm_real resolved = 256 * VM_EPSILON * span; /* a gap that has two digits */
+    const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap has fewer than two digits */
     const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
     pace->happened = 0;
@@ -13948,8 +13978,8 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
     return status;
 }
 
-/* Calls output if it is due at t; *next is the index of the next time of output. VM_STOPPED where output ends the
-   run */
+/* Calls output if it is due at the time t. *next is the index of the next time of output. Returns VM_STOPPED if output
+   ends the run, else VM_OK. */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
     if (!s->output) return VM_OK;
@@ -13962,7 +13992,7 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return VM_OK;
 }
 
-/* The next time at which an event or output is due, t_end at the latest */
+/* The next time at which an event or an output is due, or t_end if that is earlier */
 VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 {
     vm_real due = t_end;
@@ -13975,11 +14005,11 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
     return due;
 }
 
-/* Looks for the reason why a run ends: whether a mass or an inertia would soon run out if the state went on at its
-   present rates. Tries longer and longer steps, up to a millionth of the time (float: a thousandth); the first failure
-   stays in s->status. A mass or an inertia on its way to 0 makes the equations so stiff that no step gets beyond 0; and
-   after a refused step shorter ones may have succeeded, so that s->status is VM_OK again. The run is over, so that its
-   work has room for a state and its rates. */
+/* Finds the reason why a run ends: whether a mass or an inertia would soon reach 0 if the state continued at its
+   present rates. It tries longer and longer steps, up to 1e-6 of the time (float: 1e-3). The first failure becomes
+   s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that no step
+   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is over,
+   so that its work has room for a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -14008,8 +14038,8 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
     }
 }
 
-/* One step, or up to the next time at which something is due. Where the integrator fails, a body that cannot be
-   accelerated is a better reason than its own. */
+/* Makes one step, at most to the next time at which something is due. If the integrator fails, returns the reason why a
+   body cannot be accelerated rather than the status of the integrator. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
     const int ode_status = vmi_run(r, VMI_RK45, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
@@ -14021,8 +14051,8 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
-/* Prepares rk45 for the scene. Each number of the state has its tolerance; the budget has none, so that it follows the
-   steps of the bodies. The tolerances stand in work behind the integrator's numbers. */
+/* Prepares rk45 for the scene. Each number of the state has its tolerance. The numbers of the budget have none, so that
+   the bodies alone determine the steps. The tolerances are stored in work after the numbers of the integrator. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {
@@ -14055,21 +14085,20 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
     return VM_OK;
 }
 
-/* Run of a scene from *t to t_end, with its events and its output. rk45 integrates it. The scene must have been
+/* Run of a scene from *t to t_end, with its events and its output. The integrator is rk45. The scene must have been
    started, and t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of
-   rk45; their events are not used. *t and y become the time and the state at which the run ended. Returns VM_OK at
-   t_end,
-   VM_STOPPED before it, or
-     VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   nothing was done;
+   rk45, without events. *t and y become the time and the state at which the run ended. Returns VM_OK at t_end,
+   VM_STOPPED if an event or the output ended the run, or
+     VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
-                           a mass or an inertia ran out, even if the steps became too short just before that;
-     VM_NOT_FINITE         an effect, a law or an event gave an infinite number or NaN;
-     VM_SINGULAR           a link cannot act;
-     VM_TOO_MANY_EVENTS    events do not end: more than 10 000 at one instant, or four times in succession less than
-                           256 eps of the time after one another;
+                           if a mass or an inertia ran out, even if the steps became too short just before that;
+     VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN;
+     VM_SINGULAR           if a link cannot act;
+     VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession an
+                           event follows the one before within 256 VM_EPSILON of the time;
      VM_IS_THERE, VM_IS_AWAY and the errors of vm_separate and vm_attach
-                           a jump that is impossible;
-     VM_STEP_TOO_SMALL, VM_MAX_STEPS   from the integrator, whose own status is in scene.ode_status. */
+                           if a jump is impossible;
+     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

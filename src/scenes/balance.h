@@ -126,9 +126,10 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET_STATES; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy, or none if budget_or_NULL is NULL. It must be
-   called before vm_scene_start, and the state then has VM_BUDGET_STATES further numbers. *budget_or_NULL must not move;
-   the scene stores in it the values at the start. Between two runs a scene may end its budget, but not begin one. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
+   none. To be called before vm_scene_start; the state then has VM_BUDGET_STATES further numbers. *budget_or_NULL must
+   not move; the scene stores in it the values at the start. Between two runs a scene may end its budget, but not begin
+   one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
