@@ -11721,8 +11721,8 @@ VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 /* The force of a linear damper, -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
 VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping * v; }
 
-/* The force of Van der Pol's damper, (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in N
-   s/m^3 takes energy out at large amplitudes. */
+/* The force of Van der Pol's damper, (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in
+   N s/m^3 takes energy out at large amplitudes. */
 VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
 
 /* The torque of a motor, stall_torque - kappa omega. omega is the angular velocity in rad/s, stall_torque the torque at
@@ -11777,9 +11777,9 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, in
-   whose equation 2 i gyro z' is a term. The force does no work. The components are written to *fx and *fy; if one of
-   these pointers is NULL, nothing is written. */
+/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+   equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are written to
+   *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -11973,9 +11973,9 @@ VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_STALL_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
-/* A motor, the torque stall_torque - kappa v. v is the angular velocity in rad/s, stall_torque the torque at rest in N
-   m, and kappa the slope of the straight characteristic in N m s. On a coordinate that is a length the units are N and
-   N s/m. */
+/* A motor, the torque stall_torque - kappa v. v is the angular velocity in rad/s, stall_torque the torque at rest in
+   N m, and kappa the slope of the straight characteristic in N m s. On a coordinate that is a length the units are N
+   and N s/m. */
 VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real stall_torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
@@ -12110,8 +12110,9 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, in whose equation 2
-   i gyro z' is a term. The effect acts on coordinates 0 and 1 of a body in the plane or of a point. It does no work. */
+/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation has
+   the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the plane or
+   of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
@@ -12273,8 +12274,8 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
 }
 
 /* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass with
-   which the body was made has no effect. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law
-   must not move, since it is not copied. A start returns VM_BAD_ARGUMENT if law is NULL. A run ends with VM_BAD_MASS if
+   which the body was made has no effect. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law is
+   not copied and must stay where it is. A start returns VM_BAD_ARGUMENT if law is NULL. A run ends with VM_BAD_MASS if
    the mass is not positive, and with the status of vm_law_at if this function fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
@@ -12502,15 +12503,14 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
 #define VARMASS_SCENES_BAND_H
 
 /* A band. Its velocity is speed + (1 - reactive) (radius omega), where omega is the angular velocity of the drum. The
-   band comes at the absolute velocity `speed` if reactive = 1, and moves with the drum if speed = 0 and reactive =
-   0. */
+   band comes at the absolute velocity `speed` if reactive is 1, and moves with the drum if speed and reactive are 0. */
 typedef struct VM_TAG(vm_band) {
     vm_real radius;    /* m: radius R of the bare drum, > 0 */
     vm_real thickness; /* m: thickness h, >= 0 */
     vm_real width;     /* m: width b, >= 0 */
     vm_real density;   /* kg/m^3: density rho, >= 0 */
-    vm_real speed;     /* m/s: velocity of the band, see above */
-    vm_real reactive;     /* a pure number, see above */
+    vm_real speed;     /* m/s: velocity of the band, absolute or relative to the drum */
+    vm_real reactive;     /* 1: speed is absolute; 0: speed is relative to the drum */
     int by_layer;      /* 1: the band lies in layers; 0: along a spiral */
 } vm_band;
 
@@ -12750,10 +12750,10 @@ VM_API int vmi_link_check(const vm_effect *e)
    that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the function `point`
    gives the motion of the point, which may lie above the plane. cord = 1 makes the link a cord. Deviations of the
    length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that becomes taut at the speed v is stretched by about
-   v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested for a cord of 1 m at 6
-   m/s. A start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass centre
-   moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the ends are in
-   one place or cannot move along the link. */
+   v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested for a cord of 1 m at
+   6 m/s. A start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass
+   centre moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the ends
+   are in one place or cannot move along the link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {
@@ -13324,8 +13324,8 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds the part of a body to the rates of the budget's sums. The term M'(v) v' of the mass rate can be computed only
-   now, since the acceleration v' is known. */
+/* Adds the contribution of a body to the rates of the budget's sums. The term M'(v) v' of the mass rate can be computed
+   only now, since the acceleration v' is known. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -13386,8 +13386,8 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 
 /* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
    none. To be called before vm_scene_start; the state then has VM_BUDGET_STATES further numbers. *budget_or_NULL must
-   not move; the scene stores in it the values at the start. Between two runs a scene may end its budget, but not begin
-   one. */
+   stay where it is; the scene stores in it the values at the start. Between two runs a scene may end its budget, but
+   not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;

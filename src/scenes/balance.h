@@ -66,8 +66,8 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds the part of a body to the rates of the budget's sums. The term M'(v) v' of the mass rate can be computed only
-   now, since the acceleration v' is known. */
+/* Adds the contribution of a body to the rates of the budget's sums. The term M'(v) v' of the mass rate can be computed
+   only now, since the acceleration v' is known. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -128,8 +128,8 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 
 /* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
    none. To be called before vm_scene_start; the state then has VM_BUDGET_STATES further numbers. *budget_or_NULL must
-   not move; the scene stores in it the values at the start. Between two runs a scene may end its budget, but not begin
-   one. */
+   stay where it is; the scene stores in it the values at the start. Between two runs a scene may end its budget, but
+   not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;

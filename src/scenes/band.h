@@ -22,15 +22,14 @@
 #include "scene.h"
 
 /* A band. Its velocity is speed + (1 - reactive) (radius omega), where omega is the angular velocity of the drum. The
-   band comes at the absolute velocity `speed` if reactive = 1, and moves with the drum if speed = 0 and reactive =
-   0. */
+   band comes at the absolute velocity `speed` if reactive is 1, and moves with the drum if speed and reactive are 0. */
 typedef struct VM_TAG(vm_band) {
     vm_real radius;    /* m: radius R of the bare drum, > 0 */
     vm_real thickness; /* m: thickness h, >= 0 */
     vm_real width;     /* m: width b, >= 0 */
     vm_real density;   /* kg/m^3: density rho, >= 0 */
-    vm_real speed;     /* m/s: velocity of the band, see above */
-    vm_real reactive;     /* a pure number, see above */
+    vm_real speed;     /* m/s: velocity of the band, absolute or relative to the drum */
+    vm_real reactive;     /* 1: speed is absolute; 0: speed is relative to the drum */
     int by_layer;      /* 1: the band lies in layers; 0: along a spiral */
 } vm_band;
 

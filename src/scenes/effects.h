@@ -190,9 +190,9 @@ VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_STALL_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
-/* A motor, the torque stall_torque - kappa v. v is the angular velocity in rad/s, stall_torque the torque at rest in N
-   m, and kappa the slope of the straight characteristic in N m s. On a coordinate that is a length the units are N and
-   N s/m. */
+/* A motor, the torque stall_torque - kappa v. v is the angular velocity in rad/s, stall_torque the torque at rest in
+   N m, and kappa the slope of the straight characteristic in N m s. On a coordinate that is a length the units are N
+   and N s/m. */
 VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real stall_torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
@@ -327,8 +327,9 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, in whose equation 2
-   i gyro z' is a term. The effect acts on coordinates 0 and 1 of a body in the plane or of a point. It does no work. */
+/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation has
+   the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the plane or
+   of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);

@@ -29,8 +29,8 @@ VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 /* The force of a linear damper, -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
 VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping * v; }
 
-/* The force of Van der Pol's damper, (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in N
-   s/m^3 takes energy out at large amplitudes. */
+/* The force of Van der Pol's damper, (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in
+   N s/m^3 takes energy out at large amplitudes. */
 VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
 
 /* The torque of a motor, stall_torque - kappa omega. omega is the angular velocity in rad/s, stall_torque the torque at
@@ -85,9 +85,9 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, in
-   whose equation 2 i gyro z' is a term. The force does no work. The components are written to *fx and *fy; if one of
-   these pointers is NULL, nothing is written. */
+/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+   equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are written to
+   *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;

@@ -30,8 +30,8 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
 }
 
 /* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass with
-   which the body was made has no effect. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law
-   must not move, since it is not copied. A start returns VM_BAD_ARGUMENT if law is NULL. A run ends with VM_BAD_MASS if
+   which the body was made has no effect. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law is
+   not copied and must stay where it is. A start returns VM_BAD_ARGUMENT if law is NULL. A run ends with VM_BAD_MASS if
    the mass is not positive, and with the status of vm_law_at if this function fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
