@@ -445,7 +445,7 @@ VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 
 #endif
 /* integrators/ode.h - ordinary differential equations y' = f(t, y): right-hand sides and statuses
-   The type of every right-hand side f, and the statuses of all functions that begin with rk4_, rk45_, rk87_ or ode_.
+   This file has the type of every right-hand side f, and the statuses of the functions rk4_..., rk45_... and rk87_...
 
        #include "integrators.h"
        static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x as y = (x, x')
@@ -509,8 +509,8 @@ VM_API const char *ode_strerror(int status)
 
 #endif
 /* integrators/rk4.h - rk4: the classical Runge-Kutta method of order 4 with fixed steps
-   Four evaluations of f in each step; the error at the end is proportional to h^4. It is the method where each step
-   must take the same time, as in a control loop; rk45 needs less time for the same error.
+   A step takes four evaluations of f, and the error at the end of a run is proportional to h^4. It is the method where
+   each step must take the same time, as in a control loop; rk45 needs less time for the same error.
 
        double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
        int status = rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // spring is the ode_rhs of ode.h; 1000 steps
@@ -519,7 +519,7 @@ VM_API const char *ode_strerror(int status)
 #ifndef VARMASS_INTEGRATORS_RK4_H
 #define VARMASS_INTEGRATORS_RK4_H
 
-#define RK4_WORK(n) (3 * (n)) /* how many numbers the work of rk4 with n components has */
+#define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
 
 /* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
    k_4; z holds the argument of f. Returns 0, or the number with which f has stopped the run. */
@@ -879,8 +879,8 @@ typedef struct VM_TAG(rk45) {
     long rejected;        /* number of rejected steps */
     long evals;           /* number of evaluations of f */
     long missed;          /* number of steps of the smallest size accepted with an error above the tolerance */
-    int rhs_status;       /* what f returned last */
-    int event;            /* index of the terminal event that ended the last call, else -1 */
+    int rhs_status;       /* number that f returned last */
+    int event;            /* index of the ODE_STOP event that ended the last call, else -1 */
     int stiff;            /* nonzero once the run has looked stiff */
     ode_rhs f;            /* the right-hand side */
     void *ctx;            /* pointer that f receives */
@@ -1123,8 +1123,8 @@ typedef int32_t vmi_signed_bits;
 
 #endif
 /* integrators/rk45_pair.h - coefficients of rk45, the Runge-Kutta pair of orders 5 and 4
-   Tsitouras' pair [1]: seven stages, of which the last is the next step's first, so that a step costs six evaluations
-   of f, and a continuous extension of order 4 that costs none. Users call the functions of adaptive.h.
+   Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
+   evaluations of f. The continuous extension of order 4 takes none. Users call the functions of adaptive.h.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RK45_PAIR_H
@@ -1236,8 +1236,8 @@ VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
 
 #endif
 /* integrators/rk87_pair.h - coefficients of rk87, the Runge-Kutta pair of orders 8 and 7
-   Verner's "most efficient" pair [4]: 13 stages, and a continuous extension of order 8 for seven more evaluations of f
-   in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
    those of rk45. Users call the functions of adaptive.h.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
@@ -2542,10 +2542,10 @@ VM_INLINE int vmi_solve(rk45 *s, int method, vm_real t_end)
 
 #endif
 /* integrators/adaptive.h - adaptive runs: rk45 and rk87, whose steps keep a tolerance
-   rk45 is Tsitouras' pair of orders 5 and 4 [1]: six evaluations of f in a step, and none for states between steps. It
-   is the pair to begin with, and the better one in float, for loose tolerances, for right-hand sides that are not
-   smooth, and for many events. rk87 is Verner's pair of orders 8 and 7 [4]: 13 evaluations in a step, and seven more
-   for states between steps. It is the pair for a smooth f in double and small errors.
+   rk45 is Tsitouras' pair of orders 5 and 4 [1]. It takes six evaluations of f in a step, and none for states between
+   steps. It is the pair to begin with, and the better one in float, for loose tolerances, for right-hand sides that are
+   not smooth, and for many events. rk87 is Verner's pair of orders 8 and 7 [4]. It takes 13 evaluations in a step, and
+   seven more for states between steps. It is the pair for a smooth f in double and small errors.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -2556,8 +2556,8 @@ VM_INLINE int vmi_solve(rk45 *s, int method, vm_real t_end)
 #ifndef VARMASS_INTEGRATORS_ADAPTIVE_H
 #define VARMASS_INTEGRATORS_ADAPTIVE_H
 
-#define RK45_WORK(n) (10 * (n)) /* how many numbers the work of an rk45 with n components has */
-#define RK87_WORK(n) (24 * (n)) /* how many numbers the work of an rk87 with n components has */
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
 
 /* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
 typedef rk45_options rk87_options;

@@ -1,8 +1,8 @@
 /* integrators/adaptive.h - adaptive runs: rk45 and rk87, whose steps keep a tolerance
-   rk45 is Tsitouras' pair of orders 5 and 4 [1]: six evaluations of f in a step, and none for states between steps. It
-   is the pair to begin with, and the better one in float, for loose tolerances, for right-hand sides that are not
-   smooth, and for many events. rk87 is Verner's pair of orders 8 and 7 [4]: 13 evaluations in a step, and seven more
-   for states between steps. It is the pair for a smooth f in double and small errors.
+   rk45 is Tsitouras' pair of orders 5 and 4 [1]. It takes six evaluations of f in a step, and none for states between
+   steps. It is the pair to begin with, and the better one in float, for loose tolerances, for right-hand sides that are
+   not smooth, and for many events. rk87 is Verner's pair of orders 8 and 7 [4]. It takes 13 evaluations in a step, and
+   seven more for states between steps. It is the pair for a smooth f in double and small errors.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -23,8 +23,8 @@
 #include "rk87_pair.h"
 #include "runs.h"
 
-#define RK45_WORK(n) (10 * (n)) /* how many numbers the work of an rk45 with n components has */
-#define RK87_WORK(n) (24 * (n)) /* how many numbers the work of an rk87 with n components has */
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
 
 /* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
 typedef rk45_options rk87_options;

@@ -1,5 +1,5 @@
 /* integrators/ode.h - ordinary differential equations y' = f(t, y): right-hand sides and statuses
-   The type of every right-hand side f, and the statuses of all functions that begin with rk4_, rk45_, rk87_ or ode_.
+   This file has the type of every right-hand side f, and the statuses of the functions rk4_..., rk45_... and rk87_...
 
        #include "integrators.h"
        static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x as y = (x, x')

@@ -1,6 +1,6 @@
 /* integrators/rk4.h - rk4: the classical Runge-Kutta method of order 4 with fixed steps
-   Four evaluations of f in each step; the error at the end is proportional to h^4. It is the method where each step
-   must take the same time, as in a control loop; rk45 needs less time for the same error.
+   A step takes four evaluations of f, and the error at the end of a run is proportional to h^4. It is the method where
+   each step must take the same time, as in a control loop; rk45 needs less time for the same error.
 
        double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
        int status = rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // spring is the ode_rhs of ode.h; 1000 steps
@@ -14,7 +14,7 @@
 #include "../base/sums.h"
 #include "ode.h"
 
-#define RK4_WORK(n) (3 * (n)) /* how many numbers the work of rk4 with n components has */
+#define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
 
 /* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
    k_4; z holds the argument of f. Returns 0, or the number with which f has stopped the run. */

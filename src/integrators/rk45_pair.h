@@ -1,6 +1,6 @@
 /* integrators/rk45_pair.h - coefficients of rk45, the Runge-Kutta pair of orders 5 and 4
-   Tsitouras' pair [1]: seven stages, of which the last is the next step's first, so that a step costs six evaluations
-   of f, and a continuous extension of order 4 that costs none. Users call the functions of adaptive.h.
+   Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
+   evaluations of f. The continuous extension of order 4 takes none. Users call the functions of adaptive.h.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RK45_PAIR_H

@@ -1,6 +1,6 @@
 /* integrators/rk87_pair.h - coefficients of rk87, the Runge-Kutta pair of orders 8 and 7
-   Verner's "most efficient" pair [4]: 13 stages, and a continuous extension of order 8 for seven more evaluations of f
-   in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
    those of rk45. Users call the functions of adaptive.h.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */

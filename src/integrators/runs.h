@@ -22,8 +22,8 @@ typedef struct VM_TAG(rk45) {
     long rejected;        /* number of rejected steps */
     long evals;           /* number of evaluations of f */
     long missed;          /* number of steps of the smallest size accepted with an error above the tolerance */
-    int rhs_status;       /* what f returned last */
-    int event;            /* index of the terminal event that ended the last call, else -1 */
+    int rhs_status;       /* number that f returned last */
+    int event;            /* index of the ODE_STOP event that ended the last call, else -1 */
     int stiff;            /* nonzero once the run has looked stiff */
     ode_rhs f;            /* the right-hand side */
     void *ctx;            /* pointer that f receives */
