@@ -10952,7 +10952,7 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 
    Bodies, effects and events are known by their index. A scene with events also needs scene.events, scene.n_events and
    scene.located, an array of n_events elements, before the start. After the start all arrays must stay where they are.
-   A start sets everything to what the constructors have made; a second vm_scene_run continues where the first ended.
+   vm_scene_start sets all to what the constructors have made; a second vm_scene_run continues where the first ended.
    A listed motor, for example, adds at most 35 machine instructions to an evaluation of the right-hand side.
 
    The state y has these numbers for body i, from y[bodies[i].at] on, positions first. r is the position of the mass
@@ -11519,7 +11519,7 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
 }
 
 /* A body that moves and turns freely in space. *start is its motion at the start. It may be a rod, whose spin about its
-   own axis then stays. A start of the scene returns VM_BAD_ARGUMENT if start is NULL. */
+   own axis then stays. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
@@ -11687,7 +11687,7 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
 }
 
 /* A growing body in the plane, made of a body by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when the inertia
-   is no longer positive. A start returns VM_BAD_MOTION for any other body. */
+   is no longer positive. vm_scene_start returns VM_BAD_MOTION for any other body. */
 VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -11744,7 +11744,8 @@ VM_API int vmi_free_growing_check(const vm_body *start)
 }
 
 /* A growing body in space, made of a body by vm_scene_body_free. A run ends with VM_BAD_INERTIA when no body can have
-   the inertia any longer. A start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for a rod or a point. */
+   the inertia any longer. vm_scene_start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for a rod or a
+   point. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -11942,7 +11943,7 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
 /* A nonlinear spring, the force -k z |z|^(alpha-1) with z = x - rest (248). The stiffness k in N/m^alpha may have
-   either sign; rest is in m or rad. A start returns VM_DOMAIN if alpha < 0. */
+   either sign; rest is in m or rad. vm_scene_start returns VM_DOMAIN if alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
 {
@@ -12076,8 +12077,8 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
 }
 
 /* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle).
-   x and v are position and velocity relative to other_coordinate of the body `other`, which takes the reaction. A start
-   returns VM_BAD_ARGUMENT if force is NULL. */
+   x and v are position and velocity relative to other_coordinate of the body `other`, which takes the reaction.
+   vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -12088,7 +12089,7 @@ VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, in
 }
 
 /* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle) for the time t and the
-   position x and velocity v of the coordinate. A start returns VM_BAD_ARGUMENT if force is NULL. */
+   position x and velocity v of the coordinate. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -12101,8 +12102,8 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
    y[effect->v], position and velocity of coordinate 0; the state of body i from y[scene->bodies[i].at] on; effect->p
    and effect->ctx; and effect->load->force, the sum of the effects that stand before it in the list. So a stop that is
    listed last can take away the force that presses on it. other is another body, or VM_GROUND. The effect acts only
-   while both bodies are present; effect->other_load, effect->other_x and effect->other_v belong to the body `other`. A
-   start returns VM_BAD_ARGUMENT if apply is NULL. */
+   while both bodies are present; effect->other_load, effect->other_x and effect->other_v belong to the body `other`.
+   vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -12253,8 +12254,8 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
 }
 
 /* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of the
-   mass that joins or leaves is u + (1 - reactive) v. A start returns VM_BAD_ARGUMENT if law is NULL. A run ends with
-   VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + M'(v) (reactive v - u) is not
+   mass that joins or leaves is u + (1 - reactive) v. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run ends
+   with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + M'(v) (reactive v - u) is not
    positive. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
@@ -12297,8 +12298,8 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 
 /* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. M0 is the mass with which the body was
    made. kind is VM_MASS_OF_T, VM_MASS_OF_X or VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of
-   the mass that joins or leaves is u + (1 - reactive) v, with u along coordinate 0. A start returns VM_BAD_ARGUMENT for
-   an unknown kind; a run ends with the errors of vm_effect_mass_law. */
+   the mass that joins or leaves is u + (1 - reactive) v, with u along coordinate 0. vm_scene_start returns
+   VM_BAD_ARGUMENT for an unknown kind; a run ends with the errors of vm_effect_mass_law. */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass);
@@ -12345,8 +12346,9 @@ VM_API int vmi_check_mass_of_time(const vm_effect *e)
 
 /* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass with
    which the body was made has no effect. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law is
-   not copied and must stay where it is. A start returns VM_BAD_ARGUMENT if law is NULL or no constructor made it. A run
-   ends with VM_BAD_MASS if the mass is not positive, and with the status of vm_law_at if this function fails. */
+   not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL or no constructor made
+   it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of vm_law_at if this function
+   fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
@@ -12392,7 +12394,8 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 
 /* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
    negative for mass that leaves; the velocity of the mass is u + (1 - reactive) v, as in vm_effect_mass_law. The
-   inertia of the body does not change. A start returns VM_MASS_IS_NO_STATE if the mass of the body is not a state. */
+   inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a
+   state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -12511,9 +12514,9 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
 
 /* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes it,
    the run continues with the change. stream->at is in body axes, from the place of the mass centre at the start.
-   `mixing` of the budget is right if the effects for mass, force, moment and torque of the stream are all listed. A
-   start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown, VM_STORED_STREAM if it has a store, and
-   VM_DOES_NOT_GROW if the body is not a growing body. */
+   `mixing` of the budget is right if the effects for mass, force, moment and torque of the stream are all listed.
+   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown, VM_STORED_STREAM if it has a
+   store, and VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -12543,7 +12546,7 @@ VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 
 /* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
    each evaluation vary receives a copy of the stream and writes what has changed at t and y: the point, which may move
-   in the body, the rate or the velocity. A start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no
+   in the body, the rate or the velocity. vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no
    stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
@@ -12689,8 +12692,8 @@ VM_API int vmi_band_check(const vm_effect *e)
 }
 
 /* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle, and the band is
-   its mass law. A start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if its radius is not positive or a size
-   is negative. */
+   its mass law. vm_scene_start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if its radius is not positive or
+   a size is negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
     vm_effect e = vmi_effect(body, 0, band ? vmi_apply_band : NULL);
@@ -12822,9 +12825,9 @@ VM_API int vmi_link_check(const vm_effect *e)
    gives the motion of the point, which may lie above the plane. cord = 1 makes the link a cord. Deviations of the
    length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that becomes taut at the speed v is stretched by about
    v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested for a cord of 1 m at
-   6 m/s. A start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass
-   centre moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the ends
-   are in one place or cannot move along the link. */
+   6 m/s. vm_scene_start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose
+   mass centre moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the
+   ends are in one place or cannot move along the link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {
@@ -13603,8 +13606,8 @@ VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 
 VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { return e->user_when(t, y, e->ctx); }
 
-/* An event when a function of the caller crosses zero. when(t, y, ctx) receives the state of the whole scene. A start
-   returns VM_BAD_ARGUMENT if when is NULL. */
+/* An event when a function of the caller crosses zero. when(t, y, ctx) receives the state of the whole scene.
+   vm_scene_start returns VM_BAD_ARGUMENT if when is NULL. */
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
 {
     vm_event e = vmi_event(0, 0, 0, direction);
@@ -13669,8 +13672,8 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 }
 
 /* The event switches an effect off (off = 1) or on (off = 0). effect is the index of the effect. Switching a mass law
-   does not change the mass at this instant: the law continues from the present mass. A start returns VM_NO_SUCH_EFFECT
-   if no effect has this index. */
+   does not change the mass at this instant: the law continues from the present mass. vm_scene_start returns
+   VM_NO_SUCH_EFFECT if no effect has this index. */
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 {
     event.then = vmi_then_switch;
@@ -13683,7 +13686,7 @@ VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
 
 /* The event calls a function of the caller. then(t, y, ctx) may change y and returns a status: VM_OK to continue, or
-   VM_STOPPED or a negative number, with which the run ends. A start returns VM_BAD_ARGUMENT if then is NULL. */
+   VM_STOPPED or a negative number, with which the run ends. vm_scene_start returns VM_BAD_ARGUMENT if then is NULL. */
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
     event.then = vmi_then_user;
@@ -13717,8 +13720,8 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
    angular momentum of the two about their mass centre; angular_defect of the budget shows this.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
-   jumps is not present, and with the errors of vm_separate and vm_attach. A start returns VM_BAD_MOTION for bodies that
-   cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a body.
+   jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
+   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
@@ -13872,8 +13875,8 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 }
 
 /* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
-   with the index `into`, which was absent. If relative is 1, its motion is given relative to the body. A start returns
-   VM_BAD_ARGUMENT if part is NULL. */
+   with the index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start
+   returns VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event.then = vmi_then_separate;
@@ -13890,7 +13893,7 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
 }
 
 /* The event separates a part from a body in the plane. The part has the motion *part and becomes the body with the
-   index `into`, which was absent. If relative is 1, its motion is given relative to the body. A start returns
+   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
    VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
@@ -13901,7 +13904,7 @@ VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, co
 }
 
 /* The event separates a part from a body of any motion. The part has the motion *part and becomes the body with the
-   index `into`, which was absent. If relative is 1, its motion is given relative to the body. A start returns
+   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
    VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {

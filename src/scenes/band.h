@@ -137,8 +137,8 @@ VM_API int vmi_band_check(const vm_effect *e)
 }
 
 /* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle, and the band is
-   its mass law. A start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if its radius is not positive or a size
-   is negative. */
+   its mass law. vm_scene_start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if its radius is not positive or
+   a size is negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
     vm_effect e = vmi_effect(body, 0, band ? vmi_apply_band : NULL);

@@ -95,7 +95,7 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
 /* A nonlinear spring, the force -k z |z|^(alpha-1) with z = x - rest (248). The stiffness k in N/m^alpha may have
-   either sign; rest is in m or rad. A start returns VM_DOMAIN if alpha < 0. */
+   either sign; rest is in m or rad. vm_scene_start returns VM_DOMAIN if alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
 {
@@ -229,8 +229,8 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
 }
 
 /* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle).
-   x and v are position and velocity relative to other_coordinate of the body `other`, which takes the reaction. A start
-   returns VM_BAD_ARGUMENT if force is NULL. */
+   x and v are position and velocity relative to other_coordinate of the body `other`, which takes the reaction.
+   vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -241,7 +241,7 @@ VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, in
 }
 
 /* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle) for the time t and the
-   position x and velocity v of the coordinate. A start returns VM_BAD_ARGUMENT if force is NULL. */
+   position x and velocity v of the coordinate. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -254,8 +254,8 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
    y[effect->v], position and velocity of coordinate 0; the state of body i from y[scene->bodies[i].at] on; effect->p
    and effect->ctx; and effect->load->force, the sum of the effects that stand before it in the list. So a stop that is
    listed last can take away the force that presses on it. other is another body, or VM_GROUND. The effect acts only
-   while both bodies are present; effect->other_load, effect->other_x and effect->other_v belong to the body `other`. A
-   start returns VM_BAD_ARGUMENT if apply is NULL. */
+   while both bodies are present; effect->other_load, effect->other_x and effect->other_v belong to the body `other`.
+   vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),

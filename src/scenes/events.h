@@ -104,8 +104,8 @@ VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 
 VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { return e->user_when(t, y, e->ctx); }
 
-/* An event when a function of the caller crosses zero. when(t, y, ctx) receives the state of the whole scene. A start
-   returns VM_BAD_ARGUMENT if when is NULL. */
+/* An event when a function of the caller crosses zero. when(t, y, ctx) receives the state of the whole scene.
+   vm_scene_start returns VM_BAD_ARGUMENT if when is NULL. */
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
 {
     vm_event e = vmi_event(0, 0, 0, direction);
@@ -170,8 +170,8 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 }
 
 /* The event switches an effect off (off = 1) or on (off = 0). effect is the index of the effect. Switching a mass law
-   does not change the mass at this instant: the law continues from the present mass. A start returns VM_NO_SUCH_EFFECT
-   if no effect has this index. */
+   does not change the mass at this instant: the law continues from the present mass. vm_scene_start returns
+   VM_NO_SUCH_EFFECT if no effect has this index. */
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 {
     event.then = vmi_then_switch;
@@ -184,7 +184,7 @@ VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
 
 /* The event calls a function of the caller. then(t, y, ctx) may change y and returns a status: VM_OK to continue, or
-   VM_STOPPED or a negative number, with which the run ends. A start returns VM_BAD_ARGUMENT if then is NULL. */
+   VM_STOPPED or a negative number, with which the run ends. vm_scene_start returns VM_BAD_ARGUMENT if then is NULL. */
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
     event.then = vmi_then_user;

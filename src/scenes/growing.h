@@ -88,7 +88,7 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
 }
 
 /* A growing body in the plane, made of a body by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when the inertia
-   is no longer positive. A start returns VM_BAD_MOTION for any other body. */
+   is no longer positive. vm_scene_start returns VM_BAD_MOTION for any other body. */
 VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -145,7 +145,8 @@ VM_API int vmi_free_growing_check(const vm_body *start)
 }
 
 /* A growing body in space, made of a body by vm_scene_body_free. A run ends with VM_BAD_INERTIA when no body can have
-   the inertia any longer. A start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for a rod or a point. */
+   the inertia any longer. vm_scene_start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for a rod or a
+   point. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;

@@ -21,8 +21,8 @@
    angular momentum of the two about their mass centre; angular_defect of the budget shows this.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
-   jumps is not present, and with the errors of vm_separate and vm_attach. A start returns VM_BAD_MOTION for bodies that
-   cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a body.
+   jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
+   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
@@ -190,8 +190,8 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 }
 
 /* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
-   with the index `into`, which was absent. If relative is 1, its motion is given relative to the body. A start returns
-   VM_BAD_ARGUMENT if part is NULL. */
+   with the index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start
+   returns VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event.then = vmi_then_separate;
@@ -208,7 +208,7 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
 }
 
 /* The event separates a part from a body in the plane. The part has the motion *part and becomes the body with the
-   index `into`, which was absent. If relative is 1, its motion is given relative to the body. A start returns
+   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
    VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
@@ -219,7 +219,7 @@ VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, co
 }
 
 /* The event separates a part from a body of any motion. The part has the motion *part and becomes the body with the
-   index `into`, which was absent. If relative is 1, its motion is given relative to the body. A start returns
+   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
    VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {

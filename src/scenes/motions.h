@@ -296,7 +296,7 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
 }
 
 /* A body that moves and turns freely in space. *start is its motion at the start. It may be a rod, whose spin about its
-   own axis then stays. A start of the scene returns VM_BAD_ARGUMENT if start is NULL. */
+   own axis then stays. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);

@@ -22,7 +22,7 @@
 
    Bodies, effects and events are known by their index. A scene with events also needs scene.events, scene.n_events and
    scene.located, an array of n_events elements, before the start. After the start all arrays must stay where they are.
-   A start sets everything to what the constructors have made; a second vm_scene_run continues where the first ended.
+   vm_scene_start sets all to what the constructors have made; a second vm_scene_run continues where the first ended.
    A listed motor, for example, adds at most 35 machine instructions to an evaluation of the right-hand side.
 
    The state y has these numbers for body i, from y[bodies[i].at] on, positions first. r is the position of the mass

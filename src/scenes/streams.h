@@ -39,7 +39,8 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 
 /* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
    negative for mass that leaves; the velocity of the mass is u + (1 - reactive) v, as in vm_effect_mass_law. The
-   inertia of the body does not change. A start returns VM_MASS_IS_NO_STATE if the mass of the body is not a state. */
+   inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a
+   state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -158,9 +159,9 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
 
 /* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes it,
    the run continues with the change. stream->at is in body axes, from the place of the mass centre at the start.
-   `mixing` of the budget is right if the effects for mass, force, moment and torque of the stream are all listed. A
-   start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown, VM_STORED_STREAM if it has a store, and
-   VM_DOES_NOT_GROW if the body is not a growing body. */
+   `mixing` of the budget is right if the effects for mass, force, moment and torque of the stream are all listed.
+   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown, VM_STORED_STREAM if it has a
+   store, and VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -190,7 +191,7 @@ VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 
 /* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
    each evaluation vary receives a copy of the stream and writes what has changed at t and y: the point, which may move
-   in the body, the rate or the velocity. A start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no
+   in the body, the rate or the velocity. vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no
    stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
