@@ -95,9 +95,9 @@ VM_INLINE vm_real vmi_log_constant(int row, int column)
 }
 
 /* Returns ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). Method: x = 2^k z,
-   where z lies between 0.708 and 1.417. Let c be a constant close to z and r = z/c - 1; then ln x = k ln 2 + ln
-   c + ln(1 + r). The constant 1/c has few digits, so that the square of the first half of r is exact. c is 1 where z
-   is within 0.01 of 1. */
+   where z lies between 0.708 and 1.417. Let c be a constant close to z and r = z/c - 1; then
+   ln x = k ln 2 + ln c + ln(1 + r). The constant 1/c has few digits, so that the square of the first half of r is
+   exact. c is 1 where z is within 0.01 of 1. */
 VM_API vm_two vmi_log(vm_real x)
 {
 #if VM_MANT_DIG > 24
