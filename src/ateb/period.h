@@ -352,7 +352,7 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
 #if VM_MANT_DIG > 24
     const vm_real to_row = VM_C(211106232532992.0); /* 1.5 2^47: the last digit of a sum with it is worth 1/32 */
 #else
-    const vm_real to_row = VM_C(393216.0); /* 1.5 2^18 */
+    const vm_real to_row = VM_C(393216.0); /* 1.5 2^18: the last digit is worth 1/32 here, too */
 #endif
     enum { S = VMI_ATEB_G_SERIES };
     const vm_real shifted = vmi_rounded(q.hi + to_row), h = q.hi - vmi_rounded(shifted - to_row);

@@ -1,9 +1,9 @@
 /* ateb/two_indices.h - Ateb functions with two indices, sa(n, m, s) and ca(m, n, s)
 
-   sa(n, m, s) and ca(m, n, s) satisfy |sa|^(n+1) + |ca|^(m+1) = 1 and have the period 2 Pi(n, m), Pi(n,
-   m) = B(1/(n+1), 1/(m+1)). For n = 1 and m = alpha they are the functions of ateb/functions.h, which are much
-   faster. The swapped pair sa(alpha, 1, s), ca(1, alpha, s), which (278) and (280) need, is ateb_saca_nm(s, alpha, 1,
-   &sa, &ca).
+   sa(n, m, s) and ca(m, n, s) satisfy |sa|^(n+1) + |ca|^(m+1) = 1 and have the period 2 Pi(n, m), where
+   Pi(n, m) = B(1/(n+1), 1/(m+1)). For n = 1 and m = alpha they are the functions of ateb/functions.h, which are much
+   faster. The swapped pair sa(alpha, 1, s), ca(1, alpha, s), which (278) and (280) need, comes from
+   ateb_saca_nm(s, alpha, 1, &sa, &ca).
 
        vm_real sa, ca;
        ateb_saca_nm(VM_C(0.7), 2, 3, &sa, &ca);

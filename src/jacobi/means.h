@@ -24,9 +24,9 @@ VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
     const vm_real low = -2 + y * (6 + y * (-16 + 37 * y));
     const vm_real high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
-    const vm_real series = low + (y * y) * (y * y) * high;             /* (S - 1)/q^2 */
-    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* d/m */
-    const vm_real eta = (loss + q * series) / (256 * R * R);           /* (delta - 1/16)/m */
+    const vm_real series = low + (y * y) * (y * y) * high;             /* is (S - 1)/q^2 */
+    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* is d/m */
+    const vm_real eta = (loss + q * series) / (256 * R * R);           /* is (delta - 1/16)/m */
     *C2 = VM_C(0.5) - d;
     *C4 = (1 - 4 * d + 2 * delta) / 3;
     *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;

@@ -114,7 +114,7 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     q6 = q2 * q4;
     even = q2 + q6;
     odd = 2 * t->q + 2 * q4;
-    f0 = ((odd - 2 * even) - even * odd) / (2 * (1 + even)); /* f0 - 1/2 */
+    f0 = ((odd - 2 * even) - even * odd) / (2 * (1 + even)); /* f[0] - 1/2 */
     t->f[0] = VM_C(0.5) + f0;
     share = t->f[0] / (1 - even);
     t->f[1] = share * 2 * t->q * (1 - q4);
