@@ -93,9 +93,9 @@
        vm_strerror                    The meaning of a status as a line of text
 
      base/lambert: Lambert's function W
-       vm_lambert_w0                  Lambert's W, upper branch
-       vm_lambert_wm1                 Lambert's W, lower branch
-       vm_wright_omega                Wright's omega function
+       vm_lambert_w0                  Lambert's W_0(x), the upper branch
+       vm_lambert_wm1                 Lambert's W_-1(x), the lower branch
+       vm_wright_omega                Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l
        vm_lambert_w0_neg_exp          W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1
        vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
 
@@ -1065,9 +1065,9 @@ VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (
 /* A rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki) */
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
-/* Lambert's W, upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken as exact.
-   The error is at most 1 ulp. Returns NaN for x < -1/e and for infinite x, except that the number next to -1/e counts
-   as -1/e and gives -1. */
+/* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
+   as exact. The error is at most 1 ulp. Returns NaN for x < -1/e and for infinite x, except that the number next to
+   -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_real start;
@@ -1079,9 +1079,9 @@ VM_API vm_real vm_lambert_w0(vm_real x)
     return vmi_lambert_far(vmi_log(VM_FABS(x)), start);
 }
 
-/* Lambert's W, lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x is a pure number and taken as
-   exact. The error is at most 1 ulp. Returns -infinity for x = 0, and NaN for x > 0 and x < -1/e, except that the
-   number next to -1/e counts as -1/e and gives -1. */
+/* Lambert's W_-1(x), the lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x is a pure number and
+   taken as exact. The error is at most 1 ulp. Returns -infinity for x = 0, and NaN for x > 0 and x < -1/e, except
+   that the number next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_wm1(vm_real x)
 {
     vm_two ln;
@@ -1094,7 +1094,7 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
 
 #define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* where ln|x| is less than this, W_0(x) = x */
 
-/* Wright's omega function: W_0(e^l), the solution of w + ln w = l, for any l. It also works where e^l itself
+/* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
    overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
