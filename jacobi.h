@@ -1830,7 +1830,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 /* One parameter m, prepared by jacobi_plan_init. Fields that the form does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
     int form;            /* VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
-    vm_real m1;          /* 1 - m */
+    vm_real m1;          /* complementary parameter 1 - m */
     vm_real K[4], per_K; /* quarter period as three short pieces and a last word, and 1/K (0 at m = 1) */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, see vmi_plan_prepare */
     vmi_theta_form theta;               /* its field kp = k' is set in every form */
@@ -2068,11 +2068,11 @@ typedef struct VM_TAG(vmi_solution) {
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
-    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* 1 - theta_4^2 */
-    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4)/2 = q - q^4 + q^9 */
+    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* 1 - theta_4(q)^2 */
+    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4(q))/2 = q - q^4 + q^9 */
     vm_real q = start;
     int i;
-    for (i = 0; i < 6; i++) /* each step adds 3 digits */
+    for (i = 0; i < 6; i++) /* each step gains about 3 digits of q */
         q = start + vmi_fourth_power(q) * (1 - vmi_fourth_power(q) * q);
     return q;
 }

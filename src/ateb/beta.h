@@ -278,8 +278,8 @@ VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
    it lies left of the solution, so that all steps go to the right. The last step is taken in x, y, ln x and ln y. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* its square is below eps */
-    const int most = 60;                                               /* 20 steps are enough */
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* the square of a shorter step is below eps */
+    const int most = 60;                                               /* steps; 20 are enough */
     const vm_two a2 = vmi_two(a, 0), b2 = vmi_two(b, 0);
     const vm_two start = vmi_two_plus(ln_p, vmi_two_plus(vmi_log(a), vmi_beta_ln(a2, b2)));
     vm_real t = start.hi / a, step;

@@ -37,11 +37,11 @@ typedef struct VM_TAG(vmi_solution) {
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
-    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* 1 - theta_4^2 */
-    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4)/2 = q - q^4 + q^9 */
+    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* 1 - theta_4(q)^2 */
+    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4(q))/2 = q - q^4 + q^9 */
     vm_real q = start;
     int i;
-    for (i = 0; i < 6; i++) /* each step adds 3 digits */
+    for (i = 0; i < 6; i++) /* each step gains about 3 digits of q */
         q = start + vmi_fourth_power(q) * (1 - vmi_fourth_power(q) * q);
     return q;
 }

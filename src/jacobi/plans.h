@@ -25,7 +25,7 @@
 /* One parameter m, prepared by jacobi_plan_init. Fields that the form does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
     int form;            /* VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
-    vm_real m1;          /* 1 - m */
+    vm_real m1;          /* complementary parameter 1 - m */
     vm_real K[4], per_K; /* quarter period as three short pieces and a last word, and 1/K (0 at m = 1) */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, see vmi_plan_prepare */
     vmi_theta_form theta;               /* its field kp = k' is set in every form */
