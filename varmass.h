@@ -477,7 +477,7 @@ enum {
     VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation it may be that of the rest */
     VM_SINGULAR = -5,            /* a system of linear equations has no unique solution */
     VM_DOMAIN = -6,              /* a parameter lies outside its domain */
-    VM_NO_LAW = -7,              /* oscillators: the chosen route does not exist for this oscillator */
+    VM_NO_LAW = -7,              /* no such route or closed form exists for this problem */
     VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator did not reach the end */
     VM_BAD_MOTION = -9,          /* scenes: a motion that does not exist, or on which an effect or event cannot act */
     VM_NO_SUCH_BODY = -10,       /* scenes: no body has this index */
@@ -523,7 +523,7 @@ VM_API const char *vm_strerror(int status)
     case VM_BAD_INERTIA: return "no body can have this inertia";
     case VM_SINGULAR: return "the linear equations have no unique solution";
     case VM_DOMAIN: return "a parameter is outside its domain";
-    case VM_NO_LAW: return "this route does not exist for this oscillator: choose another, or call vm_osc_within";
+    case VM_NO_LAW: return "no such route or closed form exists for this problem: choose another route, or integrate";
     case VM_NOT_INTEGRATED: return "the integrator did not reach the end: allow a larger tolerance";
     case VM_BAD_MOTION: return "no body moves in this way, or the effect or event cannot act on a body that does";
     case VM_NO_SUCH_BODY: return "no body has this index: count from 0, the ground is VM_GROUND";
@@ -551,6 +551,22 @@ VM_API const char *vm_strerror(int status)
     case VM_BAD_STIFFNESS: return "a stiffness is not positive";
     default: return "unknown status";
     }
+}
+
+/* Where an error stands in the order at the top of this file: a smaller number comes first. Errors that are not there
+   have the order of their numbers. */
+VM_API int vmi_error_rank(int status)
+{
+    if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
+    return 2 * -status;
+}
+
+/* Of two statuses, VM_OK or errors, the one that is returned if both apply */
+VM_API int vmi_first_error(int a, int b)
+{
+    if (a == VM_OK) return b;
+    if (b == VM_OK || vmi_error_rank(a) < vmi_error_rank(b)) return a;
+    return b;
 }
 
 /* Copies n numbers if all of them are finite. Returns VM_OK, or VM_NOT_FINITE and leaves the target as it was. */
@@ -1785,15 +1801,6 @@ VM_API int vmi_body2_is_finite(const vm_body2 *b)
 VM_API int vmi_impulse_is_finite(const vm_impulse *j)
 {
     return vmi_vec3_is_finite(j->linear) && vmi_vec3_is_finite(j->couple) && vmi_vec3_is_finite(j->at);
-}
-
-/* Of two statuses, VM_OK or errors, the one that is returned if both apply: VM_BAD_ARGUMENT before VM_NOT_FINITE
-   before VM_BAD_MASS before VM_BAD_INERTIA, whose numbers fall in this order */
-VM_API int vmi_first_error(int a, int b)
-{
-    if (a == VM_OK) return b;
-    if (b == VM_OK) return a;
-    return a > b ? a : b;
 }
 
 /* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
@@ -3928,6 +3935,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     int status;
     if (!pendulum || !cut) return VM_BAD_ARGUMENT;
     status = vmi_check_pendulum(pendulum, part);
+    if (!VM_IS_FINITE(Omega) || !VM_IS_FINITE(ux) || !VM_IS_FINITE(uy)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_pendulum_directions(pendulum, &ex, &ey, &fx, &fy);
     rho = pendulum->length - part / 2; /* from O to S2 */
@@ -4996,6 +5004,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     int status;
     if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
+    if (!vmi_vec3_is_finite(force) || !vmi_vec3_is_finite(moment) || !vmi_vec3_is_finite(loads->force) ||
+        !vmi_vec3_is_finite(loads->moment) || !vmi_vec3_is_finite(loads->torque))
+        status = vmi_first_error(status, VM_NOT_FINITE);
     if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
@@ -5153,8 +5164,20 @@ VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const v
     return b;
 }
 
+VM_API int vmi_flow_mass_is_finite(const vmi_flow_mass *b)
+{
+    return VM_IS_FINITE(b->mass) && vmi_vec3_is_finite(b->centre) && vmi_inertia_is_finite(&b->inertia);
+}
+
+VM_INLINE int vmi_flow_check_mass(vm_real mass)
+{
+    if (!VM_IS_FINITE(mass)) return VM_NOT_FINITE;
+    if (!(mass > 0)) return VM_BAD_MASS;
+    return VM_OK;
+}
+
 /* From a state y: the rotation to *turn; velocity, angular velocity and the like to *seen. Returns VM_OK,
-   VM_BAD_MASS or VM_BAD_INERTIA. */
+   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -5163,7 +5186,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     const vm_real inverse = 1 / b->mass;
     vm_vec3 h, p_on_the_way, h_on_the_way;
     vmi_inertia_ldl factors;
-    if (!(b->mass > 0)) return VM_BAD_MASS;
+    const int status = vmi_flow_check_mass(b->mass);
+    if (status) return status;
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     *turn = vmi_rotation_of_square(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     h = vmi_times_transposed(turn, vmi_get3(y + VM_Y_H));
@@ -5277,8 +5301,8 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
     if (flow->y_size && flow->y_size < VM_FLOW_GIVEN_STATES) return flow->status = VM_SHORT_ARRAY;
-    if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = VM_BAD_INERTIA;
-    if (!(flow->mass > 0)) status = VM_BAD_MASS;
+    status = vmi_flow_check_mass(flow->mass);
+    if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = vmi_first_error(status, VM_BAD_INERTIA);
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
     vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
@@ -5364,6 +5388,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     if (!vmi_flow_has_streams(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < n) return VM_SHORT_ARRAY;
     now = vmi_flow_mass_at(flow, n < VM_FLOW_STATES, y);
+    if (!vmi_all_finite(VM_FLOW_GIVEN_STATES, y) || !vmi_flow_mass_is_finite(&now)) return VM_NOT_FINITE;
     status = vmi_flow_motion(flow, y, &now, &turn, &seen);
     if (status) return status;
     b.mass = now.mass;
@@ -5389,7 +5414,7 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 /* Least pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
    It stops a run before the inertia becomes singular, where the pivot is 0. For vm_flow_rhs and vm_flow_balanced_rhs;
    the event's ctx is the vm_flow. The triangle inequality is not watched, because the inertia of thin bodies is
-   always close to its limit. NaN for a null pointer. */
+   always close to its limit. NaN for a null pointer and where the inertia is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5397,6 +5422,7 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
     vmi_inertia_ldl f;
     vm_real least = 0;
     (void)t;
+    if (!vmi_inertia_is_finite(&i)) return VM_NAN;
     if (vmi_inertia_factor(&i, &f)) least = vmi_smaller(1 / f.z, vmi_smaller(1 / f.y, i.xx));
     return least - ((const vm_flow *)flow)->least_inertia;
 }
@@ -5985,7 +6011,7 @@ VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_m
     m->J = d->inertia + d->band * d->radius * d->radius * phi;
     m->steiner = q / m->M * q; /* q^2 alone could underflow */
     if (!VM_IS_FINITE(m->M) || !VM_IS_FINITE(m->J)) return VM_NOT_FINITE;
-    if (!(m->M > 0)) return VM_BAD_MASS;
+    if (!(d->mass > 0) || !(m->M > 0)) return VM_BAD_MASS;
     if (d->stiffness < 0) return VM_BAD_STIFFNESS;
     if (!(m->J - m->steiner > 0)) return VM_BAD_INERTIA;
     return VM_OK;
@@ -6138,6 +6164,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
+    if (!VM_IS_FINITE(phi) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
     const vm_real rate = vm_drum_rate(d, phi), j = d->band * d->radius * d->radius;
     const vm_real e = d->band * d->speed * d->radius - d->damping;
     const vm_real slope_x = y[VM_DRUM_SLOPE], slope_y = y[VM_DRUM_SLOPE + 1];
@@ -6423,15 +6450,18 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Puts q' = A^-1 (pi - b) of the state y into the work. VM_SINGULAR */
+/* Puts q' = A^-1 (pi - b) of the state y into the work. VM_SINGULAR; VM_NOT_FINITE where the reason is that t or the
+   state is not finite */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
-    int k;
+    int k, status;
     vmi_lagrange_freeze(system, t, y);
     vmi_lagrange_quadratic(system, t, y);
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
-    return vmi_solve_mass(system->n, w.A, w.rates, w.trial);
+    status = vmi_solve_mass(system->n, w.A, w.rates, w.trial);
+    if (status && !(VM_IS_FINITE(t) && vmi_all_finite(2 * system->n, y))) return VM_NOT_FINITE;
+    return status;
 }
 
 /* dT/dq_i with the masses in the work, by a central difference of order 6. Its error is h^6/140 of the seventh
@@ -6467,9 +6497,8 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 /* Right-hand side of Lagrange's equations with variable mass (247).
    An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns VM_BAD_ARGUMENT,
    VM_SINGULAR, where the mass matrix is not positive definite (as for vm_lagrange_separate; a mass has become
-   negative, for example), and what system->forces returns; each of them ends the run. An event should stop it before.
-   Time:
-   2 n^2 + 6 n + 1 calls of system->energy. */
+   negative, for example), VM_NOT_FINITE where this is due to a t or y that is not finite, and what system->forces
+   returns; each of them ends the run. An event should stop it before. Time: 2 n^2 + 6 n + 1 calls of system->energy. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -7022,8 +7051,8 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
     int status;
     if (!law->derivatives) return VM_BAD_ARGUMENT;
     status = vmi_law_derivatives(law, if_not_positive, 0, 1, 0, f);
-    if (!status) status = vmi_law_derivatives(law, if_not_positive, t, 1, 0, f);
-    if (!status && law->validate) status = law->validate(law, if_not_positive, t);
+    status = vmi_first_error(status, vmi_law_derivatives(law, if_not_positive, t, 1, 0, f));
+    if (law->validate) status = vmi_first_error(status, law->validate(law, if_not_positive, t));
     return status;
 }
 
@@ -7060,15 +7089,16 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative.
-   Within some 8 ulp. VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for t or
-   a result that is infinite or NaN, VM_BAD_MASS where f <= 0 at t, VM_DOMAIN for t outside a table or where the
-   function fails. Then f and rate are untouched. */
+   Within some 8 ulp. f may have any sign: a law does not know whether it is that of a mass. VM_BAD_ARGUMENT for null
+   pointers and for a law that no constructor made, VM_NOT_FINITE for t or a result that is infinite or NaN, VM_DOMAIN
+   where the law has no value: for t outside a table, for a power law where 1 + f1 t <= 0, and where the function fails.
+   Then f and rate are untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
     int status;
     if (!f || !rate) return VM_BAD_ARGUMENT;
-    status = vmi_law_at(law, VM_BAD_MASS, t, &value, &slope);
+    status = vmi_law_at(law, VM_OK, t, &value, &slope);
     if (status) return status;
     *f = value;
     *rate = slope;
@@ -7214,7 +7244,7 @@ VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
     (void)side;
     (void)step;
-    if (!(base > 0)) return VM_BAD_MASS;
+    if (base <= 0) return VM_BAD_MASS;
     f[0] = law->f0 * vmi_pow_checked(base, law->f2);
     f[1] = law->f2 * relative_rate * f[0];
     f[2] = (law->f2 - 1) * relative_rate * f[1];
@@ -7291,8 +7321,8 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     vm_real length, u, chord, slope0, slope1, b, c;
     int i;
     (void)step;
-    if (law->n < 2 || !law->time || !law->value) return VM_BAD_ARGUMENT;
-    if (!(t >= law->time[0] && t <= law->time[law->n - 1])) return VM_DOMAIN;
+    if (!(t >= law->time[0] && t <= law->time[law->n - 1]))
+        return vmi_all_finite(law->n, law->time) ? VM_DOMAIN : VM_NOT_FINITE;
     i = vmi_law_interval(law, t, side);
     length = law->time[i + 1] - law->time[i];
     u = t - law->time[i];
@@ -7321,7 +7351,8 @@ VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_rea
     return VM_OK;
 }
 
-/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics.
+/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. A table of fewer points, or of a null pointer,
+   is no law: all functions refuse it with VM_BAD_ARGUMENT.
    Times (s) rise; a call's t must lie between the first and the last. Between its points a cubic with the slopes of
    Fritsch and Butland neither overshoots nor rings; its second derivative jumps at the points. */
 VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
@@ -7330,7 +7361,7 @@ VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
     law.n = n;
     law.time = time;
     law.value = value;
-    law.derivatives = vmi_law_table_derivatives;
+    if (n >= 2 && time && value) law.derivatives = vmi_law_table_derivatives; /* else there is no law */
     law.validate = vmi_law_table_validate;
     return law;
 }
@@ -7356,7 +7387,6 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
     int i;
     (void)side;
     f[2] = 0;
-    if (!law->function) return VM_BAD_ARGUMENT;
     if (law->function(t, &f[0], &f[1], law->ctx)) return VM_DOMAIN;
     if (step == 0) return VM_OK;
     for (i = 0; i < 2; i++)
@@ -7376,7 +7406,8 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
     return VM_OK;
 }
 
-/* Law by a function of the user, which must be smooth.
+/* Law by a function of the user, which must be smooth. A null function makes no law: all functions refuse it with
+   VM_BAD_ARGUMENT.
    ctx is passed on to the function. Integrals along the law evaluate the function at 20 points in each panel of
    time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2)
    is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time to that
@@ -7387,7 +7418,7 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
     vm_law law = vmi_law_of(0, 0, 0);
     law.function = function;
     law.ctx = ctx;
-    law.derivatives = vmi_law_user_derivatives;
+    if (function) law.derivatives = vmi_law_user_derivatives; /* else there is no law */
     law.validate = vmi_law_user_validate;
     return law;
 }
@@ -7597,18 +7628,23 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
+/* Whether mass and stiffness are positive between 0 and t: see vmi_law_check */
+VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
+{
+    return vmi_first_error(vmi_law_check(&o->mass, VM_BAD_MASS, t),
+                           vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
+}
+
 /* The problem's numbers, checked, and its laws at t = 0 */
 VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real *stiffness)
 {
+    const vm_real numbers[5] = {o->alpha, o->reactive, o->damping, o->x, o->v};
     vm_real unused;
-    int status;
-    if (!VM_IS_FINITE(o->alpha) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping)) return VM_NOT_FINITE;
-    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v)) return VM_NOT_FINITE;
-    status = vmi_law_check(&o->mass, VM_BAD_MASS, 0);
-    if (!status) status = vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, 0);
+    int status = vmi_osc_check_laws(o, 0);
+    if (!vmi_all_finite(5, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (o->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
     if (!status) status = vmi_law_at(&o->mass, VM_BAD_MASS, 0, mass, &unused);
     if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, 0, stiffness, &unused);
-    if (!status && o->alpha < 0) return VM_DOMAIN;
     return status;
 }
 
@@ -7950,7 +7986,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 {
     vm_real sum;
     int status;
-    if (!law || !integral) return VM_BAD_ARGUMENT;
+    if (!law || !law->derivatives || !integral) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     status = vmi_law_check(law, VM_BAD_MASS, t);
     if (status) return status;
@@ -9185,17 +9221,24 @@ VM_API const char *vm_osc_route_name(int route) { return vmi_osc_route_of(route)
 
 /* -- One route -- */
 
-/* Checks what all calls share, and puts the default for a tolerance of 0 */
-VM_API int vmi_osc_check_call(const vm_osc_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
+/* Checks the arguments that all calls share, but for the problem */
+VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, const vm_osc_motion *motion)
 {
-    int status;
-    if (!p || !motion) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
+    if (!motion || route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(tolerance)) return VM_NOT_FINITE;
+    if (tolerance < 0) return VM_DOMAIN;
+    return VM_OK;
+}
+
+/* Checks what all calls with a plan share, and puts the default for a tolerance of 0 */
+VM_API int vmi_osc_check_call(const vm_osc_plan *p, int route, vm_real t, vm_real *tolerance,
+                              const vm_osc_motion *motion)
+{
+    const int status = vmi_osc_check_arguments(route, t, *tolerance, motion);
+    if (!p) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return status;
     if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
-    status = vmi_law_check(&p->problem.mass, VM_BAD_MASS, t);
-    if (!status) status = vmi_law_check(&p->problem.stiffness, VM_BAD_STIFFNESS, t);
-    if (!status && *tolerance < 0) return VM_DOMAIN;
-    return status;
+    return vmi_first_error(status, vmi_osc_check_laws(&p->problem, t));
 }
 
 /* The motion of a body at rest at x = 0: none, unless a force starts one, of which no route knows */
@@ -9225,9 +9268,8 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
     vmi_osc_route entry;
     vmi_osc_mean mean;
     vmi_osc_wave w;
-    int status = vmi_osc_check_call(p, t, &tolerance, motion);
+    int status = vmi_osc_check_call(p, route, t, &tolerance, motion);
     if (status) return status;
-    if (route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
     entry = vmi_osc_route_of(route);
     if (p->problem.force && !entry.method.rhs) return VM_NO_LAW;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
@@ -9265,7 +9307,7 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;
-    int route, status = vmi_osc_check_call(p, t, &tolerance, motion);
+    int route, status = vmi_osc_check_call(p, VM_ROUTE_TRIG, t, &tolerance, motion);
     if (status) return status;
     if (p->A == 0) return vmi_osc_at_rest(p, VM_ROUTE_TRIG, motion);
     if (p->problem.force) return vmi_osc_integrate_within(p, t, tolerance, motion);
@@ -9301,7 +9343,8 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
                            vm_osc_motion *motion)
 {
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, &plan);
+    int status = vmi_osc_check_arguments(route, t, tolerance, motion);
+    status = vmi_first_error(status, vmi_osc_once(problem, &plan));
     if (status) return status;
     return vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
@@ -9312,7 +9355,8 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, &plan);
+    int status = vmi_osc_check_arguments(VM_ROUTE_TRIG, t, tolerance, motion);
+    status = vmi_first_error(status, vmi_osc_once(problem, &plan));
     if (status) return status;
     return vm_osc_plan_within(&plan, t, tolerance, motion);
 }
@@ -9486,18 +9530,26 @@ VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
     v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
 }
 
+/* Whether the numbers of a Van der Pol oscillator are in their domains */
+VM_API int vmi_vdp_check(const vm_vdp *v)
+{
+    const vm_real numbers[5] = {v->alpha, v->k, v->feed, v->c, v->reactive};
+    if (!vmi_all_finite(5, numbers)) return VM_NOT_FINITE;
+    if (v->k <= 0) return VM_BAD_STIFFNESS;
+    if (v->alpha < 0) return VM_DOMAIN;
+    return VM_OK;
+}
+
 /* Prepare a Van der Pol oscillator: checks alpha, k, feed, c, reactive and method, writes a1, a2, a3.
    The functions below need it; the mass may be set and changed later. Mean values are within 20 eps. VM_BAD_ARGUMENT
    for a null pointer or an unknown method, VM_NOT_FINITE, VM_BAD_STIFFNESS where k <= 0, VM_DOMAIN where alpha < 0;
    then v is left as it was. (411)-(413). */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
+    int status;
     if (!v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(v->alpha) || !VM_IS_FINITE(v->k) || !VM_IS_FINITE(v->feed) || !VM_IS_FINITE(v->c) ||
-        !VM_IS_FINITE(v->reactive))
-        return VM_NOT_FINITE;
-    if (!(v->k > 0)) return VM_BAD_STIFFNESS;
-    if (!(v->alpha >= 0)) return VM_DOMAIN;
+    status = vmi_vdp_check(v);
+    if (status) return status;
     v->a1 = 1;
     v->a2 = 2 / (v->alpha + 3);
     if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
@@ -9533,7 +9585,8 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     if (!v) return VM_NAN;
     vmi_linear_mass m;
     vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
-    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
+    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !(v->a1 > 0)) return VM_NAN;
+    if (vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
         (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
     e = vmi_exp(-VM_FABS(F), 0);
@@ -9576,13 +9629,14 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
    y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where no constructor made the
-   mass, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN for t outside a table; these statuses stop the run. */
+   mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0 or t is outside a table; these statuses
+   stop the run. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate, feed;
-    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
+    const int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate), vmi_vdp_check(v));
     if (status) return status;
     feed = vmi_van_der_pol_feed(v->feed, v->c, y[0]) - v->reactive * rate;
     dydt[0] = y[1];
@@ -9599,7 +9653,7 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate;
-    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
+    const int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate), vmi_vdp_check(v));
     if (status) return status;
     dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
     dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
@@ -9663,11 +9717,14 @@ enum {
 
 /* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness.
    power_force points to a vm_power_force. Returns N/m, writes the derivative, N/m^2. Within some eps. NaN for null
-   pointers and rho < 0. */
+   pointers, rho < 0, and an alpha that is negative or infinite. k may have any sign: what uses the stiffness judges
+   it. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
 {
     if (!slope || !power_force) return VM_NAN;
     const vm_power_force *p = (const vm_power_force *)power_force;
+    *slope = VM_NAN;
+    if (!(p->alpha >= 0) || !VM_IS_FINITE(p->alpha)) return VM_NAN;
     *slope = 0;
     if (p->alpha != 1) *slope = p->k * (p->alpha - 1) * vmi_pow_checked(rho, p->alpha - 2);
     return p->k * vmi_pow_checked(rho, p->alpha - 1);
@@ -9699,6 +9756,13 @@ VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real
     return r->stiffness(rho, slope, r->stiffness_ctx);
 }
 
+/* The mass and its rate at time t, and whether the rotor has a stiffness */
+VM_API int vmi_jeffcott_mass_at(const vm_jeffcott *r, vm_real t, vm_real *mass, vm_real *rate)
+{
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    return vmi_law_at(&r->mass, VM_BAD_MASS, t, mass, rate);
+}
+
 /* F_z + r m' u: the loads that do not depend on the disc's velocity through g or r */
 VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
@@ -9723,8 +9787,7 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
     const vm_complex z = vmi_complex(y[0], y[1]), v = vmi_complex(y[2], y[3]);
     vm_real mass, rate, stiffness, slope;
     vm_complex force;
-    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    const int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
     force = vmi_jeffcott_loads(r, t, rate, z, v);
@@ -9747,8 +9810,7 @@ typedef struct VM_TAG(vmi_jeffcott_state) {
 VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
     vm_real stiffness, slope;
-    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &now->mass, &now->rate);
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    const int status = vmi_jeffcott_mass_at(r, t, &now->mass, &now->rate);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, 0, &slope);
     if (stiffness <= 0) return VM_BAD_STIFFNESS;
@@ -9773,7 +9835,8 @@ VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_rea
     vmi_jeffcott_state now;
     vm_complex turned, P, N;
     vm_real found[VMI_JEFFCOTT_SIZE];
-    const int status = vmi_jeffcott_now(r, t, &now);
+    int status = vmi_jeffcott_now(r, t, &now);
+    if (!VM_IS_FINITE(phi) || !vmi_all_finite(4, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
@@ -9803,7 +9866,8 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     vmi_jeffcott_state now;
     vm_complex z, v;
     vm_real joined[4];
-    const int status = vmi_jeffcott_now(r, t, &now);
+    int status = vmi_jeffcott_now(r, t, &now);
+    if (!vmi_all_finite(VMI_JEFFCOTT_SIZE, y)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_JEFFCOTT_PHI]), now.omega, &z, &v);
     joined[0] = z.re;
@@ -9881,6 +9945,7 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_jeffcott *r = (const vm_jeffcott *)rotor;
+    if (r->nodes < 0) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_nodes(r));
 }
 
@@ -9934,8 +9999,9 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 {
     vm_real mass, rate, stiffness, slope, W, S, growth;
     vm_complex load;
-    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
+    if (r->nodes < 0) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(r->gyro) || y[0] != y[0]) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, y[0], &slope);
     W = vmi_jeffcott_root(r->gyro, mass, stiffness, sense);
@@ -10091,14 +10157,13 @@ enum {
    right-hand side gives no state: a trial step of an integrator may overflow, and is then repeated. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
-    const int status = vmi_law_at(&p->mass, VM_BAD_MASS, t, mass, rate);
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive)) return VM_NOT_FINITE;
-    if (state_or_NULL && !vmi_all_finite(4, state_or_NULL)) return VM_NOT_FINITE;
-    if (status) return status;
-    if (!(p->k > 0)) return VM_BAD_STIFFNESS;
-    if (!(p->alpha >= 0)) return VM_DOMAIN;
-    return VM_OK;
+    const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
+    int status = vmi_law_at(&p->mass, VM_BAD_MASS, t, mass, rate);
+    if (!vmi_all_finite(3, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (state_or_NULL && !vmi_all_finite(4, state_or_NULL)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (p->k <= 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
+    if (p->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
+    return status;
 }
 
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87. y = (x, y, x', y'), m and m/s; pair points to a
@@ -10287,22 +10352,15 @@ typedef struct VM_TAG(vmi_forced_parameters) {
    in the order of base/status.h. */
 VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n)
 {
+    const vm_real numbers[3] = {f->alpha, f->damping, f->reactive};
     vm_real force_rate;
-    const int mass = vmi_law_at(&f->mass, VM_BAD_MASS, t, &n->mass, &n->mass_rate);
-    const int stiffness = vmi_law_at(&f->stiffness, VM_BAD_STIFFNESS, t, &n->k, &n->k_rate);
-    const int frequency = vmi_law_at(&f->frequency, VM_DOMAIN, t, &n->nu, &n->nu_rate);
-    const int force = vmi_law_at(&f->force, VM_OK, t, &n->force, &force_rate);
-    if (mass == VM_BAD_ARGUMENT || stiffness == VM_BAD_ARGUMENT || frequency == VM_BAD_ARGUMENT ||
-        force == VM_BAD_ARGUMENT)
-        return VM_BAD_ARGUMENT;
-    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE ||
-        !VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive))
-        return VM_NOT_FINITE;
-    if (mass) return mass;
-    if (stiffness) return stiffness;
-    if (frequency) return frequency;
-    if (!(f->alpha >= 0)) return VM_DOMAIN;
-    return force;
+    int status = vmi_law_at(&f->mass, VM_BAD_MASS, t, &n->mass, &n->mass_rate);
+    status = vmi_first_error(status, vmi_law_at(&f->stiffness, VM_BAD_STIFFNESS, t, &n->k, &n->k_rate));
+    status = vmi_first_error(status, vmi_law_at(&f->frequency, VM_DOMAIN, t, &n->nu, &n->nu_rate));
+    status = vmi_first_error(status, vmi_law_at(&f->force, VM_OK, t, &n->force, &force_rate));
+    if (!vmi_all_finite(3, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (f->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
+    return status;
 }
 
 /* The Fourier coefficients of ca and sa, within 8 eps. Those of ca are
@@ -10460,12 +10518,11 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
     vmi_forced_parameters n;
-    const int status = vmi_forced_at(f, t, &n);
+    int status = vmi_forced_at(f, t, &n);
     const vm_real theta = motion[2];
     vm_real exact, A, phi;
     int i;
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!vmi_all_finite(3, motion)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
     phi *= VM_PI / f->pi;
@@ -10485,11 +10542,10 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
     vmi_forced_parameters n;
-    const int status = vmi_forced_at(f, t, &n);
+    int status = vmi_forced_at(f, t, &n);
     const vm_real theta = y[2], phi = y[1] + theta;
     vm_real A, r[3];
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!vmi_all_finite(3, y)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(3, y)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     A = y[0] + vmi_forced_ripple(f, &n, y[0], phi, theta);
     if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;
@@ -10742,6 +10798,12 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* x = 0 */
 };
 
+/* Whether the kind exists, and there may be `room` samples */
+VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
+{
+    return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
+}
+
 /* A search along a trajectory */
 typedef struct VM_TAG(vmi_sample_search) {
     vm_motion_function motion;
@@ -10763,8 +10825,8 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
    trajectory is evaluated every `step`, or a little less, and each change of sign located to an eps of t. step should
    be a small part of a period; it is negative where t1 < t0. The first `room` of them are written to samples, in the
    order of time. Returns the number of all, which may be larger than room, or a negative status: VM_BAD_ARGUMENT for
-   null pointers or an unknown kind, VM_NOT_FINITE for a step of 0 or of the wrong sign, for more than 2e9 steps, or
-   where the trajectory is not finite; what was found until then stands in samples. */
+   null pointers, an unknown kind or a negative room, VM_NOT_FINITE for a step of 0, of the wrong sign or infinite, for
+   more than 2e9 steps, or where the trajectory is not finite; what was found until then stands in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -10772,8 +10834,8 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     vmi_sample_search s;
     vm_real t = t0, here, intervals;
     long found = 0, i, last;
-    if (!motion || (room > 0 && !samples) || (kind != VM_TURNING_POINTS && kind != VM_ZERO_CROSSINGS))
-        return VM_BAD_ARGUMENT;
+    if (!motion || !vmi_samples_are_possible(kind, room, samples)) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(step)) return VM_NOT_FINITE;
     intervals = -VM_FLOOR(-(t1 - t0) / step);
     if (!(intervals >= 0) || !(intervals < most_steps)) return VM_NOT_FINITE;
     last = (long)intervals;
@@ -10825,6 +10887,7 @@ VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *bu
     vmi_step_motion m;
     vm_real length;
     if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;
+    if (!vmi_samples_are_possible(kind, room, samples)) return VM_BAD_ARGUMENT;
     length = s->t - s->t_old;
     if (length == 0) return 0;
     m.s = s;
@@ -10836,18 +10899,19 @@ VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *bu
 
 /* Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples.
    Observed is |x| for VM_TURNING_POINTS, |v| for VM_ZERO_CROSSINGS. law returns the amplitude or the largest velocity
-   at time t; ctx is handed to it. 0 for n = 0; NaN for null pointers, n < 0, or where law or a sample is NaN. */
+   at time t; ctx is handed to it. 0 for n = 0; NaN for null pointers, an unknown kind, n < 0, where
+   law is NaN, or where a sample is infinite or NaN. */
 VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
-    if (!samples || !law || n < 0) return VM_NAN;
+    if (!samples || !law || !vmi_samples_are_possible(kind, n, samples)) return VM_NAN;
     vm_real worst = 0;
     long i;
     for (i = 0; i < n; i++) {
         vm_real observed = VM_FABS(samples[i].v), error;
         if (kind == VM_TURNING_POINTS) observed = VM_FABS(samples[i].x);
         error = VM_FABS(law(samples[i].t, ctx) / observed - 1);
-        if (error != error) return VM_NAN;
+        if (error != error || !VM_IS_FINITE(observed)) return VM_NAN;
         worst = vmi_larger(worst, error);
     }
     return worst;
@@ -12252,15 +12316,22 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_mass_law_values now = {0, 0, 0, 0};
-    const int status = vm_law_at((const vm_law *)e->ctx, t, &now.mass, &now.by_t);
+    const int status = vmi_law_at((const vm_law *)e->ctx, VM_BAD_MASS, t, &now.mass, &now.by_t);
     if (status) s->status = status;
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
+/* Whether a constructor made the law */
+VM_API int vmi_check_mass_of_time(const vm_effect *e)
+{
+    return ((const vm_law *)e->ctx)->derivatives ? VM_OK : VM_BAD_ARGUMENT;
+}
+
 /* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the one with
    which the body was made does not count. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law
-   stays the caller's and must stay where it is. VM_BAD_ARGUMENT at the start where law is NULL. A run ends where the
-   law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where that fails. */
+   stays the caller's and must stay where it is. VM_BAD_ARGUMENT at the start where law is NULL or no constructor
+   made it. A run ends where the law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where
+   that fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
@@ -12270,6 +12341,7 @@ VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, 
     e.p[VMI_MASS_U + 2] = u.z;
     e.p[VMI_MASS_REACTIVE] = reactive;
     e.order = VMI_ORDER_MASS_LAW;
+    e.check = vmi_check_mass_of_time;
     e.ctx = (void *)law;
     return e;
 }
@@ -12999,13 +13071,13 @@ VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 
 VM_API int vmi_scene_check_parameters(const vm_scene_body *b, const vm_effect *e)
 {
+    const int own = e->check ? (e->check)(e) : VM_OK;
     int k;
     for (k = 0; k < VM_LENGTH(e->p); k++)
-        if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
+        if (!VM_IS_FINITE(e->p[k])) return vmi_first_error(VM_NOT_FINITE, own);
     if (e->needs >= VMI_NEEDS_MASS_STATE && !b->mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->needs >= VMI_NEEDS_GROWING_BODY && !b->grows) return VM_DOES_NOT_GROW;
-    if (e->check) return (e->check)(e);
-    return VM_OK;
+    return own;
 }
 
 VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)

@@ -33,6 +33,12 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* x = 0 */
 };
 
+/* Whether the kind exists, and there may be `room` samples */
+VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
+{
+    return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
+}
+
 /* A search along a trajectory */
 typedef struct VM_TAG(vmi_sample_search) {
     vm_motion_function motion;
@@ -54,8 +60,8 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
    trajectory is evaluated every `step`, or a little less, and each change of sign located to an eps of t. step should
    be a small part of a period; it is negative where t1 < t0. The first `room` of them are written to samples, in the
    order of time. Returns the number of all, which may be larger than room, or a negative status: VM_BAD_ARGUMENT for
-   null pointers or an unknown kind, VM_NOT_FINITE for a step of 0 or of the wrong sign, for more than 2e9 steps, or
-   where the trajectory is not finite; what was found until then stands in samples. */
+   null pointers, an unknown kind or a negative room, VM_NOT_FINITE for a step of 0, of the wrong sign or infinite, for
+   more than 2e9 steps, or where the trajectory is not finite; what was found until then stands in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -63,8 +69,8 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     vmi_sample_search s;
     vm_real t = t0, here, intervals;
     long found = 0, i, last;
-    if (!motion || (room > 0 && !samples) || (kind != VM_TURNING_POINTS && kind != VM_ZERO_CROSSINGS))
-        return VM_BAD_ARGUMENT;
+    if (!motion || !vmi_samples_are_possible(kind, room, samples)) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(step)) return VM_NOT_FINITE;
     intervals = -VM_FLOOR(-(t1 - t0) / step);
     if (!(intervals >= 0) || !(intervals < most_steps)) return VM_NOT_FINITE;
     last = (long)intervals;
@@ -116,6 +122,7 @@ VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *bu
     vmi_step_motion m;
     vm_real length;
     if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;
+    if (!vmi_samples_are_possible(kind, room, samples)) return VM_BAD_ARGUMENT;
     length = s->t - s->t_old;
     if (length == 0) return 0;
     m.s = s;
@@ -127,18 +134,19 @@ VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *bu
 
 /* Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples.
    Observed is |x| for VM_TURNING_POINTS, |v| for VM_ZERO_CROSSINGS. law returns the amplitude or the largest velocity
-   at time t; ctx is handed to it. 0 for n = 0; NaN for null pointers, n < 0, or where law or a sample is NaN. */
+   at time t; ctx is handed to it. 0 for n = 0; NaN for null pointers, an unknown kind, n < 0, where
+   law is NaN, or where a sample is infinite or NaN. */
 VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
-    if (!samples || !law || n < 0) return VM_NAN;
+    if (!samples || !law || !vmi_samples_are_possible(kind, n, samples)) return VM_NAN;
     vm_real worst = 0;
     long i;
     for (i = 0; i < n; i++) {
         vm_real observed = VM_FABS(samples[i].v), error;
         if (kind == VM_TURNING_POINTS) observed = VM_FABS(samples[i].x);
         error = VM_FABS(law(samples[i].t, ctx) / observed - 1);
-        if (error != error) return VM_NAN;
+        if (error != error || !VM_IS_FINITE(observed)) return VM_NAN;
         worst = vmi_larger(worst, error);
     }
     return worst;

@@ -62,22 +62,15 @@ typedef struct VM_TAG(vmi_forced_parameters) {
    in the order of base/status.h. */
 VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n)
 {
+    const vm_real numbers[3] = {f->alpha, f->damping, f->reactive};
     vm_real force_rate;
-    const int mass = vmi_law_at(&f->mass, VM_BAD_MASS, t, &n->mass, &n->mass_rate);
-    const int stiffness = vmi_law_at(&f->stiffness, VM_BAD_STIFFNESS, t, &n->k, &n->k_rate);
-    const int frequency = vmi_law_at(&f->frequency, VM_DOMAIN, t, &n->nu, &n->nu_rate);
-    const int force = vmi_law_at(&f->force, VM_OK, t, &n->force, &force_rate);
-    if (mass == VM_BAD_ARGUMENT || stiffness == VM_BAD_ARGUMENT || frequency == VM_BAD_ARGUMENT ||
-        force == VM_BAD_ARGUMENT)
-        return VM_BAD_ARGUMENT;
-    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE ||
-        !VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive))
-        return VM_NOT_FINITE;
-    if (mass) return mass;
-    if (stiffness) return stiffness;
-    if (frequency) return frequency;
-    if (!(f->alpha >= 0)) return VM_DOMAIN;
-    return force;
+    int status = vmi_law_at(&f->mass, VM_BAD_MASS, t, &n->mass, &n->mass_rate);
+    status = vmi_first_error(status, vmi_law_at(&f->stiffness, VM_BAD_STIFFNESS, t, &n->k, &n->k_rate));
+    status = vmi_first_error(status, vmi_law_at(&f->frequency, VM_DOMAIN, t, &n->nu, &n->nu_rate));
+    status = vmi_first_error(status, vmi_law_at(&f->force, VM_OK, t, &n->force, &force_rate));
+    if (!vmi_all_finite(3, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (f->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
+    return status;
 }
 
 /* The Fourier coefficients of ca and sa, within 8 eps. Those of ca are
@@ -235,12 +228,11 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
     vmi_forced_parameters n;
-    const int status = vmi_forced_at(f, t, &n);
+    int status = vmi_forced_at(f, t, &n);
     const vm_real theta = motion[2];
     vm_real exact, A, phi;
     int i;
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!vmi_all_finite(3, motion)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
     phi *= VM_PI / f->pi;
@@ -260,11 +252,10 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
     vmi_forced_parameters n;
-    const int status = vmi_forced_at(f, t, &n);
+    int status = vmi_forced_at(f, t, &n);
     const vm_real theta = y[2], phi = y[1] + theta;
     vm_real A, r[3];
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!vmi_all_finite(3, y)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(3, y)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     A = y[0] + vmi_forced_ripple(f, &n, y[0], phi, theta);
     if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;

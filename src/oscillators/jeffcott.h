@@ -20,6 +20,7 @@
 #define VARMASS_OSCILLATORS_JEFFCOTT_H
 
 #include "../ateb/phase.h"
+#include "../base/arrays.h"
 #include "../base/complex.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
@@ -65,11 +66,14 @@ enum {
 
 /* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness.
    power_force points to a vm_power_force. Returns N/m, writes the derivative, N/m^2. Within some eps. NaN for null
-   pointers and rho < 0. */
+   pointers, rho < 0, and an alpha that is negative or infinite. k may have any sign: what uses the stiffness judges
+   it. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
 {
     if (!slope || !power_force) return VM_NAN;
     const vm_power_force *p = (const vm_power_force *)power_force;
+    *slope = VM_NAN;
+    if (!(p->alpha >= 0) || !VM_IS_FINITE(p->alpha)) return VM_NAN;
     *slope = 0;
     if (p->alpha != 1) *slope = p->k * (p->alpha - 1) * vmi_pow_checked(rho, p->alpha - 2);
     return p->k * vmi_pow_checked(rho, p->alpha - 1);
@@ -101,6 +105,13 @@ VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real
     return r->stiffness(rho, slope, r->stiffness_ctx);
 }
 
+/* The mass and its rate at time t, and whether the rotor has a stiffness */
+VM_API int vmi_jeffcott_mass_at(const vm_jeffcott *r, vm_real t, vm_real *mass, vm_real *rate)
+{
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    return vmi_law_at(&r->mass, VM_BAD_MASS, t, mass, rate);
+}
+
 /* F_z + r m' u: the loads that do not depend on the disc's velocity through g or r */
 VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
@@ -125,8 +136,7 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
     const vm_complex z = vmi_complex(y[0], y[1]), v = vmi_complex(y[2], y[3]);
     vm_real mass, rate, stiffness, slope;
     vm_complex force;
-    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    const int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
     force = vmi_jeffcott_loads(r, t, rate, z, v);
@@ -149,8 +159,7 @@ typedef struct VM_TAG(vmi_jeffcott_state) {
 VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
     vm_real stiffness, slope;
-    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &now->mass, &now->rate);
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    const int status = vmi_jeffcott_mass_at(r, t, &now->mass, &now->rate);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, 0, &slope);
     if (stiffness <= 0) return VM_BAD_STIFFNESS;
@@ -175,7 +184,8 @@ VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_rea
     vmi_jeffcott_state now;
     vm_complex turned, P, N;
     vm_real found[VMI_JEFFCOTT_SIZE];
-    const int status = vmi_jeffcott_now(r, t, &now);
+    int status = vmi_jeffcott_now(r, t, &now);
+    if (!VM_IS_FINITE(phi) || !vmi_all_finite(4, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
@@ -205,7 +215,8 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     vmi_jeffcott_state now;
     vm_complex z, v;
     vm_real joined[4];
-    const int status = vmi_jeffcott_now(r, t, &now);
+    int status = vmi_jeffcott_now(r, t, &now);
+    if (!vmi_all_finite(VMI_JEFFCOTT_SIZE, y)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_JEFFCOTT_PHI]), now.omega, &z, &v);
     joined[0] = z.re;
@@ -283,6 +294,7 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_jeffcott *r = (const vm_jeffcott *)rotor;
+    if (r->nodes < 0) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_nodes(r));
 }
 
@@ -336,8 +348,9 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 {
     vm_real mass, rate, stiffness, slope, W, S, growth;
     vm_complex load;
-    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
+    if (r->nodes < 0) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(r->gyro) || y[0] != y[0]) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, y[0], &slope);
     W = vmi_jeffcott_root(r->gyro, mass, stiffness, sense);

@@ -78,8 +78,8 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
     int status;
     if (!law->derivatives) return VM_BAD_ARGUMENT;
     status = vmi_law_derivatives(law, if_not_positive, 0, 1, 0, f);
-    if (!status) status = vmi_law_derivatives(law, if_not_positive, t, 1, 0, f);
-    if (!status && law->validate) status = law->validate(law, if_not_positive, t);
+    status = vmi_first_error(status, vmi_law_derivatives(law, if_not_positive, t, 1, 0, f));
+    if (law->validate) status = vmi_first_error(status, law->validate(law, if_not_positive, t));
     return status;
 }
 
@@ -116,15 +116,16 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative.
-   Within some 8 ulp. VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for t or
-   a result that is infinite or NaN, VM_BAD_MASS where f <= 0 at t, VM_DOMAIN for t outside a table or where the
-   function fails. Then f and rate are untouched. */
+   Within some 8 ulp. f may have any sign: a law does not know whether it is that of a mass. VM_BAD_ARGUMENT for null
+   pointers and for a law that no constructor made, VM_NOT_FINITE for t or a result that is infinite or NaN, VM_DOMAIN
+   where the law has no value: for t outside a table, for a power law where 1 + f1 t <= 0, and where the function fails.
+   Then f and rate are untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
     int status;
     if (!f || !rate) return VM_BAD_ARGUMENT;
-    status = vmi_law_at(law, VM_BAD_MASS, t, &value, &slope);
+    status = vmi_law_at(law, VM_OK, t, &value, &slope);
     if (status) return status;
     *f = value;
     *rate = slope;
@@ -270,7 +271,7 @@ VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
     (void)side;
     (void)step;
-    if (!(base > 0)) return VM_BAD_MASS;
+    if (base <= 0) return VM_BAD_MASS;
     f[0] = law->f0 * vmi_pow_checked(base, law->f2);
     f[1] = law->f2 * relative_rate * f[0];
     f[2] = (law->f2 - 1) * relative_rate * f[1];
@@ -347,8 +348,8 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     vm_real length, u, chord, slope0, slope1, b, c;
     int i;
     (void)step;
-    if (law->n < 2 || !law->time || !law->value) return VM_BAD_ARGUMENT;
-    if (!(t >= law->time[0] && t <= law->time[law->n - 1])) return VM_DOMAIN;
+    if (!(t >= law->time[0] && t <= law->time[law->n - 1]))
+        return vmi_all_finite(law->n, law->time) ? VM_DOMAIN : VM_NOT_FINITE;
     i = vmi_law_interval(law, t, side);
     length = law->time[i + 1] - law->time[i];
     u = t - law->time[i];
@@ -377,7 +378,8 @@ VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_rea
     return VM_OK;
 }
 
-/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics.
+/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. A table of fewer points, or of a null pointer,
+   is no law: all functions refuse it with VM_BAD_ARGUMENT.
    Times (s) rise; a call's t must lie between the first and the last. Between its points a cubic with the slopes of
    Fritsch and Butland neither overshoots nor rings; its second derivative jumps at the points. */
 VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
@@ -386,7 +388,7 @@ VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
     law.n = n;
     law.time = time;
     law.value = value;
-    law.derivatives = vmi_law_table_derivatives;
+    if (n >= 2 && time && value) law.derivatives = vmi_law_table_derivatives; /* else there is no law */
     law.validate = vmi_law_table_validate;
     return law;
 }
@@ -412,7 +414,6 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
     int i;
     (void)side;
     f[2] = 0;
-    if (!law->function) return VM_BAD_ARGUMENT;
     if (law->function(t, &f[0], &f[1], law->ctx)) return VM_DOMAIN;
     if (step == 0) return VM_OK;
     for (i = 0; i < 2; i++)
@@ -432,7 +433,8 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
     return VM_OK;
 }
 
-/* Law by a function of the user, which must be smooth.
+/* Law by a function of the user, which must be smooth. A null function makes no law: all functions refuse it with
+   VM_BAD_ARGUMENT.
    ctx is passed on to the function. Integrals along the law evaluate the function at 20 points in each panel of
    time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2)
    is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time to that
@@ -443,7 +445,7 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
     vm_law law = vmi_law_of(0, 0, 0);
     law.function = function;
     law.ctx = ctx;
-    law.derivatives = vmi_law_user_derivatives;
+    if (function) law.derivatives = vmi_law_user_derivatives; /* else there is no law */
     law.validate = vmi_law_user_validate;
     return law;
 }

@@ -48,14 +48,13 @@ enum {
    right-hand side gives no state: a trial step of an integrator may overflow, and is then repeated. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
-    const int status = vmi_law_at(&p->mass, VM_BAD_MASS, t, mass, rate);
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive)) return VM_NOT_FINITE;
-    if (state_or_NULL && !vmi_all_finite(4, state_or_NULL)) return VM_NOT_FINITE;
-    if (status) return status;
-    if (!(p->k > 0)) return VM_BAD_STIFFNESS;
-    if (!(p->alpha >= 0)) return VM_DOMAIN;
-    return VM_OK;
+    const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
+    int status = vmi_law_at(&p->mass, VM_BAD_MASS, t, mass, rate);
+    if (!vmi_all_finite(3, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (state_or_NULL && !vmi_all_finite(4, state_or_NULL)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (p->k <= 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
+    if (p->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
+    return status;
 }
 
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87. y = (x, y, x', y'), m and m/s; pair points to a

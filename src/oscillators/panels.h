@@ -186,7 +186,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 {
     vm_real sum;
     int status;
-    if (!law || !integral) return VM_BAD_ARGUMENT;
+    if (!law || !law->derivatives || !integral) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     status = vmi_law_check(law, VM_BAD_MASS, t);
     if (status) return status;

@@ -14,6 +14,7 @@
 
 #include "../ateb/period.h"
 #include "../ateb/plans.h"
+#include "../base/arrays.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
@@ -203,18 +204,23 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
+/* Whether mass and stiffness are positive between 0 and t: see vmi_law_check */
+VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
+{
+    return vmi_first_error(vmi_law_check(&o->mass, VM_BAD_MASS, t),
+                           vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
+}
+
 /* The problem's numbers, checked, and its laws at t = 0 */
 VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real *stiffness)
 {
+    const vm_real numbers[5] = {o->alpha, o->reactive, o->damping, o->x, o->v};
     vm_real unused;
-    int status;
-    if (!VM_IS_FINITE(o->alpha) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping)) return VM_NOT_FINITE;
-    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v)) return VM_NOT_FINITE;
-    status = vmi_law_check(&o->mass, VM_BAD_MASS, 0);
-    if (!status) status = vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, 0);
+    int status = vmi_osc_check_laws(o, 0);
+    if (!vmi_all_finite(5, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (o->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
     if (!status) status = vmi_law_at(&o->mass, VM_BAD_MASS, 0, mass, &unused);
     if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, 0, stiffness, &unused);
-    if (!status && o->alpha < 0) return VM_DOMAIN;
     return status;
 }
 

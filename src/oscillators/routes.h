@@ -108,17 +108,24 @@ VM_API const char *vm_osc_route_name(int route) { return vmi_osc_route_of(route)
 
 /* -- One route -- */
 
-/* Checks what all calls share, and puts the default for a tolerance of 0 */
-VM_API int vmi_osc_check_call(const vm_osc_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
+/* Checks the arguments that all calls share, but for the problem */
+VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, const vm_osc_motion *motion)
 {
-    int status;
-    if (!p || !motion) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
+    if (!motion || route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(tolerance)) return VM_NOT_FINITE;
+    if (tolerance < 0) return VM_DOMAIN;
+    return VM_OK;
+}
+
+/* Checks what all calls with a plan share, and puts the default for a tolerance of 0 */
+VM_API int vmi_osc_check_call(const vm_osc_plan *p, int route, vm_real t, vm_real *tolerance,
+                              const vm_osc_motion *motion)
+{
+    const int status = vmi_osc_check_arguments(route, t, *tolerance, motion);
+    if (!p) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return status;
     if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
-    status = vmi_law_check(&p->problem.mass, VM_BAD_MASS, t);
-    if (!status) status = vmi_law_check(&p->problem.stiffness, VM_BAD_STIFFNESS, t);
-    if (!status && *tolerance < 0) return VM_DOMAIN;
-    return status;
+    return vmi_first_error(status, vmi_osc_check_laws(&p->problem, t));
 }
 
 /* The motion of a body at rest at x = 0: none, unless a force starts one, of which no route knows */
@@ -148,9 +155,8 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
     vmi_osc_route entry;
     vmi_osc_mean mean;
     vmi_osc_wave w;
-    int status = vmi_osc_check_call(p, t, &tolerance, motion);
+    int status = vmi_osc_check_call(p, route, t, &tolerance, motion);
     if (status) return status;
-    if (route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
     entry = vmi_osc_route_of(route);
     if (p->problem.force && !entry.method.rhs) return VM_NO_LAW;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
@@ -188,7 +194,7 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;
-    int route, status = vmi_osc_check_call(p, t, &tolerance, motion);
+    int route, status = vmi_osc_check_call(p, VM_ROUTE_TRIG, t, &tolerance, motion);
     if (status) return status;
     if (p->A == 0) return vmi_osc_at_rest(p, VM_ROUTE_TRIG, motion);
     if (p->problem.force) return vmi_osc_integrate_within(p, t, tolerance, motion);
@@ -224,7 +230,8 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
                            vm_osc_motion *motion)
 {
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, &plan);
+    int status = vmi_osc_check_arguments(route, t, tolerance, motion);
+    status = vmi_first_error(status, vmi_osc_once(problem, &plan));
     if (status) return status;
     return vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
@@ -235,7 +242,8 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, &plan);
+    int status = vmi_osc_check_arguments(VM_ROUTE_TRIG, t, tolerance, motion);
+    status = vmi_first_error(status, vmi_osc_once(problem, &plan));
     if (status) return status;
     return vm_osc_plan_within(&plan, t, tolerance, motion);
 }

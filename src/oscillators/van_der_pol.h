@@ -19,6 +19,7 @@
 #define VARMASS_OSCILLATORS_VAN_DER_POL_H
 
 #include "../ateb/beta.h"
+#include "../base/arrays.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
@@ -60,18 +61,26 @@ VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
     v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
 }
 
+/* Whether the numbers of a Van der Pol oscillator are in their domains */
+VM_API int vmi_vdp_check(const vm_vdp *v)
+{
+    const vm_real numbers[5] = {v->alpha, v->k, v->feed, v->c, v->reactive};
+    if (!vmi_all_finite(5, numbers)) return VM_NOT_FINITE;
+    if (v->k <= 0) return VM_BAD_STIFFNESS;
+    if (v->alpha < 0) return VM_DOMAIN;
+    return VM_OK;
+}
+
 /* Prepare a Van der Pol oscillator: checks alpha, k, feed, c, reactive and method, writes a1, a2, a3.
    The functions below need it; the mass may be set and changed later. Mean values are within 20 eps. VM_BAD_ARGUMENT
    for a null pointer or an unknown method, VM_NOT_FINITE, VM_BAD_STIFFNESS where k <= 0, VM_DOMAIN where alpha < 0;
    then v is left as it was. (411)-(413). */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
+    int status;
     if (!v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(v->alpha) || !VM_IS_FINITE(v->k) || !VM_IS_FINITE(v->feed) || !VM_IS_FINITE(v->c) ||
-        !VM_IS_FINITE(v->reactive))
-        return VM_NOT_FINITE;
-    if (!(v->k > 0)) return VM_BAD_STIFFNESS;
-    if (!(v->alpha >= 0)) return VM_DOMAIN;
+    status = vmi_vdp_check(v);
+    if (status) return status;
     v->a1 = 1;
     v->a2 = 2 / (v->alpha + 3);
     if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
@@ -107,7 +116,8 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     if (!v) return VM_NAN;
     vmi_linear_mass m;
     vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
-    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
+    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !(v->a1 > 0)) return VM_NAN;
+    if (vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
         (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
     e = vmi_exp(-VM_FABS(F), 0);
@@ -150,13 +160,14 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
    y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where no constructor made the
-   mass, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN for t outside a table; these statuses stop the run. */
+   mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0 or t is outside a table; these statuses
+   stop the run. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate, feed;
-    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
+    const int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate), vmi_vdp_check(v));
     if (status) return status;
     feed = vmi_van_der_pol_feed(v->feed, v->c, y[0]) - v->reactive * rate;
     dydt[0] = y[1];
@@ -173,7 +184,7 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate;
-    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
+    const int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate), vmi_vdp_check(v));
     if (status) return status;
     dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
     dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
