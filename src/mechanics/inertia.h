@@ -71,8 +71,7 @@ VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
     return t;
 }
 
-/* The sizes of the terms whose sums are the entries of m^T i m. The rounding error of an entry is some eps times
-   the size of its terms. */
+/* The sizes of the terms whose sums are the entries of m^T i m. An entry's rounding error is some eps of its terms. */
 VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -223,8 +222,8 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have these moments: none is larger than the sum of the other two, to within slack
-   (kg m^2). No moment is then below -slack. */
+/* Returns 1 if a body can have these moments: none is larger than the sum of the other two, to within slack (kg m^2).
+   No moment is then below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
@@ -297,8 +296,7 @@ typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
-/* Computes the factors f of the tensor i. Returns 0 if a pivot is not positive or is lost in its rounding errors,
-   else 1. */
+/* Computes the factors f of i. Returns 0 if a pivot is not positive or is lost in its rounding errors, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -325,9 +323,9 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
-/* Decides for thin bodies what vmi_running_inertia_is_possible returns. For a flat body one moment equals the sum
-   of the other two, except for the roundings of all steps. The slack of sqrt(eps) leaves room for some 1/sqrt(eps)
-   roundings. */
+/* Decides for thin bodies what vmi_running_inertia_is_possible returns. For a flat body one moment equals the sum of
+   the other two, except for the roundings of all steps. The slack of sqrt(eps) leaves room for some 1/sqrt(eps) of
+   them. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
