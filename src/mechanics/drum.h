@@ -64,8 +64,7 @@ enum {
 };
 
 /* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b). With ' = d/dphi, x satisfies
-     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213), and y the same equation with mu v/(M0 Omega_b) on the right (214).
-   */
+     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213); y has mu v/(M0 Omega_b) on the right instead of 0 (214) */
 typedef struct VM_TAG(vm_drum_shaft) {
     vm_real k;     /* frequency over angular velocity, sqrt(c/M0)/Omega_b, a pure number */
     vm_real delta; /* damping (mu/M0 + e/(J0 Omega_b) - j/J0)/2, 1/rad, corrected */
