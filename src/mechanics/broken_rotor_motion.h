@@ -261,8 +261,9 @@ VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_rea
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
    t may have any sign. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may be start. damping and
-   stiffness may be 0. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a
-   negative stiffness, VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
+   stiffness may be 0. The error is at most the change that rounding every input, t included, would make. Returns
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
+   VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
