@@ -74,12 +74,12 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its psi is that of the rest */
     vm_real dragging;                      /* speed v_S2d of S2 before the break (52), (61), m/s */
-    vm_real gamma;                         /* angle of S2's velocity from SA (52), (60), rad; S may move, too */
+    vm_real gamma;                         /* angle of S2's velocity from SA (52), (60), rad; also if S moves */
     vm_real beta;                          /* angle of S2A from SA, rad [(56) corrected]:
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
     vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
-    vm_real tangential;                    /* its component T = v_S2d sin(gamma - beta) across S2A, counterclockwise,
-                                              m/s [(55) with the opposite sign] */
+    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity across S2A,
+                                              counterclockwise, m/s [(55) with the opposite sign] */
     vm_real spin_piece;                    /* the piece's spin relative to the whole, rad/s:
                                               Omega_r = T/AS2 (57), (63) */
     vm_real spin_rest;                     /* Omega_r1, the rest's spin relative to the whole, rad/s [(58) corrected]:
