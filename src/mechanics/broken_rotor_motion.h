@@ -230,7 +230,7 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
     else vmi_broken_rotor_follow(t, &a, &g, z);
     x0 = start[VM_BROKEN_ROTOR_X];
     vx0 = start[VM_BROKEN_ROTOR_V];
-    y[VM_BROKEN_ROTOR_X] = x0 * g.c + (vx0 * g.s_w - a.s * g.c1); /* (70) */
+    y[VM_BROKEN_ROTOR_X] = x0 * g.c + (vx0 * g.s_w - a.s * g.c1); /* the solution (70) */
     y[VM_BROKEN_ROTOR_V] = vx0 * g.c - g.w_s * (x0 + a.s);
     y[VM_BROKEN_ROTOR_X + 1] = z[VMI_BROKEN_ROTOR_Y];
     y[VM_BROKEN_ROTOR_ANGLE] = z[VMI_BROKEN_ROTOR_PSI];

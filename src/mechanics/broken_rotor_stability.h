@@ -48,7 +48,7 @@ VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_re
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
     detuning = vmi_broken_rotor_detuning(rotor, Omega);
     if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
-    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2 < 1: mass Omega^2 overflows */
+    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; mass Omega^2 overflows */
     return -rotor->s * (share / (1 - share));
 }
 

@@ -80,7 +80,7 @@ VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm
     return radius * thickness * width * density;
 }
 
-/* What the equations of motion need of the drum at the angle phi */
+/* Mass and inertia of the drum at the angle phi, as the equations of motion need them */
 typedef struct VM_TAG(vmi_drum_mass) {
     vm_real M;       /* mass, kg */
     vm_real J;       /* inertia about the axle, kg m^2 */

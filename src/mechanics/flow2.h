@@ -108,7 +108,7 @@ typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real inertia; /* sum of M' (kappa + d^2) */
 } vmi_stream_sum2;
 
-/* Adds a stream of known motion to the sums */
+/* Adds a stream, whose `motion` exists, to the sums */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);

@@ -198,9 +198,9 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(rest_omega)) return VM_NOT_FINITE;
     b = *part;
-    dx = b.x - whole->x; /* SS2 */
+    dx = b.x - whole->x; /* the vector SS2 */
     dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy; /* v_r = 0 */
+    b.vx = whole->vx - whole->omega * dy; /* the part moves as the whole does: v_r = 0 */
     b.vy = whole->vy + whole->omega * dx;
     parts = vmi_bodies_in_plane(1, &b);
     status = vmi_check_jump2(whole, &parts, external_or_NULL);

@@ -28,7 +28,7 @@
    moves and turns with any angular velocity Omega, if all omegas and v2 - v are taken relative to this frame, (42) in
    space. The frame is chosen so that the terms that cancel are small and few digits are lost: it moves with the
    heaviest body, and at a separation it turns with the whole. */
-enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* values of sign */
+enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of the parameters `sign` */
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
@@ -42,7 +42,7 @@ typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
     vm_vec3 r, v;       /* position of the mass centre and its velocity, less r and v of the frame */
     vm_vec3 h;          /* angular momentum relative to the frame, I (omega - Omega), inertial axes */
-    vm_inertia inertia; /* about the mass centre, along the frame's axes q */
+    vm_inertia inertia; /* inertia about the lump's mass centre, along the axes of the frame's q */
     vm_inertia sizes;   /* the sizes of the terms whose sums are the entries of inertia */
     vm_real noise;      /* the size of the terms that cancel in h: the error of h is some eps of noise */
 } vmi_lump;

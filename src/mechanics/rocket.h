@@ -58,7 +58,7 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
     vm_two l;
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
     if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(w)) return VM_NAN;
-    if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact */
+    if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact here */
     else l = vmi_two_plus(vmi_log(m), vmi_minus(vmi_log(m0)));
     return v0 + w * l.hi;
 }

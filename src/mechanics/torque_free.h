@@ -189,7 +189,7 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     *sign = 1;
     if (mean.hi > 0) {
         F = vmi_two_over(vmi_two_times(F, mean), vmi_torque_free_two_pi());
-        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* 2K - F */
+        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* u is 2K - F */
     } else if (axes->w1.hi < 0) *sign = -1;
     return vmi_two_shifted(F, forward * *sign);
 }
@@ -316,7 +316,7 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
         turns = v.hi;
     }
     if (v.hi * v.hi > VMI_NEAR) theta = vmi_theta_far(&motion->far_form, 0, v);
-    else theta = vmi_theta_near(v.hi, motion->m1); /* NaN too */
+    else theta = vmi_theta_near(v.hi, motion->m1); /* also for NaN */
     theta = vmi_theta_shift(theta, motion->far_form.kp, (vmi_bits)((quarters + 2 * half_turns) & 3));
     vmi_theta_ratios(theta, motion->far_form.kp, sn, cn, dn);
     return turns;
