@@ -207,8 +207,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
-    /* h is the angular momentum that the two spins leave for v_r = c k x SS2 (k: unit vector of z), whose angular
-       momentum is m M/M1 SS2 x v_r, with the masses m of the part, M of the whole and M1 of the rest */
+    /* The angular momentum h that the spins of part and rest leave must be m M/M1 SS2 x v_r, that of v_r = c k x SS2.
+       M, m, M1 are the masses of whole, part and rest, and k is the unit vector of z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
     b.vx -= c * dy;

@@ -418,7 +418,7 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
     return vmi_torque_free_start(motion, &body, 1, t0);
 }
 
-/* Attitude and angular velocity of a torque-free body at the time t (s), which may be earlier than t0. *omega is
+/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega is
    along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1 if it was all zero). Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
    is above 1e290 (float 1e30), and VM_OK otherwise. With an error *q and *omega stay unchanged. Beyond 1/eps^2 turns
@@ -442,7 +442,7 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     return VM_OK;
 }
 
-/* A torque-free body at the time t (s), which may be earlier than t0. Attitude and omega are those of
+/* A torque-free body at the time t (s). t may be later or earlier than t0. Attitude and omega are those of
    vm_torque_free_attitude, but omega is along inertial axes. The mass centre is on its straight line. The statuses
    are those of vm_torque_free_attitude; with an error *body stays unchanged. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
