@@ -4422,7 +4422,7 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* Returns kappa, the mean rate of h. Sets *mean to agm(1, k'), which is 0 on the separatrix. */
+/* Returns kappa, the mean rate of h in (B). Sets *mean to agm(1, k'), k'^2 = 1 - m, which is 0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
@@ -4439,8 +4439,8 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(twice, VM_C(0.5));
 }
 
-/* Returns u at t0, divided by 4K where mean > 0, from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Sets *sign to the sign
-   of cn on the separatrix, where u does not contain it, else to 1. */
+/* Returns the argument u of (A) at t0, divided by 4K where mean > 0, from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Sets
+   *sign to the sign of cn on the separatrix, where u does not contain it, else to 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -5114,7 +5114,7 @@ enum {
     VM_Y_MASS = 13,    /* mass, kg */
     VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
-    VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: momentum 3, angular momentum 3, energy 1 number */
+    VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
     VM_FLOW_GIVEN_STATES = 13,   /* for vm_flow_given_rhs, vm_flow_carried_rhs: flow.update gives the mass data */
     VM_FLOW_STATES = 23,         /* for vm_flow_rhs: mass, centre and inertia are states */
     VM_FLOW_BALANCED_STATES = 30 /* for vm_flow_balanced_rhs: the states of vm_flow_rhs and the balance */

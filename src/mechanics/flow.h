@@ -58,7 +58,7 @@ enum {
     VM_Y_MASS = 13,    /* mass, kg */
     VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
-    VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: momentum 3, angular momentum 3, energy 1 number */
+    VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
     VM_FLOW_GIVEN_STATES = 13,   /* for vm_flow_given_rhs, vm_flow_carried_rhs: flow.update gives the mass data */
     VM_FLOW_STATES = 23,         /* for vm_flow_rhs: mass, centre and inertia are states */
     VM_FLOW_BALANCED_STATES = 30 /* for vm_flow_balanced_rhs: the states of vm_flow_rhs and the balance */

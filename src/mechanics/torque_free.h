@@ -159,7 +159,7 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* Returns kappa, the mean rate of h. Sets *mean to agm(1, k'), which is 0 on the separatrix. */
+/* Returns kappa, the mean rate of h in (B). Sets *mean to agm(1, k'), k'^2 = 1 - m, which is 0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
@@ -176,8 +176,8 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(twice, VM_C(0.5));
 }
 
-/* Returns u at t0, divided by 4K where mean > 0, from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Sets *sign to the sign
-   of cn on the separatrix, where u does not contain it, else to 1. */
+/* Returns the argument u of (A) at t0, divided by 4K where mean > 0, from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Sets
+   *sign to the sign of cn on the separatrix, where u does not contain it, else to 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
