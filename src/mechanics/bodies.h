@@ -146,15 +146,6 @@ VM_API int vmi_impulse_is_finite(const vm_impulse *j)
     return vmi_vec3_is_finite(j->linear) && vmi_vec3_is_finite(j->couple) && vmi_vec3_is_finite(j->at);
 }
 
-/* Returns the more important one of two statuses. Every error comes before VM_OK. The order of errors is
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, in which their numbers fall. */
-VM_API int vmi_first_error(int a, int b)
-{
-    if (a == VM_OK) return b;
-    if (b == VM_OK) return a;
-    return a > b ? a : b;
-}
-
 /* Checks a body of space. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_API int vmi_check_body(const vm_body *b)
 {

@@ -129,15 +129,17 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
 }
 
 /* Writes the rates q' = A^-1 (pi - b) of the state y into the work. Returns VM_SINGULAR if A is not positive
-   definite, else VM_OK. */
+   definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
-    int k;
+    int k, status;
     vmi_lagrange_freeze(system, t, y);
     vmi_lagrange_quadratic(system, t, y);
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
-    return vmi_solve_mass(system->n, w.A, w.rates, w.trial);
+    status = vmi_solve_mass(system->n, w.A, w.rates, w.trial);
+    if (status && !(VM_IS_FINITE(t) && vmi_all_finite(2 * system->n, y))) return VM_NOT_FINITE;
+    return status;
 }
 
 /* The derivative dT/dq_i with the masses in the work, by a central difference of order 6 with the step h. Its error
@@ -173,8 +175,8 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 /* Right-hand side of Lagrange's equations with variable mass (247).
    An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns 0; or
    VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite (for example because a mass has become
-   negative), or the number that system->forces returns, each of which ends the run. An event should stop the run
-   before. The number of calls of system->energy grows with n^2. */
+   negative), VM_NOT_FINITE if the reason is that t or y is not finite, or the number that system->forces returns, each
+   of which ends the run. An event should stop the run before. The number of calls of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
