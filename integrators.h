@@ -23,31 +23,31 @@
      rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
             time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
-            and none for the solution between steps. It is the method to begin with, and the best one in float, for an
-            f that is not smooth, for loose tolerances, for many events and for output at many times.
+            and none for the solution between steps. Begin with this method. It is also the best one in float,
+            for an f that is not smooth, for loose tolerances, for many events and for output at many times.
      rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside it
             is asked for. It is the fastest for a smooth f in double. Its roundings are larger: rtol is at least
             256 eps, so that it has no use in float.
-     None of them is meant for stiff equations, which want an implicit method; rk45 and rk87 tell when an equation looks
-     stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
+     None of these methods is meant for stiff equations, which need an implicit method; rk45 and rk87 report an equation
+     that looks stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
 
    CONVENTIONS
      The right-hand side f gets t, the n numbers y, room for the n derivatives, and the caller's pointer ctx. It returns
      0, or any other number to stop the run. t may run backward. All times and steps have the unit of t.
      The caller owns the memory: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
-     rk45 does. An rk45, its work and its events are all the state there is. An rk87 is an rk45 that rk87_init made; the
-     functions of the other method refuse it.
+     rk45 does. An rk45, its work and its events hold the whole state of a run. An rk87 is an rk45 that rk87_init made;
+     the functions of the other method refuse it.
 
    STEP SIZE CONTROL
      The difference of the pair's two orders is the estimate of the error; the run goes on with the higher order. A step
      is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component i. PI control
      chooses the next step. Its size stays the same after an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
      The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
-     A zero in rk45_options means the default, and a negative tolerance means none. rk45_defaults() fills in the
-     defaults.
+     A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in
+     the defaults.
      No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
-     misses the tolerance, the run takes the cause to be a jump of f: it accepts the step, counts it in s.missed, and
-     goes on behind the jump. If another such step misses before three steps have kept the tolerance, f is singular
+     misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
+     the jump. If another such step misses before three steps have kept the tolerance, f is singular
      there, or too stiff for t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other directly,
      in one call of rk45_solve without events, both are dropped, so that s.t and s.y are where the trouble begins.
 
@@ -67,8 +67,8 @@
      or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
      happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
      motion that is reversed on contact does not touch twice.
-     Two zeros between two looks at g are not seen, nor is any even number. Set `checks` to look more often, or a
-     smaller h_max.
+     Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
+     h_max makes evaluations more frequent.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH
      The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
@@ -80,23 +80,24 @@
 
    STATUS
      0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
-     an error s.t and s.y are those of the last accepted step, also if f itself refused (its value is in s.rhs_status).
-     Where f or the state is not finite the step is shortened until it is too small, so that a run ends next to the
-     place where f ceases to exist. A call that refuses its arguments changes nothing.
+     an error s.t and s.y are those of the last accepted step, also if f itself refused (the value that f returned
+     is in s.rhs_status). Where f or the state is not finite, the step is shortened until it is too small, so that a run
+     ends next to the place where f ceases to exist. A call that refuses its arguments changes nothing.
 
    SPEED
-     f is inlined, and the state is in registers, where f is static, n <= 8 is a constant, and the same function calls
-     rk45_init, looks at its status, and calls rk45_solve. Where the compiler cannot see which f and n s has, name them
-     once more: rk45_solve_with. Otherwise f is called through a pointer, and the state is in work.
+     The compiler inlines f and keeps the state in registers if f is static, n <= 8 is a constant, and one function
+     calls rk45_init, tests its status, and calls rk45_solve. Where the compiler cannot see which f and n belong to s,
+     name them once more: rk45_solve_with. Otherwise f is called through a pointer, and the state is in work.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
      VM_INLINE            linkage of what has to be inlined for speed; VM_API makes smaller code with the same results
-     VM_SQRT, VM_FABS     the functions of the C library that are used (all of the shared block's, if any)
+     VM_SQRT, VM_FABS     the functions of the C library that are used; define these two and VM_FLOOR and
+                          VM_COPYSIGN, or none of the four
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
                           and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where the checks for NaN do not work
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although the checks for NaN do not work then
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -120,7 +121,7 @@
 
    INDEX
      base/self_check: whether this compiler and this processor compute as varmass needs
-       vm_self_check                  1 where the compiler and the processor compute as varmass needs, else 0
+       vm_self_check                  Returns 1 if the compiler and the processor compute as varmass needs, else 0
 
      integrators/ode: ordinary differential equations y' = f(t, y): right-hand sides and statuses
        ode_strerror                   The text of a status of this header
@@ -149,7 +150,7 @@
 
 /* base/real.h - the number type, the macros that a user may set, the functions of the C library
 
-   Everything else is built on this file. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
+   All other files are built on this one. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
    each macro that the user has not set its default, refuses compilers whose options change the values of results, and
    names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
 
@@ -184,7 +185,7 @@
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* slower, with the same results */
+#define VM_INLINE VM_API /* slower than with inlining, with the same results */
 #endif
 
 #ifdef VM_USE_FLOAT
@@ -233,7 +234,7 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
-#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* here gcc compiles "x = copysign(x, y)" to x = y */
+#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* for this processor gcc compiles "x = copysign(x, y)" to x = y */
 #else
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)((vm_real)(x), (vm_real)(y))
 #endif
@@ -244,7 +245,7 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
-/* |x| with the sign of y, which may be -0 */
+/* Returns |x| with the sign of y, which may be -0. */
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
     const int negative = y < 0 || (y == 0 && 1 / y < 0);
@@ -253,7 +254,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers; b where one of them is NaN */
+/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
@@ -281,8 +282,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps them in
-   variables. */
+/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps these
+   digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -293,7 +294,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* a + b as an exact pair (Knuth) */
+/* Returns the exact sum a + b as a pair (by Knuth). */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -304,7 +305,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a + b as an exact pair, for |a| >= |b| (Dekker) */
+/* Returns the exact sum a + b as a pair, for |a| >= |b| (by Dekker). */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -313,7 +314,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* The pair hi, lo as it is */
+/* Makes a pair from its words hi and lo, which are not changed. */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -336,7 +337,7 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
-/* Whether sums are computed in the order in which they are written, as arithmetic in two words needs, and whether
+/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if
    adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
@@ -351,8 +352,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
-   instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
+/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a
+   reciprocal instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -365,8 +366,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Whether sums next to 1 are rounded to the nearest number, in the middle between two to the even one, and are not
-   kept with more digits than vm_real has */
+/* Returns 1 if sums next to 1 are rounded to the nearest number (a sum in the middle between two numbers, to the even
+   one) and are not kept with more digits than vm_real has. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -375,7 +376,7 @@ VM_API int vmi_rounds(vm_real one, vm_real eps)
            minus_above + one == -eps;
 }
 
-/* Whether NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should */
+/* Returns 1 if NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should. */
 VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
 {
     const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
@@ -385,10 +386,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* 1 where the compiler and the processor compute as varmass needs, else 0: results would be wrong.
-   It returns
-   0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
-   processor takes subnormal numbers for zero. Call it once, when the program starts. */
+/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results are wrong.
+   This happens, for example, with options of clang that its macros do not show, with another rounding mode, or where
+   the processor takes subnormal numbers for zero. Call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
@@ -399,8 +399,9 @@ VM_API int vm_self_check(void)
 
 #endif
 /* base/arrays.h - loops over arrays of numbers
-   Whether all numbers of an array are finite, copies, and the loops over the components of a small state, which the
-   compiler unrolls where it knows the number n of components, so that they live in registers.
+   Two functions test an array for numbers that are not finite and copy an array. A macro writes the loops over the
+   components of a small state: the compiler unrolls them where it knows the number n of components, and then keeps
+   the components in registers.
 
        vm_real y[3] = {1, 2, 3}, z[3];
        if (vmi_all_finite(3, y)) vmi_copy(3, y, z);
@@ -409,7 +410,7 @@ VM_API int vm_self_check(void)
 #ifndef VARMASS_BASE_ARRAYS_H
 #define VARMASS_BASE_ARRAYS_H
 
-/* Whether none of the n numbers is infinite or NaN */
+/* Returns 1 if all n numbers are finite, and 0 if one of them is infinite or NaN. */
 VM_API int vmi_all_finite(int n, const vm_real *y)
 {
     int i;
@@ -418,7 +419,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
     return 1;
 }
 
-/* A loop `VMI_EACH(i, n) statement` over components, unrolled where the compiler knows n. */
+/* `VMI_EACH(i, n) statement` executes the statement for i = 0 ... n - 1. gcc unrolls this loop where it knows n. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
     !defined(__OPTIMIZE_SIZE__)
 #define VMI_UNROLL _Pragma("GCC unroll 16")
@@ -427,8 +428,8 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #endif
 #define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
 
-/* Systems of up to VMI_SMALL components, where the compiler knows n, are stepped in local arrays, others in the
-   caller's work. */
+/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL. An integrator then keeps a state of n
+   components in local arrays; otherwise it keeps the state in the caller's array `work`. */
 #define VMI_SMALL 8
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
@@ -436,7 +437,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #define VMI_IS_SMALL(n) 0
 #endif
 
-/* Copies n numbers; the arrays do not overlap, unless they are the same. */
+/* Copies n numbers. The arrays `from` and `to` must not overlap, but they may be one and the same array. */
 VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 {
     int i;
@@ -1050,15 +1051,15 @@ VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* bits of the mantissa that are stored */
-#define VMI_BIAS 1023     /* the stored exponent of the number 1 */
+#define VMI_STORED_DIG 52 /* number of bits of the mantissa that are stored */
+#define VMI_BIAS 1023     /* stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
 #define VMI_BIAS 127
 #endif
 
-/* The bits of x as an integer */
+/* Returns the bits of x as an integer. */
 VM_API vmi_bits vmi_to_bits(vm_real x)
 {
     vmi_bits bits;
@@ -1066,7 +1067,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
-/* The number that has these bits */
+/* Returns the number that has these bits. */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -1074,8 +1075,8 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* x 2^k, rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. The product
-   is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
+/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a
+   normal number. The product is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -1088,11 +1089,11 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* (y + y_lo) 2^k for y between 1/2 and 2, rounded only once, also where the result is subnormal */
+/* Returns (y + y_lo) 2^k for y between 1/2 and 2. The result is rounded only once, also where it is subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits. Adding a power of two to y removes the same digits with one rounding. */
+        /* A subnormal result has fewer digits. Adding and subtracting a power of two removes them with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -1102,7 +1103,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* The bits of a number as a signed integer, and the bits of the number 1 */
+/* The integer type for the bits of a number with a sign, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)

@@ -37,24 +37,24 @@
      Axes         r, v and omega are in inertial axes. The inertia tensor is about the body's own mass centre, in body
                   axes; its entries xy, xz, yz are those of the tensor, minus the integral of x y dm and so on. v is
                   momentum/mass.
-     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1; all zero means
-                  identity.
+     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1. A q of four zeros
+                  means that body axes and inertial axes coincide.
      Arguments    Functions of numbers take the variable first, then the parameters, results last. Functions of an
                   object take the object first, then the variable. A parameter that may be NULL is called ..._or_NULL.
      Laws         A mass, stiffness or damping that depends on time is a vm_law.
      Damping      damping > 0 takes energy out.
-     Streams      reactive = 1: mass that joins or leaves has an absolute velocity of its own (at rest if it is 0),
-                  and the full reactive force acts; reactive = 0: it has the body's velocity, and there is no reactive
-                  force.
+     Streams      reactive = 1: mass that joins or leaves has an absolute velocity of its own (0 means at rest), and
+                  the full reactive force acts. reactive = 0: this mass has the body's velocity, and no reactive
+                  force acts.
      Names        X_to_Y and X_from_Y convert. X_rhs is the right-hand side of the differential equations of X,
-                  X_averaged_rhs that of the averaged ones. A suffix 2 means the plane, 1 means one dimension. Names
-                  that begin with vmi_ or VMI_ are internal.
+                  X_averaged_rhs that of the averaged equations. A suffix 2 means the plane, 1 means one dimension.
+                  Names that begin with vmi_ or VMI_ are internal.
 
    ERRORS
      Functions that can fail return a status: 0 (VM_OK), a positive number (done, with a remark) or a negative one
-     (outputs are untouched). vm_strerror() explains it. The same mistake has the same status in every function;
-     base/status lists them. Functions that return a number return NaN outside their domain, for infinite arguments
-     too. Outputs may be the inputs.
+     (the outputs are untouched). vm_strerror() explains a status. The same mistake has the same status in every
+     function; base/status lists all statuses. Functions that return a number return NaN outside their domain and for
+     infinite arguments. Outputs may be the inputs.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -63,7 +63,7 @@
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where nothing is promised
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although no result is promised to be right then
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
@@ -72,30 +72,30 @@
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
      zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
 
-   ACCURACY, as promised and tested (make test); docs/measurements.md has what was measured
+   ACCURACY, as promised and tested (make test); docs/measurements.md has the measured errors
      Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
-                  sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that moves on as before leaves omega as
-                  it was.
+                  sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
+                  body does not change omega.
      Rotation     torque-free: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs taken as
                   exact.
      Streams      closed forms within a few eps; a body and everything it has shed keep momentum, angular momentum and
                   energy to the integrator's tolerance.
      Lambert's W  within 1 ulp. The drum on a rigid shaft: within 4 ulp.
-     Oscillators  every route returns an estimate of its whole error in the field error, or infinity where it knows
-                  nothing.
+     Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
+                  estimate is possible.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation.
-     Others stand where they are used.
+     Other sources are named in the chapters that use them.
 
    INDEX
      base/status: the statuses that functions return, and what each of them means
-       vm_strerror                    The meaning of a status as a line of text, which says what to do where it can
+       vm_strerror                    The meaning of a status as a line of text
 
      base/lambert: Lambert's function W
-       vm_lambert_w0                  Lambert's W, upper branch
-       vm_lambert_wm1                 Lambert's W, lower branch
-       vm_wright_omega                Wright's omega function
+       vm_lambert_w0                  Lambert's W_0(x), the upper branch
+       vm_lambert_wm1                 Lambert's W_-1(x), the lower branch
+       vm_wright_omega                Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l
        vm_lambert_w0_neg_exp          W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1
        vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
 
@@ -488,7 +488,7 @@ enum {
     VM_MASS_IS_NO_STATE = -15,   /* scenes: a stream acts on a body whose mass is not a state */
     VM_TOO_MANY_EVENTS = -16,    /* scenes: events follow each other without end */
     VM_BAD_OPTIONS = -17,        /* scenes: the integrator refuses its options */
-    VM_STEP_TOO_SMALL = -18,     /* scenes: the tolerance needs steps so short that t + h is t */
+    VM_STEP_TOO_SMALL = -18,     /* scenes: the tolerance needs steps too short to change the time */
     VM_MAX_STEPS = -19,          /* scenes: max_steps steps were tried before t_end was reached */
     VM_SHORT_ARRAY = -20,        /* scenes and flows: an array is shorter than what is written into it */
     VM_BAD_TIMES = -21,          /* scenes: the times of output do not rise, or t_end lies before the present time */
@@ -500,15 +500,16 @@ enum {
     VM_LINK_NOT_LAST = -27,      /* scenes: another effect on the body stands after its link */
     VM_STORED_STREAM = -28,      /* scenes and reactive loads: a stream comes from a store, which cannot be used here */
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
-    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) for which M + M'(v) (v - u) is not positive */
+    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: M + M'(v) (v - u) is not positive for a mass law M(v) */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
     VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
 };
 
-/* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). It is wrong for a pointer. */
+/* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
 #define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
-/* The meaning of a status as a line of text, which says what to do where it can. Any number is allowed. */
+/* The meaning of a status as a line of text. For an error it also says, where it can, what to do. The status may be
+   any number. */
 VM_API const char *vm_strerror(int status)
 {
     switch (status) {
@@ -579,7 +580,7 @@ VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 #endif
 /* base/linear.h - systems of linear equations
 
-   Solves a x = b for a few unknowns. A matrix is an array of n n numbers, row after row.
+   The functions solve a x = b for a few unknowns x. The matrix a is an array of n n numbers, row after row.
 
        vm_real a[4] = {2, 1, 1, 3}, b[2] = {3, 5};
        vmi_solve_linear(2, a, b); // b is now x = (0.8, 1.4)
@@ -609,8 +610,8 @@ VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
     }
 }
 
-/* Solves a x = b for any matrix by elimination with exchange of rows. x replaces b, and a is overwritten. VM_SINGULAR
-   where a column has no pivot; b is overwritten then, too. */
+/* Solves a x = b for any matrix by elimination with exchange of rows. x replaces b, and a is overwritten. Returns
+   VM_SINGULAR if a column has no pivot (b is overwritten then, too), and VM_OK otherwise. */
 VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 {
     int i, j, k;
@@ -635,10 +636,10 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 }
 
 /* Solves a x = b for a mass matrix, which is symmetric and positive definite. x replaces b, a is overwritten, and
-   scale is work space for n numbers. Rows and columns are first scaled so that the diagonal is 1: then units of the
-   coordinates do not matter, and the condition number is nearly the least that scaling can reach (van der Sluis
-   1969). Rows need not be exchanged. VM_SINGULAR where an entry of the diagonal is not positive or a pivot is below 4
-   n eps, which happens for every matrix that is not positive definite. */
+   scale is work space for n numbers. Rows and columns are first scaled so that the diagonal is 1: then the units of
+   the coordinates do not matter, and the condition number is nearly the least that scaling can reach (van der Sluis
+   1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot is
+   not above 4 n eps, which happens for every matrix that is not positive definite, and VM_OK otherwise. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     int i, j;
@@ -668,9 +669,10 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #ifndef VARMASS_BASE_ZERO_H
 #define VARMASS_BASE_ZERO_H
 
-/* The zero of f between a and b, as exact as x can be, where fa = f(a) and fb = f(b) have opposite signs. Method: the
-   secant through the ends of the interval, where the value at an end that has stayed twice is halved (Illinois), and
-   a bisection after every fourth step that has not made the interval eight times shorter. */
+/* Returns the zero of f between a and b, as exact as x can be, where fa = f(a) and fb = f(b) have opposite signs.
+   Method (Illinois): the next x lies on the secant through the ends of the interval; when one end has stayed for two
+   steps, the value there is halved. Every fourth step bisects the interval if the last four have not made it eight
+   times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
@@ -714,7 +716,7 @@ VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_r
 #ifndef VARMASS_BASE_HYPOT_H
 #define VARMASS_BASE_HYPOT_H
 
-/* sqrt(x^2 + y^2) within 2 ulp, also where the squares overflow or underflow; NaN if x or y is NaN */
+/* Returns the length sqrt(x^2 + y^2), also where the squares overflow or underflow, and NaN if x or y is NaN. */
 VM_API vm_real vmi_hypot(vm_real x, vm_real y)
 {
     const vm_real a = VM_FABS(x), b = VM_FABS(y), most = vmi_larger(a, b), least = vmi_smaller(b, a);
@@ -733,12 +735,12 @@ VM_API vm_real vmi_hypot(vm_real x, vm_real y)
 #ifndef VARMASS_BASE_COMPLEX_H
 #define VARMASS_BASE_COMPLEX_H
 
-/* The complex number re + i im */
+/* A complex number re + i im */
 typedef struct VM_TAG(vm_complex) {
     vm_real re, im;
 } vm_complex;
 
-/* re + i im */
+/* Returns the complex number re + i im. */
 VM_API vm_complex vmi_complex(vm_real re, vm_real im)
 {
     vm_complex z;
@@ -747,22 +749,22 @@ VM_API vm_complex vmi_complex(vm_real re, vm_real im)
     return z;
 }
 
-/* a + b, a - b, c a, i c a */
+/* The sum a + b, the difference a - b, and the products c a and i c a with a real number c */
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
 VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
 VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
 VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); }
 
-/* a b */
+/* The product a b */
 VM_API vm_complex vmi_c_times(vm_complex a, vm_complex b)
 {
     return vmi_complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
 }
 
-/* The conjugate of a, re - i im */
+/* The complex conjugate of a, which is a.re - i a.im */
 VM_API vm_complex vmi_c_conjugate(vm_complex a) { return vmi_complex(a.re, -a.im); }
 
-/* e^(i angle) */
+/* The complex number e^(i angle), for an angle in radians */
 VM_API vm_complex vmi_c_turn(vm_real angle)
 {
     vm_complex e;
@@ -770,10 +772,10 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
     return e;
 }
 
-/* |z| */
+/* The modulus |z| */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 
-/* a/b by Smith's method, which is right where the square of |b| overflows or underflows */
+/* The quotient a/b by Smith's method, which is also right where |b|^2 overflows or underflows */
 VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;
@@ -800,8 +802,9 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 #ifndef VARMASS_BASE_POLYNOMIAL_H
 #define VARMASS_BASE_POLYNOMIAL_H
 
-/* The correction of the approximate root number i: Newton's step p/p' for the polynomial divided by all z - z_j of
-   the other approximations, which keeps them from meeting. 0 where the polynomial is 0 within its rounding errors. */
+/* Returns the correction of the approximate root i. It is Newton's step for the polynomial divided by the factors
+   z - z_j of all other approximate roots z_j; this division keeps two approximations from meeting. The correction is
+   0 where the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -829,7 +832,7 @@ VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, cons
     return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
 }
 
-/* 1 where the polynomial at the real number x is 0 within its rounding errors */
+/* Returns 1 if the polynomial is 0 within its rounding errors at the real number x, else 0. */
 VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
 {
     vm_real p = c[0], size = VM_FABS(c[0]);
@@ -851,9 +854,9 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
     im[j] = y;
 }
 
-/* Orders the roots: real ones first, from the largest to the smallest, then conjugate pairs by rising |im|, im > 0
-   before im < 0. Imaginary parts that only rounding has left become 0, and the two roots of a pair become exactly
-   conjugate. */
+/* Sorts the roots: first the real roots from the largest to the smallest, then the conjugate pairs by rising |im|, in
+   each pair the root with im > 0 first. Imaginary parts that only rounding has left become 0, and the two roots of a
+   pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
     const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* the distance by which rounding splits a double root */
@@ -879,8 +882,8 @@ VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
     }
 }
 
-/* The n roots (re[i], im[i]) of a polynomial of degree n. The error of a simple root is a few n eps times its
-   condition number. */
+/* Computes the n roots (re[i], im[i]) of a polynomial of degree n. The error of a simple root is a few n eps times
+   its condition number. */
 VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
     const int most_sweeps = 100;
@@ -889,7 +892,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* the start must not be symmetric about the real axis, else it stays so */
+    for (i = 0; i < m; i++) /* a start symmetric about the real axis would stay symmetric */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
@@ -905,8 +908,8 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 #endif
 /* base/scalars.h - functions that keep their digits where the plain formula loses them
 
-   e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the limits of the C
-   library's.
+   The functions compute e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the
+   limits of the C library's pow.
 
        vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
 
@@ -914,10 +917,11 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 #ifndef VARMASS_BASE_SCALARS_H
 #define VARMASS_BASE_SCALARS_H
 
-/* Infinity if the condition holds, else 0 */
+/* Returns infinity if the condition holds, else 0. */
 VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
 
-/* x^y for x >= 0 within 0.6 ulp, with the limits of the C library's pow at 0 and infinity; NaN for x < 0 */
+/* Returns x^y for x >= 0 within 0.6 ulp, and NaN for x < 0. At 0 and infinity it has the limits of the C library's
+   pow. */
 VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {
     if (x != x || y != y || x < 0) return VM_NAN;
@@ -927,8 +931,8 @@ VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
     return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
 }
 
-/* e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real; for small
-   y it is below 2^-p of the result. Infinity where the result overflows. */
+/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
+   for small y it is below 2^-p of the result. The result is infinity where it overflows. */
 VM_API vm_two vmi_expm1(vm_two y)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
@@ -949,8 +953,9 @@ VM_API vm_two vmi_expm1(vm_two y)
     return vmi_fast_two_sum(sum.hi, sum.lo + power.lo);
 }
 
-/* ln(1 + x) in two words for -1 < x < 1e299 (float 1e34), NaN beyond. The relative error is below 2^-(p+7), where p
-   is the number of digits of vm_real. 1 + x = y (1 + t), where y is one word and t is below an ulp of 1. */
+/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is
+   below 2^-(p+7), where p is the number of digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
+   below an ulp of 1. */
 VM_API vm_two vmi_log1p(vm_two x)
 {
     const vm_two sum = vmi_two_sum(1, x.hi), low = vmi_two_sum(sum.lo, x.lo);
@@ -959,7 +964,7 @@ VM_API vm_two vmi_log1p(vm_two x)
     return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
 }
 
-/* (e^x - 1)/x within 2 eps, 1 at x = 0 */
+/* Returns (e^x - 1)/x, which is 1 at x = 0. */
 VM_API vm_real vmi_exp_ratio(vm_real x)
 {
     if (x > VM_MAX) return x;
@@ -967,7 +972,7 @@ VM_API vm_real vmi_exp_ratio(vm_real x)
     return vmi_expm1(vmi_two(x, 0)).hi / x;
 }
 
-/* ln(1 + x)/x within 2 eps, 1 at x = 0, NaN for x <= -1 */
+/* Returns ln(1 + x)/x, which is 1 at x = 0, and NaN for x <= -1 and infinite x. */
 VM_API vm_real vmi_log_ratio(vm_real x)
 {
     if (!(x > -1) || !VM_IS_FINITE(x)) return VM_NAN;
@@ -975,9 +980,9 @@ VM_API vm_real vmi_log_ratio(vm_real x)
     return vmi_log1p(vmi_two(x, 0)).hi / x;
 }
 
-/* (x - y)/x^2, where y = ln(1 + x) is given with x. For |x| >= 1/4 it is a quotient in two words, whose error is that
-   of x and y, amplified by the subtraction. For smaller |x| it is within 2 ulp, by the series of ln((1 + u)/(1 - u))
-   with u = x/(2 + x), |u| <= 1/7. */
+/* Returns (x - y)/x^2, where y = ln(1 + x) is given with x. For |x| >= 1/4 the result is a quotient in two words; its
+   error is that of x and y, amplified by the subtraction. For smaller |x| the result is one word, from the series of
+   ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 {
 #if VM_MANT_DIG > 24
@@ -1003,19 +1008,20 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
    Method: two steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973) from a start that is right to
-   2 %. The residual is computed in two words, so that little but the rounding of the last step remains.
+   2 %. The residual is computed in two words, so that the error is little more than the rounding of the last step.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
 
-/* The relative correction of w by Fritsch, Shafer and Crowley, where z = ln(x/w) - w is the residual and w1 = 1 + w */
+/* Returns the relative correction of w by Fritsch, Shafer and Crowley, where z = ln(x/w) - w is the residual and
+   w1 = 1 + w */
 VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 {
     const vm_real first = z / w1, half_q = w1 + 2 * z / 3;
     return first * ((half_q - first / 2) / (half_q - first));
 }
 
-/* W from l = ln|x| and a start w, for x that is not close to -1/e */
+/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| and a rough value w of W. */
 VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
 {
     int i;
@@ -1027,10 +1033,10 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* W from s = -1 - ln(-x), for x close to -1/e; lower is 1 for W_-1, 0 for W_0. w = -1 - v, where v - ln(1 + v) = s, v
-   > 0 for W_-1 and v < 0 for W_0. A number x that rounding has put below -1/e (s down to -eps/2) counts as -1/e. The
-   start for W_-1 is by Barry, Culligan-Hensley and Barry (ACM TOMS 21, 1995), that for W_0 a series in sqrt(2s), good
-   for s < 0.4. */
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x
+   close to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. An s between
+   -eps/2 and 0 is caused by rounding and means x = -1/e. The start for W_-1 is by Barry, Culligan-Hensley and Barry
+   (ACM TOMS 21, 1995); the start for W_0 is a series in sqrt(2s), which is good for s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
@@ -1055,7 +1061,8 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
     return -(sum.hi + (sum.lo + dv));
 }
 
-/* -1 - ln(-x) for x < -1/4, computed from 1 + e x in two words, which keeps all digits of the distance to -1/e */
+/* Returns -1 - ln(-x) for x < -1/4. It is computed from 1 + e x in two words, so that it keeps its digits where x is
+   close to -1/e. */
 VM_API vm_two vmi_lambert_depth(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1068,15 +1075,15 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     return vmi_minus(ln);
 }
 
-/* A start for W_0, right to 2 %, for -1/4 <= x < 1 */
+/* A rough value of W_0(x), right to 2 %, for -1/4 <= x < 1 */
 VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (7 + x * VM_C(2.5))); }
 
-/* A start for W_0, right to 2 %, for x >= 1, from L = ln(1 + x) (Winitzki) */
+/* A rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki) */
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
-/* Lambert's W, upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x, a pure number, is taken as exact;
-   the result is within 1 ulp. NaN for x < -1/e, except that the number next to -1/e counts as -1/e and gives -1; NaN
-   for infinite x. */
+/* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
+   as exact. The error is at most 1 ulp. Returns NaN for x < -1/e and for infinite x, except that the number next to
+   -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_real start;
@@ -1088,9 +1095,9 @@ VM_API vm_real vm_lambert_w0(vm_real x)
     return vmi_lambert_far(vmi_log(VM_FABS(x)), start);
 }
 
-/* Lambert's W, lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x, a pure number, is taken as
-   exact; the result is within 1 ulp. -infinity at x = 0, NaN for x > 0 and x < -1/e, except that the number next to
-   -1/e counts as -1/e and gives -1. */
+/* Lambert's W_-1(x), the lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x is a pure number and
+   taken as exact. The error is at most 1 ulp. Returns -infinity for x = 0, and NaN for x > 0 and x < -1/e, except
+   that the number next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_wm1(vm_real x)
 {
     vm_two ln;
@@ -1101,13 +1108,13 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
     return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_minus(ln)), 1);
 }
 
-#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* for ln|x| below this number W_0(x) = x */
+#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* where ln|x| is less than this, W_0(x) = x */
 
-/* Wright's omega function: W_0(e^l), the solution of w + ln w = l, for any l.
-   e^l itself may overflow or underflow. l is taken as exact; the result is within 1 ulp. NaN for infinite l. */
+/* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
+   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
-    const vm_real direct_from = 40; /* from here on ln(1 + e^l) = l */
+    const vm_real direct_from = 40; /* from l = 40 on ln(1 + e^l) rounds to l */
     vm_real start;
     if (!VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
@@ -1117,8 +1124,8 @@ VM_API vm_real vm_wright_omega(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), start);
 }
 
-/* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1.
-   e^l itself may underflow. l is taken as exact; the result is within 1 ulp. NaN for l > -1 and infinite l. */
+/* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1. It also works where e^l itself
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
@@ -1127,8 +1134,8 @@ VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
-/* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1.
-   e^l itself may underflow. l is taken as exact; the result is within 1 ulp. NaN for l > -1 and infinite l. */
+/* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1. It also works where e^l itself
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
