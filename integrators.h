@@ -27,7 +27,7 @@
             for an f that is not smooth, for loose tolerances, for many events and for output at many times.
      rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside it
             is asked for. It is the fastest for a smooth f in double. Its roundings are larger: rtol is at least
-            256 eps, so that it has no use in float.
+            256 eps, which is too coarse for most uses in float.
      None of these methods is meant for stiff equations, which need an implicit method; rk45 and rk87 report an equation
      that looks stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
 
