@@ -1,6 +1,6 @@
 /* integrators/rk45_pair.h - coefficients of rk45, the Runge-Kutta pair of orders 5 and 4
-   Tsitouras' pair [1]: seven stages, of which the last is the next step's first, so that a step costs six evaluations
-   of f, and a continuous extension of order 4 that costs none. Users call the functions of adaptive.h.
+   Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
+   evaluations of f. The continuous extension of order 4 takes none. Users call the functions of adaptive.h.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RK45_PAIR_H
@@ -12,10 +12,10 @@
 #include "pairs.h"
 #include "runs.h"
 
-enum { VMI_RK45 = 45 }; /* the method */
+enum { VMI_RK45 = 45 }; /* the number of this pair */
 
-/* The stages of a step, for vmi_make_stages: 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order
-   conditions to 1.1e-14 */
+/* Computes stages 2 to 7 of a step [1], for vmi_make_stages. The coefficients, which [1] gives to 16 digits, satisfy
+   the order conditions to 2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -47,7 +47,7 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest error of a component over its tolerance, by the difference of orders 5 and 4 */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 5 and 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -65,8 +65,8 @@ VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: stages 6 and 7 are both at the end of the step. These are the coefficients of stage 7
-   minus those of stage 6. */
+/* For the test of stiffness: the weight of k_{j+1} in stage 7 minus its weight in stage 6. Both stages evaluate f at
+   the end of the step. */
 VM_API vm_real vmi_rk45_end_difference(int j)
 {
     VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
@@ -74,7 +74,8 @@ VM_API vm_real vmi_rk45_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* The weights of the continuous extension, of order 4 [1] */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 4 [1], at the fraction x of
+   the step */
 VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
 {
     const vm_real xx = x * x;
@@ -88,7 +89,8 @@ VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
     b[6] = VM_C(2.5) * xx * (x - 1) * (x - VM_C(0.6));
 }
 
-/* The continuous extension. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
 VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[7];

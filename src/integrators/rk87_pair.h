@@ -1,7 +1,7 @@
 /* integrators/rk87_pair.h - coefficients of rk87, the Runge-Kutta pair of orders 8 and 7
-   Verner's "most efficient" pair [4]: 13 stages, and a continuous extension of order 8 for seven more evaluations of f
-   in each step in which it is used. Its coefficients are up to 123, so that its roundings are larger than those of
-   rk45. Users call the functions of adaptive.h.
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
+   those of rk45. Users call the functions of adaptive.h.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_PAIR_H
@@ -14,10 +14,9 @@
 #include "pairs.h"
 #include "runs.h"
 
-enum { VMI_RK87 = 87 }; /* the method */
+enum { VMI_RK87 = 87 }; /* the number of this pair */
 
-/* Stages 2 to 7 of [4]. Large coefficients of opposite sign belong to nearly equal times: there, here and in the late
-   stages, differences of k, which are exact, keep the roundings small. */
+/* Computes stages 2 to 7 of a step [4]. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -48,7 +47,9 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
     return 0;
 }
 
-/* Stages 8 to 13 of [4], and the new state, whose derivative is evaluated when the step is accepted */
+/* Computes stages 8 to 13 [4] and the new state, whose derivative is evaluated only after the step is accepted. Large
+   coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use the differences of such k,
+   which are exact, so that roundings remain small. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -110,7 +111,7 @@ VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new,
     return 0;
 }
 
-/* The stages of a step, for vmi_make_stages */
+/* Computes stages 2 to 13 and the new state of a step, for vmi_make_stages */
 VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
@@ -118,12 +119,12 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return vmi_rk87_late_stages(sys, t, t_new, h, evals);
 }
 
-/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ...
-   k13. The estimate of orders 8 and 7 hardly sees a jump between the stages at c = 0 and 0.9: its weights on either
-   side of the jump add up to 4e-4 at most, while the error is a quarter of the jump. The weights here, of order 5,
-   add up to 0.1, -0.17 and 0.25 there. In a step in which f is smooth, their sum `seen` is much smaller than
-   `change`, the change of f along the step. So the result seen^2/(seen + change) is of order 9, and below the
-   estimate of orders 8 and 7 for all but loose tolerances. */
+/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
+   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: its weights before the jump add up
+   to 4e-4 at most, while the error is a quarter of the jump. The weights used here, of order 5, add up to 0.1, -0.17 or
+   0.25. If f is smooth, their sum `seen` is much smaller than `change`, the change of f along the step. The result
+   seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
+   loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
@@ -133,8 +134,8 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest error of a component over its tolerance, by the difference of orders 8 and 7, or by what a jump of f may
-   do, whichever is larger */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 8 and 7, or the
+   error that a jump of f may cause (vmi_rk87_jump), whichever is larger. */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -156,8 +157,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: stage 13 and the new state are both at the end of the step. These are the weights of the
-   new state minus the coefficients of stage 13. */
+/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. For both states f is
+   evaluated at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -176,11 +177,11 @@ VM_API vm_real vmi_rk87_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* How many k_i a step itself makes, and how many the continuous extension adds */
+/* Numbers of k_i: those that a step itself makes, and those that the continuous extension adds */
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
-/* The coefficient of k_{j+1} in the stage of the continuous extension that comes after k_{14+stage} */
+/* The coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage} */
 VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 {
     VM_TABLE vm_real a[7][20] = {
@@ -214,8 +215,8 @@ VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
     return VM_READ(a[stage][j]);
 }
 
-/* The seven further stages that the continuous extension of order 8 needs. They may leave the domain of f where the
-   step's own did not: ODE_NOT_FINITE. */
+/* Evaluates the seven further stages that the continuous extension of order 8 needs. Returns a status: ODE_NOT_FINITE
+   if one of them leaves the domain of f, which may happen even if no stage of the step itself does. */
 VM_API int vmi_rk87_extend(rk45 *s)
 {
     VM_TABLE vm_real c[7] = {
@@ -239,7 +240,8 @@ VM_API int vmi_rk87_extend(rk45 *s)
     return ODE_OK;
 }
 
-/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7, which keep the coefficients small [4] */
+/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7; b_{j+1} is the weight of k_{j+1} in the
+   continuous extension. Coefficients of powers of x would be larger [4]. */
 VM_API vm_real vmi_rk87_bernstein(int i, int j)
 {
     VM_TABLE vm_real c[8][21] = {
@@ -283,13 +285,14 @@ VM_API vm_real vmi_rk87_bernstein(int i, int j)
     return VM_READ(c[i][j]);
 }
 
-/* The weights of the continuous extension, of order 8 [4] */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 8 [4], at the fraction x of
+   the step */
 VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 {
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
     const int count = VMI_RK87_OWN + VMI_RK87_EXTRA;
     const vm_real u = 1 - x;
-    vm_real powers[8], power = x; /* of u, and of x */
+    vm_real powers[8], power = x; /* powers[i] is u^i, and power is x^(i + 1) */
     int i, j;
     powers[0] = 1;
     for (i = 1; i < 8; i++) powers[i] = powers[i - 1] * u;
@@ -301,7 +304,8 @@ VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
     }
 }
 
-/* The continuous extension. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
 VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[VMI_RK87_OWN + VMI_RK87_EXTRA];

@@ -31,9 +31,8 @@
 
 /* -- Gauss' rule of n points on [0, 1] -- */
 
-/* Most points, numbers that are integrated (ln A, t), steps whose values are extrapolated */
-enum { VMI_NODES = VMI_GAUSS, VMI_COLLOCATED = 2, VMI_HISTORY = 6 };
-enum { VMI_COLLOCATED_LN_A = 0, VMI_COLLOCATED_T = 1 };
+/* Most points, and steps whose values are extrapolated */
+enum { VMI_NODES = VMI_GAUSS, VMI_HISTORY = 6 };
 
 typedef struct VM_TAG(vmi_gauss_rule) {
     int n;
@@ -134,7 +133,7 @@ typedef struct VM_TAG(vmi_step_waves) {
 
 /* Derivatives of ln A and t by the phase at the nodes of a step */
 typedef struct VM_TAG(vmi_step_rates) {
-    vm_real by_psi[VMI_COLLOCATED][VMI_NODES];
+    vm_real ln_A[VMI_NODES], t[VMI_NODES];
 } vmi_step_rates;
 
 /* A run from 0 to t. A half period is one step, or two steps with a stop where x' = 0. */
@@ -175,13 +174,25 @@ typedef struct VM_TAG(vmi_osc_step) {
     vmi_step_rates rates;
 } vmi_osc_step;
 
-/* The change of ln A or t over the whole step */
-VM_API vm_real vmi_osc_step_whole(const vmi_osc_course *c, const vmi_osc_step *s, int which)
+/* What ln A and t change by */
+typedef struct VM_TAG(vmi_osc_change) {
+    vm_real ln_A, t;
+} vmi_osc_change;
+
+/* The changes over the whole step */
+VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_osc_step *s)
 {
-    vm_real sum = 0;
+    vmi_osc_change sum;
     int j;
-    for (j = 0; j < c->rule.n; j++) sum += c->rule.weight[j] * s->rates.by_psi[which][j];
-    return s->length * sum;
+    sum.ln_A = 0;
+    sum.t = 0;
+    for (j = 0; j < c->rule.n; j++) {
+        sum.ln_A += c->rule.weight[j] * s->rates.ln_A[j];
+        sum.t += c->rule.weight[j] * s->rates.t[j];
+    }
+    sum.ln_A *= s->length;
+    sum.t *= s->length;
+    return sum;
 }
 
 /* The rates by the phase at node i, where the laws say *now and p' = p_rate, at ln(A/A0) = ln_A and time t */
@@ -207,13 +218,22 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
     return VM_OK;
 }
 
-/* The integral of rates by psi from the start of the step to node i */
-VM_API vm_real vmi_osc_integral_to(const vmi_osc_course *c, const vmi_osc_step *s, const vm_real *rates, int i)
+/* The changes from the start of the step to node i at these rates by the phase */
+VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_step_rates *rates,
+                                        int i)
 {
-    vm_real sum = 0;
+    const vm_real *weight = c->rule.integral[i];
+    vmi_osc_change sum;
     int j;
-    for (j = 0; j < c->rule.n; j++) sum += c->rule.integral[i][j] * rates[j];
-    return s->length * sum;
+    sum.ln_A = 0;
+    sum.t = 0;
+    for (j = 0; j < c->rule.n; j++) {
+        sum.ln_A += weight[j] * rates->ln_A[j];
+        sum.t += weight[j] * rates->t[j];
+    }
+    sum.ln_A *= s->length;
+    sum.t *= s->length;
+    return sum;
 }
 
 /* The rates of a step go on by what a round found to be missing, and by what that changes in turn: `missing` moves ln A
@@ -225,11 +245,10 @@ VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, cons
     const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2; /* of ln(dt/dpsi) */
     int i;
     for (i = 0; i < c->rule.n; i++) {
-        const vm_real ln_A = vmi_osc_integral_to(c, s, missing->by_psi[VMI_COLLOCATED_LN_A], i);
-        const vm_real t = vmi_osc_integral_to(c, s, missing->by_psi[VMI_COLLOCATED_T], i);
-        const vm_real change = rates->by_psi[VMI_COLLOCATED_T][i] * (by_t * t + by_ln_A * ln_A);
-        rates->by_psi[VMI_COLLOCATED_T][i] += missing->by_psi[VMI_COLLOCATED_T][i] + change;
-        rates->by_psi[VMI_COLLOCATED_LN_A][i] += missing->by_psi[VMI_COLLOCATED_LN_A][i] - now->p * change;
+        const vmi_osc_change moved = vmi_osc_change_to(c, s, missing, i);
+        const vm_real change = rates->t[i] * (by_t * moved.t + by_ln_A * moved.ln_A);
+        rates->t[i] += missing->t[i] + change;
+        rates->ln_A[i] += missing->ln_A[i] - now->p * change;
     }
 }
 
@@ -242,22 +261,23 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
     int i, j, status;
     for (i = 0; i < n; i++) {
-        ln_A[i] = c->ln_A + vmi_osc_integral_to(c, s, s->rates.by_psi[VMI_COLLOCATED_LN_A], i);
-        t[i] = c->t + (c->t_low + vmi_osc_integral_to(c, s, s->rates.by_psi[VMI_COLLOCATED_T], i));
+        const vmi_osc_change moved = vmi_osc_change_to(c, s, &s->rates, i);
+        ln_A[i] = c->ln_A + moved.ln_A;
+        t[i] = c->t + (c->t_low + moved.t);
         if ((vm_real)c->side * (t[i] - c->stop) > 0) t[i] = c->stop;
         status = vmi_osc_rates_at(&c->plan->problem, t[i], t[i] == c->stop ? -c->side : c->side, &now[i]);
         if (status) return status;
     }
     *change = 0;
     for (i = 0; i < n; i++) {
-        const vm_real old_ln_A = s->rates.by_psi[VMI_COLLOCATED_LN_A][i], old_t = s->rates.by_psi[VMI_COLLOCATED_T][i];
+        const vm_real old_ln_A = s->rates.ln_A[i], old_t = s->rates.t[i];
         vm_real p_rate = 0, new_ln_A, new_t;
         for (j = 0; j < n; j++) p_rate += c->rule.derivative[i][j] * now[j].p;
         p_rate /= s->length * old_t;
         status = vmi_osc_course_rates(c, s, i, &now[i], p_rate, ln_A[i], t[i], &new_ln_A, &new_t);
         if (status) return status;
-        missing.by_psi[VMI_COLLOCATED_LN_A][i] = new_ln_A - old_ln_A;
-        missing.by_psi[VMI_COLLOCATED_T][i] = new_t - old_t;
+        missing.ln_A[i] = new_ln_A - old_ln_A;
+        missing.t[i] = new_t - old_t;
         *change = vmi_larger((VM_FABS(new_t / old_t - 1) + VM_FABS(new_ln_A - old_ln_A)) * VM_FABS(s->length), *change);
     }
     vmi_osc_correct(c, s, &now[n / 2], &missing, &s->rates);
@@ -283,53 +303,48 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
     return change <= 64 * VM_EPSILON ? VM_OK : VM_NOT_INTEGRATED;
 }
 
-/* The next value after n at equal distances, the last one first, by the polynomial through them; destroys the values */
-VM_API vm_real vmi_extrapolate(int n, vm_real *values)
-{
-    vm_real sum = 0;
-    int i, k;
-    for (k = n; k > 0; k--) { /* adds the last differences of order 0, 1, 2 ... */
-        sum += values[0];
-        for (i = 0; i < k - 1; i++) values[i] -= values[i + 1];
-    }
-    return sum;
-}
-
 /* Start values of a step: extrapolated from whole steps of the same part, or else the rates at the start */
 VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 {
-    const vmi_step_rates *h = c->history[part];
     vmi_osc_rates now;
-    vm_real rate;
-    int i, j, k, status;
+    vm_real rate, factor = -1;
+    int i, k, status;
     if (c->known[part] == 0) {
         status = vmi_osc_rates_at(&c->plan->problem, c->t, c->side, &now);
         if (status) return status;
         rate = 1 / (c->plan->Om * vmi_osc_Om_ratio(c->plan, &now, c->ln_A));
         for (i = 0; i < c->rule.n; i++) {
-            s->rates.by_psi[VMI_COLLOCATED_LN_A][i] = -now.p * rate;
-            s->rates.by_psi[VMI_COLLOCATED_T][i] = rate;
+            s->rates.ln_A[i] = -now.p * rate;
+            s->rates.t[i] = rate;
         }
         return VM_OK;
     }
-    for (j = 0; j < VMI_COLLOCATED; j++)
+    for (i = 0; i < c->rule.n; i++) {
+        s->rates.ln_A[i] = 0;
+        s->rates.t[i] = 0;
+    }
+    for (k = 0; k < c->known[part]; k++) { /* the polynomial through n values has the factors n, -n (n-1)/2, ... */
+        const vmi_step_rates *last = &c->history[part][k];
+        factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
         for (i = 0; i < c->rule.n; i++) {
-            vm_real values[VMI_HISTORY];
-            for (k = 0; k < c->known[part]; k++) values[k] = h[k].by_psi[j][i];
-            s->rates.by_psi[j][i] = vmi_extrapolate(c->known[part], values);
+            s->rates.ln_A[i] -= factor * last->ln_A[i];
+            s->rates.t[i] -= factor * last->t[i];
         }
+        factor = -factor;
+    }
     return VM_OK;
 }
 
 /* The state of the course goes on by the step */
 VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
 {
-    const vm_real change = c->t_low + vmi_osc_step_whole(c, s, VMI_COLLOCATED_T), t = c->t + change;
+    const vmi_osc_change moved = vmi_osc_whole_change(c, s);
+    const vm_real change = c->t_low + moved.t, t = c->t + change;
     c->t_low = change - (t - c->t);
     c->t = t;
-    c->ln_A += vmi_osc_step_whole(c, s, VMI_COLLOCATED_LN_A);
+    c->ln_A += moved.ln_A;
     c->psi += s->length;
-    c->rate = 1 / s->rates.by_psi[VMI_COLLOCATED_T][c->rule.n - 1];
+    c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
 /* Keeps the rates of a whole step for the next ones of the same part */
@@ -355,7 +370,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
         vm_real before = 0, now = 1;
         for (k = 0; k < c->rule.n; k++) {
             const vm_real next = vmi_legendre_next(k, 2 * c->rule.node[i] - 1, now, before);
-            series[k] += (vm_real)(2 * k + 1) * c->rule.weight[i] * now * s->rates.by_psi[VMI_COLLOCATED_T][i];
+            series[k] += (vm_real)(2 * k + 1) * c->rule.weight[i] * now * s->rates.t[i];
             before = now;
             now = next;
         }
@@ -382,16 +397,15 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
     s.waves = &waves;
     s.length = part * beyond->length;
     for (i = 0; i < c->rule.n; i++) {
-        s.rates.by_psi[VMI_COLLOCATED_T][i] = vmi_legendre_at(series, 2 * part * c->rule.node[i] - 1);
-        s.rates.by_psi[VMI_COLLOCATED_LN_A][i] = beyond->rates.by_psi[VMI_COLLOCATED_LN_A][i];
+        s.rates.t[i] = vmi_legendre_at(series, 2 * part * c->rule.node[i] - 1);
+        s.rates.ln_A[i] = beyond->rates.ln_A[i];
     }
     for (round = 0; round < rounds; round++) {
         vm_real missing;
         vmi_osc_course_waves(c, c->psi, s.length, &waves);
         status = vmi_osc_iterate(c, &s);
         if (status) return status;
-        missing = (way - vmi_osc_step_whole(c, &s, VMI_COLLOCATED_T)) /
-                  s.rates.by_psi[VMI_COLLOCATED_T][c->rule.n - 1];
+        missing = (way - vmi_osc_whole_change(c, &s).t) / s.rates.t[c->rule.n - 1];
         if (round + 1 >= c->least_rounds && VM_FABS(missing) <= c->sweep_limit / 4) break;
         s.length += missing;
     }
@@ -423,7 +437,7 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
 /* Whether the step, as its rates are now, ends at or beyond c->stop */
 VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
 {
-    return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_step_whole(c, s, VMI_COLLOCATED_T))) >= 0;
+    return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
 }
 
 /* One step towards c->stop, which ends there at the latest */
@@ -436,7 +450,7 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     s.length = vmi_osc_next_phase(c, &part, &s.sign) - c->psi;
     status = vmi_osc_predict(c, part < 0 ? 0 : part, &s);
     if (status) return status;
-    share = c->longest / VM_FABS(vmi_osc_step_whole(c, &s, VMI_COLLOCATED_T));
+    share = c->longest / VM_FABS(vmi_osc_whole_change(c, &s).t);
     if (share < 1) {
         s.length *= share;
         part = -1;
@@ -548,6 +562,14 @@ VM_API vmi_osc_points vmi_osc_pair(int i)
     }
 }
 
+/* The pair that is tried first. With a force the rates may have kinks where x' = 0, so that two parts are better. */
+VM_API int vmi_osc_first_pair(const vm_osc_plan *plan, vm_real tolerance)
+{
+    if (plan->problem.force) return 3;
+    if (tolerance >= VM_C(1e-8)) return 0;
+    return tolerance >= VM_C(1e-10) ? 1 : 2;
+}
+
 /* One pair of runs from 0 to t: the state at t in *strict, the estimate of its error in *error */
 VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vm_real longest,
                                   vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
@@ -584,7 +606,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_real sweep_limit = vmi_larger(tolerance / 16, 4 * VM_EPSILON);
-    const int first = plan->problem.force ? 3 : 0;
+    const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
     vmi_osc_course c;
     vmi_osc_reduced state;
