@@ -7770,7 +7770,7 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real
    This file computes a, p and G_k from the derivatives of the laws, and goes from (x, x') to (A, psi) and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
-       int status = vmi_osc_slow_at(&problem, 0, 1, length, &now); // laws at t = 0; length, s: see vmi_law_derivatives
+       int status = vmi_osc_slow_at(&problem, 0, 1, length, 1, &now); // laws at t = 0; length, s: see vmi_law_derivatives
        if (!status) r = vmi_osc_reduce(&now, alpha, x, v);
    Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
@@ -7783,7 +7783,8 @@ enum { VMI_OSC_G = 5 };
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* see above, 1/s */
-    vm_real G[VMI_OSC_G]; /* G_i, 1/s^(i+2) */
+    vm_real unit;         /* the unit of time of G, s: rates of very fast or slow motions have powers out of range */
+    vm_real G[VMI_OSC_G]; /* unit^(i+2) G_i */
 } vmi_osc_slow;
 
 /* The same without the numbers G_k, for which f and f' are enough */
@@ -7809,15 +7810,12 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
 
 /* -- Power series in time: coefficient i belongs to the ith power -- */
 
-/* Turns derivatives f, f', f'' ... into the coefficients of the series */
-VM_API void vmi_series_of_derivatives(int n, vm_real *f)
+/* Turns derivatives f, f', f'' ... into the coefficients of the series in time divided by the unit, s */
+VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
 {
-    vm_real factorial = 1;
-    int i;
-    for (i = 2; i < n; i++) {
-        factorial *= (vm_real)i;
-        f[i] /= factorial;
-    }
+    int i, power;
+    for (power = 1; power < n; power++)
+        for (i = power; i < n; i++) f[i] *= unit / (vm_real)power;
 }
 
 /* ratio = f'/f, with one coefficient less than f, which has n */
@@ -7872,37 +7870,39 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* All of *now from m, k and their derivatives up to the sixth, which are destroyed */
-VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vmi_osc_slow *now)
+/* All of *now from m, k and their derivatives up to the sixth, which are destroyed; unit: see vmi_osc_slow */
+VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real unit, vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
     vm_real m_rate[VMI_LAW_ORDERS], k_rate[VMI_LAW_ORDERS], inverse[VMI_LAW_ORDERS];
     int i;
     now->m = m[0];
     now->k = k[0];
-    vmi_series_of_derivatives(VMI_LAW_ORDERS, m);
-    vmi_series_of_derivatives(VMI_LAW_ORDERS, k);
+    now->unit = unit;
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit, m);
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit, k);
     vmi_series_log_rate(VMI_LAW_ORDERS, m, m_rate);
     vmi_series_log_rate(VMI_LAW_ORDERS, k, k_rate);
     vmi_series_inverse(n, m, inverse);
     for (i = 0; i < n; i++) {
-        const vm_real a = o->reactive * m_rate[i] + o->damping * inverse[i];
+        const vm_real a = o->reactive * m_rate[i] + o->damping * unit * inverse[i];
         m[i] = a;
         k[i] = (k_rate[i] + 2 * a - m_rate[i]) / (o->alpha + 3);
     }
-    now->a = m[0];
-    now->p = k[0];
+    now->a = m[0] / unit;
+    now->p = k[0] / unit;
     vmi_osc_find_G(n, m, k, now);
 }
 
 /* *now at t; where derivatives jump, after t for side = 1, before it for side = -1. length, s: see
-   vmi_law_derivatives. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come from the laws. */
-VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vmi_osc_slow *now)
+   vmi_law_derivatives; unit, s: see vmi_osc_slow. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come from the laws. */
+VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
+                           vmi_osc_slow *now)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
     int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
     if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
-    if (!status) vmi_osc_slow_of(o, m, k, now);
+    if (!status) vmi_osc_slow_of(o, m, k, unit, now);
     return status;
 }
 
@@ -7933,14 +7933,15 @@ VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha,
     *v = -2 / (alpha + 1) * r->W * r->A * sa - p * *x;
 }
 
-/* The numbers E_k = G_k/W^(k+2) */
+/* The numbers E_k = G_k/W^(k+2) of a reduced state whose phase has the rate W */
 VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 {
-    vm_real power = 1 / (W * W);
+    const vm_real radian = 1 / (W * now->unit);
+    vm_real power = radian * radian;
     int k;
     for (k = 0; k < VMI_OSC_G; k++) {
         E[k] = now->G[k] * power;
-        power /= W;
+        power *= radian;
     }
 }
 
@@ -8385,7 +8386,7 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     int status;
     p->start_order = 0;
     if (p->A == 0) return VM_OK;
-    status = vmi_osc_slow_at(o, 0, 1, vmi_osc_sampling_time(p), &p->slow);
+    status = vmi_osc_slow_at(o, 0, 1, vmi_osc_sampling_time(p), 1 / p->Om, &p->slow);
     if (status) return status;
     state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
     vmi_osc_disturbance(&p->slow, state.W, p->E);
@@ -8812,7 +8813,7 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
                           p->problem.damping * (mean->inverse_mass + way), &ln_A, &ln_Om);
         ratios[i] = vmi_exp(ln_Om, 0);
         W = W0 * ratios[i];
-        E[i] = (now->p * (now->p - now->a) - at.p_rate[i]) / (W * W);
+        E[i] = now->p / W * ((now->p - now->a) / W) - at.p_rate[i] / W / W;
         share = vmi_gauss_weight(i) / 2 * length * W;
         panel->first += share * E[i];
         panel->second += share * E[i] * E[i];
@@ -8898,7 +8899,7 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 {
     const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
     vm_real ln_Om;
-    int status = vmi_osc_slow_at(&p->problem, t, -side, length, &mean->now);
+    int status = vmi_osc_slow_at(&p->problem, t, -side, length, p->slow.unit, &mean->now);
     if (status) return status;
     vmi_osc_adiabatic(p, vmi_log(mean->now.m / p->m0).hi, vmi_log(mean->now.k / p->k0).hi,
                       p->problem.damping * mean->inverse_mass, &mean->ln_A, &ln_Om);
@@ -8935,7 +8936,7 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
     vmi_osc_slow beyond;
     vmi_ripple_values f;
     int i, status = vmi_osc_mean_update(p, t, side, mean);
-    if (!status) status = vmi_osc_slow_at(&p->problem, t, side, vmi_osc_sampling_time(p), &beyond);
+    if (!status) status = vmi_osc_slow_at(&p->problem, t, side, vmi_osc_sampling_time(p), p->slow.unit, &beyond);
     if (status) return status;
     state = vmi_osc_mean_state(p, mean);
     vmi_osc_disturbance(&mean->now, state.W, before);
@@ -9005,11 +9006,12 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
 {
     const vm_osc_problem *o = &p->problem;
     const vm_real u = t * vmi_log_ratio(p->base * t), el = 1 + p->base * t, delta = 2 * p->slow.p - p->slow.a + p->base;
-    const vm_real D = delta * u, decay = vmi_exp(-D, 0), W = p->mean.W, e = p->slow.G[0] / (W * W);
-    const vm_real growth = vmi_exp_ratio(D);
-    vm_real ln_Om, power = 1;
+    const vm_real D = delta * u, decay = vmi_exp(-D, 0), W = p->mean.W, growth = vmi_exp_ratio(D);
+    vm_real E[VMI_OSC_G], ln_Om, e, power;
     int i;
     *mean = vmi_osc_mean_at_0(p);
+    vmi_osc_disturbance(&p->slow, W, E);
+    e = E[0];
     vmi_osc_adiabatic(p, p->rate_m * u, p->rate_k * u, o->damping * u / p->m0, &mean->ln_A, &ln_Om);
     mean->ratio = 1 / (decay * el);
     mean->inverse_mass = u / p->m0;
@@ -9019,7 +9021,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     mean->psi += W * mean->phase + (mean->first + mean->second);
     mean->largest = VM_FABS(e) * vmi_larger(1, decay * decay);
     mean->third = W * VM_FABS(u * vmi_exp_ratio(-5 * D)) *
-                  vmi_osc_third_rate(&p->ripple, VM_FABS(e * p->slow.G[2] / (W * W) / (W * W)), VM_FABS(e * e * e));
+                  vmi_osc_third_rate(&p->ripple, VM_FABS(e * E[2]), VM_FABS(e * e * e));
     mean->now.m = p->m0 * vmi_exp(p->rate_m * u, 0);
     mean->now.k = p->k0 * vmi_exp(p->rate_k * u, 0);
     mean->now.a = p->slow.a / el;
@@ -10474,18 +10476,19 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
    change as fast as the phase, or after 2^23 periods; the statuses of the laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real sweep_limit = vmi_larger(tolerance / 16, 4 * VM_EPSILON);
+    const vm_real least_sweep_limit = 4 * VM_EPSILON;
     const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
     vmi_osc_course c;
     vmi_osc_reduced state;
     vmi_osc_rates now;
-    vm_real error = VM_INFINITY, sa, ca;
+    vm_real error = VM_INFINITY, sweep_limit = tolerance, sa, ca;
     long evals = 0;
     vm_real longest;
     int i, status = vmi_osc_law_step(plan, t, &longest);
     if (status) return status;
     for (i = first; i < VMI_OSC_PAIRS && !(error <= tolerance); i++) {
+        sweep_limit = vmi_larger(sweep_limit / 16, least_sweep_limit);
         status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(i), 2 * longest, sweep_limit, &c, &error);
         if (status) return status;
         evals += c.evals;

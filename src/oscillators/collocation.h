@@ -605,18 +605,19 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
    change as fast as the phase, or after 2^23 periods; the statuses of the laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real sweep_limit = vmi_larger(tolerance / 16, 4 * VM_EPSILON);
+    const vm_real least_sweep_limit = 4 * VM_EPSILON;
     const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
     vmi_osc_course c;
     vmi_osc_reduced state;
     vmi_osc_rates now;
-    vm_real error = VM_INFINITY, sa, ca;
+    vm_real error = VM_INFINITY, sweep_limit = tolerance, sa, ca;
     long evals = 0;
     vm_real longest;
     int i, status = vmi_osc_law_step(plan, t, &longest);
     if (status) return status;
     for (i = first; i < VMI_OSC_PAIRS && !(error <= tolerance); i++) {
+        sweep_limit = vmi_larger(sweep_limit / 16, least_sweep_limit);
         status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(i), 2 * longest, sweep_limit, &c, &error);
         if (status) return status;
         evals += c.evals;

@@ -33,11 +33,12 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
 {
     const vm_osc_problem *o = &p->problem;
     const vm_real u = t * vmi_log_ratio(p->base * t), el = 1 + p->base * t, delta = 2 * p->slow.p - p->slow.a + p->base;
-    const vm_real D = delta * u, decay = vmi_exp(-D, 0), W = p->mean.W, e = p->slow.G[0] / (W * W);
-    const vm_real growth = vmi_exp_ratio(D);
-    vm_real ln_Om, power = 1;
+    const vm_real D = delta * u, decay = vmi_exp(-D, 0), W = p->mean.W, growth = vmi_exp_ratio(D);
+    vm_real E[VMI_OSC_G], ln_Om, e, power;
     int i;
     *mean = vmi_osc_mean_at_0(p);
+    vmi_osc_disturbance(&p->slow, W, E);
+    e = E[0];
     vmi_osc_adiabatic(p, p->rate_m * u, p->rate_k * u, o->damping * u / p->m0, &mean->ln_A, &ln_Om);
     mean->ratio = 1 / (decay * el);
     mean->inverse_mass = u / p->m0;
@@ -47,7 +48,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     mean->psi += W * mean->phase + (mean->first + mean->second);
     mean->largest = VM_FABS(e) * vmi_larger(1, decay * decay);
     mean->third = W * VM_FABS(u * vmi_exp_ratio(-5 * D)) *
-                  vmi_osc_third_rate(&p->ripple, VM_FABS(e * p->slow.G[2] / (W * W) / (W * W)), VM_FABS(e * e * e));
+                  vmi_osc_third_rate(&p->ripple, VM_FABS(e * E[2]), VM_FABS(e * e * e));
     mean->now.m = p->m0 * vmi_exp(p->rate_m * u, 0);
     mean->now.k = p->k0 * vmi_exp(p->rate_k * u, 0);
     mean->now.a = p->slow.a / el;

@@ -92,7 +92,7 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     int status;
     p->start_order = 0;
     if (p->A == 0) return VM_OK;
-    status = vmi_osc_slow_at(o, 0, 1, vmi_osc_sampling_time(p), &p->slow);
+    status = vmi_osc_slow_at(o, 0, 1, vmi_osc_sampling_time(p), 1 / p->Om, &p->slow);
     if (status) return status;
     state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
     vmi_osc_disturbance(&p->slow, state.W, p->E);

@@ -6,7 +6,7 @@
    This file computes a, p and G_k from the derivatives of the laws, and goes from (x, x') to (A, psi) and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
-       int status = vmi_osc_slow_at(&problem, 0, 1, length, &now); // laws at t = 0; length, s: see vmi_law_derivatives
+       int status = vmi_osc_slow_at(&problem, 0, 1, length, 1, &now); // laws at t = 0; length, s: see vmi_law_derivatives
        if (!status) r = vmi_osc_reduce(&now, alpha, x, v);
    Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
@@ -26,7 +26,8 @@ enum { VMI_OSC_G = 5 };
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* see above, 1/s */
-    vm_real G[VMI_OSC_G]; /* G_i, 1/s^(i+2) */
+    vm_real unit;         /* the unit of time of G, s: rates of very fast or slow motions have powers out of range */
+    vm_real G[VMI_OSC_G]; /* unit^(i+2) G_i */
 } vmi_osc_slow;
 
 /* The same without the numbers G_k, for which f and f' are enough */
@@ -52,15 +53,12 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
 
 /* -- Power series in time: coefficient i belongs to the ith power -- */
 
-/* Turns derivatives f, f', f'' ... into the coefficients of the series */
-VM_API void vmi_series_of_derivatives(int n, vm_real *f)
+/* Turns derivatives f, f', f'' ... into the coefficients of the series in time divided by the unit, s */
+VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
 {
-    vm_real factorial = 1;
-    int i;
-    for (i = 2; i < n; i++) {
-        factorial *= (vm_real)i;
-        f[i] /= factorial;
-    }
+    int i, power;
+    for (power = 1; power < n; power++)
+        for (i = power; i < n; i++) f[i] *= unit / (vm_real)power;
 }
 
 /* ratio = f'/f, with one coefficient less than f, which has n */
@@ -115,37 +113,39 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* All of *now from m, k and their derivatives up to the sixth, which are destroyed */
-VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vmi_osc_slow *now)
+/* All of *now from m, k and their derivatives up to the sixth, which are destroyed; unit: see vmi_osc_slow */
+VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real unit, vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
     vm_real m_rate[VMI_LAW_ORDERS], k_rate[VMI_LAW_ORDERS], inverse[VMI_LAW_ORDERS];
     int i;
     now->m = m[0];
     now->k = k[0];
-    vmi_series_of_derivatives(VMI_LAW_ORDERS, m);
-    vmi_series_of_derivatives(VMI_LAW_ORDERS, k);
+    now->unit = unit;
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit, m);
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit, k);
     vmi_series_log_rate(VMI_LAW_ORDERS, m, m_rate);
     vmi_series_log_rate(VMI_LAW_ORDERS, k, k_rate);
     vmi_series_inverse(n, m, inverse);
     for (i = 0; i < n; i++) {
-        const vm_real a = o->reactive * m_rate[i] + o->damping * inverse[i];
+        const vm_real a = o->reactive * m_rate[i] + o->damping * unit * inverse[i];
         m[i] = a;
         k[i] = (k_rate[i] + 2 * a - m_rate[i]) / (o->alpha + 3);
     }
-    now->a = m[0];
-    now->p = k[0];
+    now->a = m[0] / unit;
+    now->p = k[0] / unit;
     vmi_osc_find_G(n, m, k, now);
 }
 
 /* *now at t; where derivatives jump, after t for side = 1, before it for side = -1. length, s: see
-   vmi_law_derivatives. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come from the laws. */
-VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vmi_osc_slow *now)
+   vmi_law_derivatives; unit, s: see vmi_osc_slow. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come from the laws. */
+VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
+                           vmi_osc_slow *now)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
     int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
     if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
-    if (!status) vmi_osc_slow_of(o, m, k, now);
+    if (!status) vmi_osc_slow_of(o, m, k, unit, now);
     return status;
 }
 
@@ -176,14 +176,15 @@ VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha,
     *v = -2 / (alpha + 1) * r->W * r->A * sa - p * *x;
 }
 
-/* The numbers E_k = G_k/W^(k+2) */
+/* The numbers E_k = G_k/W^(k+2) of a reduced state whose phase has the rate W */
 VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 {
-    vm_real power = 1 / (W * W);
+    const vm_real radian = 1 / (W * now->unit);
+    vm_real power = radian * radian;
     int k;
     for (k = 0; k < VMI_OSC_G; k++) {
         E[k] = now->G[k] * power;
-        power /= W;
+        power *= radian;
     }
 }
 

@@ -192,7 +192,7 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
                           p->problem.damping * (mean->inverse_mass + way), &ln_A, &ln_Om);
         ratios[i] = vmi_exp(ln_Om, 0);
         W = W0 * ratios[i];
-        E[i] = (now->p * (now->p - now->a) - at.p_rate[i]) / (W * W);
+        E[i] = now->p / W * ((now->p - now->a) / W) - at.p_rate[i] / W / W;
         share = vmi_gauss_weight(i) / 2 * length * W;
         panel->first += share * E[i];
         panel->second += share * E[i] * E[i];
@@ -278,7 +278,7 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 {
     const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
     vm_real ln_Om;
-    int status = vmi_osc_slow_at(&p->problem, t, -side, length, &mean->now);
+    int status = vmi_osc_slow_at(&p->problem, t, -side, length, p->slow.unit, &mean->now);
     if (status) return status;
     vmi_osc_adiabatic(p, vmi_log(mean->now.m / p->m0).hi, vmi_log(mean->now.k / p->k0).hi,
                       p->problem.damping * mean->inverse_mass, &mean->ln_A, &ln_Om);
@@ -315,7 +315,7 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
     vmi_osc_slow beyond;
     vmi_ripple_values f;
     int i, status = vmi_osc_mean_update(p, t, side, mean);
-    if (!status) status = vmi_osc_slow_at(&p->problem, t, side, vmi_osc_sampling_time(p), &beyond);
+    if (!status) status = vmi_osc_slow_at(&p->problem, t, side, vmi_osc_sampling_time(p), p->slow.unit, &beyond);
     if (status) return status;
     state = vmi_osc_mean_state(p, mean);
     vmi_osc_disturbance(&mean->now, state.W, before);
