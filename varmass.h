@@ -10017,7 +10017,7 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real stop;          /* laws are not asked beyond this time, s: a point of a table or the end */
     vm_real longest;       /* the longest step, s */
     vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this, */
-    int least_rounds;      /* but not before so many rounds */
+    int more_rounds;       /* but goes on for so many rounds */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
     vm_real t_low;         /* what t as one number loses, s */
     vm_real contraction;   /* by this factor each round of the iteration reduces its error */
@@ -10162,12 +10162,15 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
     const vm_real least_contraction = VM_C(0.02);
     const int most_rounds = 40;
     vm_real change, before = 0;
-    int round, status;
+    int round, status, more = c->more_rounds;
     for (round = 0; round < most_rounds; round++) {
         status = vmi_osc_sweep(c, s, &change);
         if (status) return status;
         if (round > 0 && before > 0) c->contraction = vmi_larger(change / before, least_contraction);
-        if (round + 1 >= c->least_rounds && change * c->contraction <= c->sweep_limit) return VM_OK;
+        if (change * c->contraction <= c->sweep_limit) {
+            if (more == 0) return VM_OK;
+            more--;
+        }
         if (round > 2 && !(change < before)) break;
         before = change;
     }
@@ -10263,7 +10266,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
     vm_real series[VMI_GAUSS], part = vmi_osc_find_part(c, beyond, c->stop, series);
     vmi_step_waves waves;
     vmi_osc_step s;
-    int i, round, status;
+    int i, round, status, more = c->more_rounds;
     s.sign = 1;
     s.waves = &waves;
     s.length = part * beyond->length;
@@ -10277,7 +10280,10 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
         status = vmi_osc_iterate(c, &s);
         if (status) return status;
         missing = (way - vmi_osc_whole_change(c, &s).t) / s.rates.t[c->rule.n - 1];
-        if (round + 1 >= c->least_rounds && VM_FABS(missing) <= c->sweep_limit / 4) break;
+        if (VM_FABS(missing) <= c->sweep_limit / 4) {
+            if (more == 0) break;
+            more--;
+        }
         s.length += missing;
     }
     vmi_osc_take(c, &s);
@@ -10354,7 +10360,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->side = side;
     c->parts = parts;
     c->sweep_limit = sweep_limit;
-    c->least_rounds = 1;
+    c->more_rounds = 0;
     c->stop = 0;
     c->longest = VM_INFINITY;
     c->psi = start->psi;
@@ -10447,7 +10453,6 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 {
     const int side = vmi_time_side(t);
     const vm_real factor = VM_C(0.25); /* the error of the strict run is taken for this part of the difference */
-    const vm_real looser = 16;         /* so that errors of the iteration, too, make a difference */
     vmi_osc_rates now;
     vmi_osc_slow start;
     vmi_osc_reduced state;
@@ -10459,11 +10464,11 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     start.k = now.k;
     start.p = now.p;
     state = vmi_osc_reduce(&start, plan->problem.alpha, plan->problem.x, plan->problem.v);
-    vmi_osc_course_start(&loose, plan, &state, side, points.loose, points.parts, looser * sweep_limit);
+    vmi_osc_course_start(&loose, plan, &state, side, points.loose, points.parts, sweep_limit);
     vmi_osc_course_start(strict, plan, &state, side, points.strict, points.parts, sweep_limit);
     loose.longest = longest;
     strict->longest = longest;
-    strict->least_rounds = 2; /* one more than the loose run, or the error of the iteration would make no difference */
+    strict->more_rounds = 1; /* or errors of the iteration, too, could be the same in both runs */
     while (!status && strict->t != t)
         status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
     strict->evals += loose.evals;
