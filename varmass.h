@@ -10160,6 +10160,7 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
     const vm_real least_contraction = VM_C(0.02);
+    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* of p' in short steps; both runs differ by what it makes */
     const int most_rounds = 40;
     vm_real change, before = 0;
     int round, status, more = c->more_rounds;
@@ -10174,7 +10175,7 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
         if (round > 2 && !(change < before)) break;
         before = change;
     }
-    return change <= 64 * VM_EPSILON ? VM_OK : VM_NOT_INTEGRATED;
+    return change <= rounding ? VM_OK : VM_NOT_INTEGRATED;
 }
 
 /* Start values of a step: extrapolated from whole steps of the same part, or else the rates at the start */
