@@ -10482,7 +10482,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
    change as fast as the phase, or after 2^23 periods; the statuses of the laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real least_sweep_limit = 4 * VM_EPSILON;
+    const vm_real least_sweep_limit = 4 * VM_EPSILON, most_half_periods = VM_C(1073741824.); /* 2^30 */
     const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
     vmi_osc_course c;
@@ -10493,6 +10493,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vm_real longest;
     int i, status = vmi_osc_law_step(plan, t, &longest);
     if (status) return status;
+    if (!(plan->Om * VM_FABS(t) <= most_half_periods * plan->ripple.pi)) return VM_NOT_INTEGRATED;
     for (i = first; i < VMI_OSC_PAIRS && !(error <= tolerance); i++) {
         sweep_limit = vmi_larger(sweep_limit / 16, least_sweep_limit);
         status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(i), 2 * longest, sweep_limit, &c, &error);

