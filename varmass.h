@@ -7607,23 +7607,28 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 /* -- Functions of the user -- */
 
 /* Writes the series of the rate f' between t and t + *length. The length is halved until the last terms of the series
-   are rounding errors; terms of that size are set to 0. */
+   are rounding errors, and where the function fails, which may be known for a short time only; terms of the size of
+   rounding errors are set to 0. VM_DOMAIN where the function fails for every length. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const vm_real noise = 64 * VM_EPSILON;
     const int most_halvings = 24;
     vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused, least = 0;
-    int i, halvings;
+    int i, halvings, failed = 0;
     for (halvings = 0; halvings <= most_halvings; halvings++) {
-        for (i = 0; i < VMI_GAUSS; i++) {
+        failed = 0;
+        for (i = 0; i < VMI_GAUSS && !failed; i++) {
             const vm_real at = t + *length * ((1 + vmi_gauss_node(i)) / 2);
-            if (law->function(at, &unused, &rates[i], law->ctx)) return VM_DOMAIN;
+            failed = law->function(at, &unused, &rates[i], law->ctx) != 0;
         }
-        vmi_legendre_fit(rates, rates, series, same);
-        least = noise * VM_SQRT(vmi_legendre_square(series));
-        if (!(vmi_legendre_tail(series) > least)) break;
+        if (!failed) {
+            vmi_legendre_fit(rates, rates, series, same);
+            least = noise * VM_SQRT(vmi_legendre_square(series));
+            if (!(vmi_legendre_tail(series) > least)) break;
+        }
         *length /= 2;
     }
+    if (failed) return VM_DOMAIN;
     for (i = 0; i < VMI_GAUSS; i++)
         if (VM_FABS(series[i]) <= least) series[i] = 0;
     return VM_OK;
@@ -8960,6 +8965,23 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
 
 /* -- The walk -- */
 
+/* The start of a walk backward in time: the plan starts with the laws just after t = 0, this with those just before */
+VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
+{
+    const vm_osc_problem *o = &p->problem;
+    vm_real E[VMI_OSC_G];
+    vmi_osc_reduced start;
+    int status = vmi_osc_slow_at(o, 0, -1, vmi_osc_sampling_time(p), p->slow.unit, &mean->now);
+    if (status) return status;
+    start = vmi_osc_reduce(&mean->now, o->alpha, o->x, o->v);
+    vmi_osc_disturbance(&mean->now, start.W, E);
+    start = vmi_osc_mean_of(p, p->start_order, &start, E);
+    mean->ln_J = (o->alpha + 3) / 2 * vmi_log(start.A / p->mean.A).hi;
+    mean->psi = start.psi;
+    mean->largest = VM_FABS(E[0]);
+    return VM_OK;
+}
+
 /* The mean motion at t by a walk along both laws of the plan, from one point of a table to the next */
 VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
@@ -8971,7 +8993,7 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     int status = VM_OK;
     *mean = vmi_osc_mean_at_0(p);
     mean->shortest = longest;
-    if (side < 0) status = vmi_osc_walk_past_knot(p, 0, side, mean); /* the plan starts with the laws after t = 0 */
+    if (side < 0) status = vmi_osc_start_backward(p, mean);
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
         status = vmi_osc_walk_piece(p, at, next, longest, whole, mean);

@@ -315,7 +315,10 @@ static void null_oscillators(void)
     STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_TRIG, 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_JACOBI, 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_ATEB, 1, 0, X(1, vm_osc_motion)));
-    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_SECOND, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_ORDER2, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_ORDER3, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_ORDER4, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_ORDER5, 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_COLLOCATION, 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_RK87, 1, 0, X(1, vm_osc_motion)));

@@ -414,23 +414,28 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 /* -- Functions of the user -- */
 
 /* Writes the series of the rate f' between t and t + *length. The length is halved until the last terms of the series
-   are rounding errors; terms of that size are set to 0. */
+   are rounding errors, and where the function fails, which may be known for a short time only; terms of the size of
+   rounding errors are set to 0. VM_DOMAIN where the function fails for every length. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const vm_real noise = 64 * VM_EPSILON;
     const int most_halvings = 24;
     vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused, least = 0;
-    int i, halvings;
+    int i, halvings, failed = 0;
     for (halvings = 0; halvings <= most_halvings; halvings++) {
-        for (i = 0; i < VMI_GAUSS; i++) {
+        failed = 0;
+        for (i = 0; i < VMI_GAUSS && !failed; i++) {
             const vm_real at = t + *length * ((1 + vmi_gauss_node(i)) / 2);
-            if (law->function(at, &unused, &rates[i], law->ctx)) return VM_DOMAIN;
+            failed = law->function(at, &unused, &rates[i], law->ctx) != 0;
         }
-        vmi_legendre_fit(rates, rates, series, same);
-        least = noise * VM_SQRT(vmi_legendre_square(series));
-        if (!(vmi_legendre_tail(series) > least)) break;
+        if (!failed) {
+            vmi_legendre_fit(rates, rates, series, same);
+            least = noise * VM_SQRT(vmi_legendre_square(series));
+            if (!(vmi_legendre_tail(series) > least)) break;
+        }
         *length /= 2;
     }
+    if (failed) return VM_DOMAIN;
     for (i = 0; i < VMI_GAUSS; i++)
         if (VM_FABS(series[i]) <= least) series[i] = 0;
     return VM_OK;

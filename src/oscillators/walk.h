@@ -339,6 +339,23 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
 
 /* -- The walk -- */
 
+/* The start of a walk backward in time: the plan starts with the laws just after t = 0, this with those just before */
+VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
+{
+    const vm_osc_problem *o = &p->problem;
+    vm_real E[VMI_OSC_G];
+    vmi_osc_reduced start;
+    int status = vmi_osc_slow_at(o, 0, -1, vmi_osc_sampling_time(p), p->slow.unit, &mean->now);
+    if (status) return status;
+    start = vmi_osc_reduce(&mean->now, o->alpha, o->x, o->v);
+    vmi_osc_disturbance(&mean->now, start.W, E);
+    start = vmi_osc_mean_of(p, p->start_order, &start, E);
+    mean->ln_J = (o->alpha + 3) / 2 * vmi_log(start.A / p->mean.A).hi;
+    mean->psi = start.psi;
+    mean->largest = VM_FABS(E[0]);
+    return VM_OK;
+}
+
 /* The mean motion at t by a walk along both laws of the plan, from one point of a table to the next */
 VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
@@ -350,7 +367,7 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     int status = VM_OK;
     *mean = vmi_osc_mean_at_0(p);
     mean->shortest = longest;
-    if (side < 0) status = vmi_osc_walk_past_knot(p, 0, side, mean); /* the plan starts with the laws after t = 0 */
+    if (side < 0) status = vmi_osc_start_backward(p, mean);
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
         status = vmi_osc_walk_piece(p, at, next, longest, whole, mean);
