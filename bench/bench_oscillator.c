@@ -277,15 +277,19 @@ static void measure_closed_forms(void)
 
 static void measure_kit(void)
 {
-    static const char *const names[] = {"vm_osc_by_route trig",      "vm_osc_by_route Jacobi",     "vm_osc_by_route Ateb",
-                                        "vm_osc_by_route second",    "vm_osc_by_route variation",  "vm_osc_by_route rk45",
-                                        "vm_osc_by_route rk87",      "vm_osc_plan_by_route trig",  "vm_osc_plan_by_route Jacobi",
-                                        "vm_osc_plan_by_route Ateb", "vm_osc_plan_by_route second"};
+    static const char *const names[] = {"vm_osc_by_route trig",        "vm_osc_by_route Jacobi",  "vm_osc_by_route Ateb",
+                                        "vm_osc_by_route order 2",     "vm_osc_by_route order 3", "vm_osc_by_route order 4",
+                                        "vm_osc_by_route order 5",     "vm_osc_by_route collocation",
+                                        "vm_osc_by_route rk45",        "vm_osc_by_route rk87"};
+    static const char *const planned[] = {"vm_osc_plan_by_route trig",    "vm_osc_plan_by_route Jacobi",
+                                          "vm_osc_plan_by_route Ateb",    "vm_osc_plan_by_route order 2",
+                                          "vm_osc_plan_by_route order 3", "vm_osc_plan_by_route order 4",
+                                          "vm_osc_plan_by_route order 5"};
     through = by_kit;
     knob = 0;
-    for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_SECOND; route++) measure_route(names[route], "");
+    for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_ORDER5; route++) measure_route(names[route], "");
     prepared = vm_osc_plan_init(&plan, &problem) == VM_OK;
-    for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_SECOND; route++) measure_route(names[route + 7], "");
+    for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_ORDER5; route++) measure_route(planned[route], "");
     prepared = 0;
     measure_tolerances("vm_osc_within", 1e-11, set_route, AT);
     for (route = VM_ROUTE_COLLOCATION; route <= (is_flagship(now) ? VM_ROUTE_RK87 : VM_ROUTE_COLLOCATION); route++)

@@ -4,15 +4,15 @@
 load "bench/style.gp"
 if (!exists("all")) all = 0
 if (all) { set terminal svg size 1100,900 font "Helvetica,14" background "white"; set output svg; unset grid }
-array curve[6] = ["rk87_solve", "rk45_solve", "rk4_solve", "vm_osc_by_route variation", "GSL rk8pd", "GSL rkf45"]
+array curve[6] = ["rk87_solve", "rk45_solve", "rk4_solve", "vm_osc_by_route collocation", "GSL rk8pd", "GSL rkf45"]
 array colour[6] = [blue, sky, green, purple, grey, grey]
 array dash[6] = [1, 1, 1, 1, 2, 3]
 array shape[6] = [7, 5, 9, 13, 7, 5]
 
-# closed forms: cos a disc, cn a triangle, ca a square, the second-order law a rhombus; open: as printed, or prepared
+# closed forms: cos a disc, cn a triangle, ca a square, the law of order five a rhombus; open: as printed, or prepared
 array law[14] = ["cos (360) printed", "cn (396) printed", "ca (321) printed", "cos corrected", "cn corrected", "ca (325)", \
-    "vm_osc_plan_by_route trig", "vm_osc_plan_by_route Jacobi", "vm_osc_plan_by_route Ateb", "vm_osc_plan_by_route second", \
-    "vm_osc_by_route trig", "vm_osc_by_route Jacobi", "vm_osc_by_route Ateb", "vm_osc_by_route second"]
+    "vm_osc_plan_by_route trig", "vm_osc_plan_by_route Jacobi", "vm_osc_plan_by_route Ateb", "vm_osc_plan_by_route order 5", \
+    "vm_osc_by_route trig", "vm_osc_by_route Jacobi", "vm_osc_by_route Ateb", "vm_osc_by_route order 5"]
 array mark[14] = [6, 8, 4, 7, 9, 5, 6, 8, 4, 12, 7, 9, 5, 13]
 place(route) = sum [i=1:14] (route eq law[i] ? i : 0)
 tint(i) = i <= 6 ? 0x222222 : 0xd55e00
@@ -69,7 +69,7 @@ if (!all) {
     set label "as printed" at 290,1.3 textcolor rgb black
     set label "corrected" at 21,0.012 textcolor rgb black
     set label "vm\\_osc\\_by" at 380,0.012 textcolor rgb red
-    set label "second-order law" at 80,3e-5 textcolor rgb red
+    set label "law of order five" at 80,3e-5 textcolor rgb red
     set label "prepared" at 520,6e-8 right textcolor rgb red
     set label "at once" at 950,6e-8 textcolor rgb red
     set label "rk87" at 1.3e5,4e-12 right textcolor rgb blue
@@ -86,10 +86,10 @@ if (!all) {
     set label "rk87" at screen 0.05,0.955 textcolor rgb blue
     set label "rk45" at screen 0.1,0.955 textcolor rgb sky
     set label "rk4" at screen 0.15,0.955 textcolor rgb green
-    set label "variation of constants" at screen 0.19,0.955 textcolor rgb purple
+    set label "collocation" at screen 0.19,0.955 textcolor rgb purple
     set label "GSL rk8pd - -  rkf45 ···" at screen 0.37,0.955 textcolor rgb grey
     set label "● cos ▲ cn ■ ca, open: as printed" at screen 0.555,0.955 textcolor rgb black
-    set label "vm\\_osc\\_by, ◆ second order" at screen 0.805,0.955 textcolor rgb red
+    set label "vm\\_osc\\_by, ◆ order five" at screen 0.805,0.955 textcolor rgb red
     set multiplot
     do for [row=0:2] {
         do for [column=0:3] {

@@ -1,6 +1,6 @@
 /* oscillators/routes.h - the motion x(t) of an oscillator at any time, by a given route or by the cheapest
 
-   Seven routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
+   Ten routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
    in oscillators/problem.h). vm_osc_within takes the cheapest whose error is estimated to be within a tolerance,
    vm_osc_by_route takes the route that its argument names; vm_osc_plan_within and vm_osc_plan_by_route do this for many
    times of one problem. The shortest useful call:
@@ -24,14 +24,14 @@
 
 /* -- Which route for what, and what the estimate of the error covers --
 
-   Cost. Without a force F the first four routes are averaged solutions in closed form: they need one or two
+   Cost. Without a force F the first seven routes are averaged solutions in closed form: they need one or two
    evaluations of sa and ca and the integrals of the laws of mass and stiffness, whatever t and the tolerance are. The
-   other routes integrate from 0 to t to the tolerance. Each of them runs twice, the second time with a stricter
-   tolerance, and the difference of the two runs gives the error. With F the averaged equations of the first three
-   routes are integrated, too, and the second-order law does not exist. docs/cost.md has the times.
+   other routes integrate from 0 to t to the tolerance. Each of them runs twice, the second time more strictly, and the
+   difference of the two runs gives the error. With F the averaged equations of the first three routes are integrated,
+   too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
 
-   Choice. vm_osc_within takes the first of these four solutions that is within the tolerance. Where none is, or where
-   F is given, it integrates: by rk87 for odd alpha without F, and by the variation of constants in all other cases.
+   Choice. vm_osc_within takes the first of these seven solutions that is within the tolerance. Where none is, or where
+   F is given, it integrates by collocation, and where amplitude and phase do not describe the motion by rk87.
 
    What the estimate covers. For averaged solutions it covers what the solution leaves out, and the fastest changes of
    mass and stiffness between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from
@@ -45,8 +45,9 @@
    How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
    1/8 to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. In double its bounds are, for
      the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
-     the largest ratio of true error to estimate: 30 by rk87, 40 by rk45 and variation of constants, else 10,
-     the median ratio of estimate to true error: 25 by rk87, 13 by rk45 and variation of constants, 15 with F, else 10.
+     the largest ratio of true error to estimate: 30 by rk87, 40 by rk45, else 10,
+     the median ratio of estimate to true error: 40 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
+       averaged solutions with F, else 10.
    The estimate is worse for rk87, because its errors are not proportional to the tolerance if alpha is not an odd
    integer. */
 
@@ -170,7 +171,8 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, a user's function of a law that fails,
        or a change_time that is negative or too short,
-     VM_NO_LAW for the second-order law with F, and for F on a body at rest at x = 0,
+     VM_NO_LAW for the laws of orders 2 to 5 with F, and for F on a body at rest at x = 0,
+     VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for collocation only,
      VM_NOT_INTEGRATED where the integrator gives up, or would need too many steps: more than 2^13 a period plus four
        times what its longest step asks for, or more than 2^23 of the present periods. Thus every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)

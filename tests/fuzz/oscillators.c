@@ -189,7 +189,7 @@ static int takes_long(const vm_osc_plan *plan, vm_real t)
 {
     const vm_osc_problem *p = &plan->problem;
     return is_finite(t) && (!tame_problem(p) || VM_FABS(t) > 100 || plan->Om * VM_FABS(t) > R(1e4) ||
-                            VM_FABS(plan->q * t) > 10); /* it dies out, for alpha < 1 in ever shorter periods */
+                            VM_FABS(plan->slow.p * t) > 3); /* it dies out, for alpha < 1 in ever shorter periods */
 }
 
 /* The motion by the function of the route's own name. Those of the laws take no tolerance, which matters where
@@ -200,7 +200,10 @@ static int by_name(const vm_osc_problem *p, int route, vm_real t, vm_real tolera
     case VM_ROUTE_TRIG: return vm_osc_by_route(p, VM_ROUTE_TRIG, t, 0, m);
     case VM_ROUTE_JACOBI: return vm_osc_by_route(p, VM_ROUTE_JACOBI, t, 0, m);
     case VM_ROUTE_ATEB: return vm_osc_by_route(p, VM_ROUTE_ATEB, t, 0, m);
-    case VM_ROUTE_SECOND: return vm_osc_by_route(p, VM_ROUTE_SECOND, t, 0, m);
+    case VM_ROUTE_ORDER2: return vm_osc_by_route(p, VM_ROUTE_ORDER2, t, 0, m);
+    case VM_ROUTE_ORDER3: return vm_osc_by_route(p, VM_ROUTE_ORDER3, t, 0, m);
+    case VM_ROUTE_ORDER4: return vm_osc_by_route(p, VM_ROUTE_ORDER4, t, 0, m);
+    case VM_ROUTE_ORDER5: return vm_osc_by_route(p, VM_ROUTE_ORDER5, t, 0, m);
     case VM_ROUTE_COLLOCATION: return vm_osc_by_route(p, VM_ROUTE_COLLOCATION, t, tolerance, m);
     case VM_ROUTE_RK45: return vm_osc_by_route(p, VM_ROUTE_RK45, t, tolerance, m);
     case VM_ROUTE_RK87: return vm_osc_by_route(p, VM_ROUTE_RK87, t, tolerance, m);
@@ -214,7 +217,7 @@ static void check_routes(void)
     vm_real ctx[3][3];
     const vm_osc_problem p = draw_problem(tables, ctx);
     const vm_real t = MOSTLY(draw_in(-1, 5)), tolerance = draw_byte() & 1 ? 0 : draw_log(1e-5, 1e-1);
-    const int route = draw_below(9) - 1;
+    const int route = draw_below(VM_ROUTE_RK87 + 3) - 1;
     vm_osc_motion m, n;
     vm_osc_plan plan;
     int status, planned, by;

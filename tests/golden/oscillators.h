@@ -125,7 +125,7 @@ static vm_real small_force(vm_real t, vm_real x, vm_real v, void *ctx)
 
 static void try_routes(void)
 {
-    int i;
+    int i, route;
     for (i = 0; i < 8; i++) {
         const vm_osc_problem p = some_problem(i % 6, i % 3);
         const vm_real t = uniform(1, 10);
@@ -137,12 +137,14 @@ static void try_routes(void)
         fold_motion(&m);
         fold_int(vm_osc_by_route(&p, VM_ROUTE_ATEB, t, 0, &m));
         fold_motion(&m);
-        fold_int(vm_osc_by_route(&p, VM_ROUTE_SECOND, t, 0, &m));
-        fold_motion(&m);
+        for (route = VM_ROUTE_ORDER2; route <= VM_ROUTE_ORDER5; route++) {
+            fold_int(vm_osc_by_route(&p, route, t, 0, &m));
+            fold_motion(&m);
+        }
         fold_int(vm_osc_within(&p, t, VM_C(0.1), &m));
         fold_motion(&m);
     }
-    for (i = -1; i < 8; i++) fold_text(vm_osc_route_name(i));
+    for (i = -1; i <= VM_ROUTE_RK87 + 1; i++) fold_text(vm_osc_route_name(i));
 }
 
 static void try_integrated_routes(void)
@@ -174,7 +176,7 @@ static void try_osc_plans(void)
         fold_motion(&m);
         fold_int(vm_osc_plan_within(&plan, 1, VM_C(0.01), &m));
         fold_motion(&m);
-        fold_int(vm_osc_by_route(&p, VM_ROUTE_SECOND, 2, 0, &m)); /* this refuses a force */
+        fold_int(vm_osc_by_route(&p, VM_ROUTE_ORDER5, 2, 0, &m)); /* this refuses a force */
         fold_motion(&m);
         fold_int(vm_osc_averaged(&plan, i % 3, 1, uniform(1, 2), rates, rates + 1, rates + 2));
         fold_all(3, rates);

@@ -170,7 +170,7 @@ static vm_real adiabatic_late_ours(const vm_real *x)
 {
     const vm_osc_problem p = adiabatic_problem(x);
     vm_osc_motion motion;
-    return vm_osc_by_route(&p, VM_ROUTE_SECOND, x[0], 0, &motion) == VM_OK ? motion.x : VM_NAN;
+    return vm_osc_by_route(&p, VM_ROUTE_ORDER5, x[0], 0, &motion) == VM_OK ? motion.x : VM_NAN;
 }
 static void adiabatic_equations(vm_real t, const vm_real *y, vm_real *dydt, const vm_real *x)
 {

@@ -171,7 +171,7 @@ static vm_real arcs_naive(const vm_real *x)
     return sum / 8;
 }
 
-/* The problem of m = 1/k = 1 + x1 t by variation of constants, which has no power of x in it; t = x0, alpha = x2 */
+/* The problem of m = 1/k = 1 + x1 t by collocation, which has no power of x in it; t = x0, alpha = x2 */
 static vm_real rough_spring_ours(const vm_real *x)
 {
     const vm_osc_problem p = adiabatic_problem(x);

@@ -215,7 +215,7 @@ static vm_real frozen_motion_ours(const vm_real *x)
     p.stiffness = vm_law_power(1, x[1], -1);
     p.reactive = 1;
     p.x = 1;
-    return vm_osc_by_route(&p, VM_ROUTE_SECOND, x[0], 0, &motion) == VM_OK ? motion.x : VM_NAN;
+    return vm_osc_by_route(&p, VM_ROUTE_ORDER5, x[0], 0, &motion) == VM_OK ? motion.x : VM_NAN;
 }
 static vm_real frozen_motion_naive(const vm_real *x)
 {
