@@ -1,6 +1,6 @@
 /* integrators/dense.h - the solution inside the last step of an adaptive run
    After each step of rk45 or rk87 its continuous extension, a polynomial in time, gives the state at any time within
-   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate of adaptive.h.
+   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate.
 
    Tests: tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_DENSE_H
@@ -37,7 +37,7 @@ VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
     return VMI_SMALLER(x, VM_C(1.0));
 }
 
-/* y(t) for t within the last step of a run by `method`, whose continuous extension is ready */
+/* y(t) for t within the last step of a run by the pair of number `method`, whose continuous extension is ready */
 VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *y)
 {
     if (!s || !y || s->pair.method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;

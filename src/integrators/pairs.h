@@ -4,8 +4,8 @@
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
    and estimates the error by another sum of the k_i. A file for each pair has its coefficients and its descriptor, a
-   vmi_rk_pair, with all that an adaptive run needs to know of it: rk45_pair.h, rk87_pair.h. To add a pair, write such
-   a file, enter the pair in pair_list.h, and give it public functions in adaptive.h.
+   vmi_rk_pair, with all that an adaptive run needs to know of it, and its public functions: rk45.h, rk87.h. To
+   add a pair, write such a file and include it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -30,10 +30,9 @@ typedef struct VM_TAG(vmi_rk_system) {
     ptrdiff_t m;
 } vmi_rk_system;
 
-/* What a run needs to know of its pair. Two more functions, the stages and the estimate of the error, are called
-   directly, by pair_list.h, because they must be inlined into the loop over the steps. */
+/* What a run needs to know of its pair */
 typedef struct VM_TAG(vmi_rk_pair) {
-    int method;           /* tells the pairs apart: VMI_RK45 ... */
+    int method;           /* the number of the pair: VMI_RK45 ... */
     int order;            /* of the state after a step. That of the error estimate is one less. */
     int stages;           /* evaluations of f that make the new state and the error estimate */
     int last_is_first;    /* 1: the last stage is f at the new state, the next step's k_1; 0: that is evaluated apart */
@@ -49,6 +48,18 @@ typedef struct VM_TAG(vmi_rk_pair) {
     /* NULL, or what evaluates the k_i that only the continuous extension needs. Returns a status. */
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
+
+/* A pair as the loop over the steps takes it. It is a constant of the call, and so the compiler inlines both functions
+   into the loop. They are no part of vmi_rk_pair, which each run holds: there they would be compiled a second time. */
+typedef struct VM_TAG(vmi_rk_stepper) {
+    vmi_rk_pair pair;
+    /* Stages 2, 3 ... of a step from t to t_new = t + h: part VMI_Z becomes the new state. Returns what f returns. */
+    int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
+    /* The largest error of a component over its tolerance; NaN where anything is not finite */
+    vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
+} vmi_rk_stepper;
+
+#define VMI_MOST_OWN 14 /* the most k_i that a step of any pair makes, without those of the continuous extension */
 
 /* Linkage of descriptors and of the parts of vmi_advance. Inlining makes the descriptors constants, and each part is
    called in one place only. So the code becomes smaller too, and they are inlined even where VM_INLINE, for the sake of

@@ -1,6 +1,6 @@
 /* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
    An rk45 holds the state of a run by either pair, and its `work`, which the caller provides, the arrays of n numbers.
-   The functions that make and use it are in adaptive.h.
+   The functions that make and use it are in rk45.h and rk87.h.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RUNS_H

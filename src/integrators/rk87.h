@@ -1,20 +1,22 @@
-/* integrators/rk87_pair.h - coefficients of rk87, the Runge-Kutta pair of orders 8 and 7
+/* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
    Verner's "most efficient" pair [4]: 13 stages, and a continuous extension of order 8 for seven more evaluations of f
    in each step in which it is used. Its coefficients are up to 123, so that its roundings are larger than those of
-   rk45. Users call the functions of adaptive.h.
+   rk45. It is the pair for a smooth f in double and small errors.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
-#ifndef VARMASS_INTEGRATORS_RK87_PAIR_H
-#define VARMASS_INTEGRATORS_RK87_PAIR_H
+#ifndef VARMASS_INTEGRATORS_RK87_H
+#define VARMASS_INTEGRATORS_RK87_H
 
 #include "../base/arrays.h"
 #include "../base/real.h"
+#include "dense.h"
+#include "loop.h"
 #include "ode.h"
 #include "options.h"
 #include "pairs.h"
 #include "runs.h"
 
-enum { VMI_RK87 = 87 }; /* the method */
+enum { VMI_RK87 = 87 }; /* the number of the pair */
 
 /* Stages 2 to 7 of [4]. Large coefficients of opposite sign belong to nearly equal times: there, here and in the late
    stages, differences of k, which are exact, keep the roundings small. */
@@ -110,7 +112,7 @@ VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new,
     return 0;
 }
 
-/* The stages of a step, for vmi_make_stages */
+/* The stages of a step */
 VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
@@ -325,6 +327,67 @@ VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
     pair.inside = vmi_rk87_inside;
     pair.extend = vmi_rk87_extend;
     return pair;
+}
+
+/* Steps of rk87 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+VM_INLINE int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+{
+    vmi_rk_stepper stepper;
+    stepper.pair = vmi_rk87_pair();
+    stepper.make_stages = vmi_rk87_stages;
+    stepper.step_error = vmi_rk87_error;
+    return vmi_run(s, stepper, f, n, t_end, single);
+}
+
+/* -- Functions for users -- */
+
+#define RK87_WORK(n) (24 * (n)) /* how many numbers the work of an rk87 with n components has */
+
+/* All options and fields mean for rk87 what they mean for rk45. */
+typedef rk45_options rk87_options;
+typedef rk45 rk87;
+
+/* Begins a run by rk87, as rk45_init does by rk45. work has RK87_WORK(n) numbers; rtol is at least 256 eps. */
+VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk87_options *options_or_NULL, vm_real *work)
+{
+    return vmi_ode_init(s, vmi_rk87_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
+}
+
+/* Goes on with rk87 from another time or state, as rk45_restart does with rk45. */
+VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
+
+/* One accepted step of rk87, as rk45_step makes one of rk45. */
+VM_INLINE int rk87_step(rk87 *s)
+{
+    vm_real t_end;
+    const int status = vmi_begin_step(s, VMI_RK87, &t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, s->f, s->n, t_end, 1);
+}
+
+/* Steps of rk87 to t_end with f and n given once more, so that f is inlined, as in rk45_solve_with. */
+VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
+{
+    const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, f, n, t_end, 0);
+}
+
+/* Steps of rk87 to t_end exactly, as rk45_solve makes them of rk45. */
+VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return rk87_solve_with(s, s->f, s->n, t_end);
+}
+
+/* The state y(t) at a time t within the last step of rk87, of order 8. y gets n numbers. The first use in a step
+   evaluates f seven times, unless t is s->t. A t that is not from s->t_old to s->t is ODE_BAD_ARGUMENT. f may stop the
+   run there, ODE_RHS_STOPPED, or not be finite, ODE_NOT_FINITE, though the step itself has succeeded. */
+VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
+{
+    if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
+    return vmi_interpolate(s, t, y);
 }
 
 #endif

@@ -1,20 +1,29 @@
-/* integrators/rk45_pair.h - coefficients of rk45, the Runge-Kutta pair of orders 5 and 4
+/* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
    Tsitouras' pair [1]: seven stages, of which the last is the next step's first, so that a step costs six evaluations
-   of f, and a continuous extension of order 4 that costs none. Users call the functions of adaptive.h.
+   of f, and a continuous extension of order 4 that costs none. It is the pair to begin with, and the better one in
+   float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
 
-   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c. */
-#ifndef VARMASS_INTEGRATORS_RK45_PAIR_H
-#define VARMASS_INTEGRATORS_RK45_PAIR_H
+       double y0[2] = {1, 0}, work[RK45_WORK(2)];
+       rk45 s;
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
+       if (rk45_solve(&s, 10.0) >= 0) printf("x(10) = %g\n", s.y[0]);
+
+   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_RK45_H
+#define VARMASS_INTEGRATORS_RK45_H
 
 #include "../base/arrays.h"
 #include "../base/real.h"
+#include "dense.h"
+#include "loop.h"
+#include "ode.h"
 #include "options.h"
 #include "pairs.h"
 #include "runs.h"
 
-enum { VMI_RK45 = 45 }; /* the method */
+enum { VMI_RK45 = 45 }; /* the number of the pair */
 
-/* The stages of a step, for vmi_make_stages: 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order
+/* The stages of a step, 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order
    conditions to 1.1e-14 */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
@@ -113,5 +122,74 @@ VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
     pair.extend = NULL;
     return pair;
 }
+
+/* Steps of rk45 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+VM_INLINE int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+{
+    vmi_rk_stepper stepper;
+    stepper.pair = vmi_rk45_pair();
+    stepper.make_stages = vmi_rk45_stages;
+    stepper.step_error = vmi_rk45_error;
+    return vmi_run(s, stepper, f, n, t_end, single);
+}
+
+/* -- Functions for users -- */
+
+#define RK45_WORK(n) (10 * (n)) /* how many numbers the work of an rk45 with n components has */
+
+/* The options with their defaults in place of zeros, as rk45_init takes them. rtol becomes at least 16 eps. NULL means
+   all defaults. */
+VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
+{
+    const vmi_rk_pair pair = vmi_rk45_pair();
+    return vmi_defaults(vmi_least_rtol(&pair), options_or_NULL);
+}
+
+/* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers; f gets ctx. work has RK45_WORK(n)
+   numbers and must live as long as s. y0 is copied, and so are the options, but not what they point at. f is not
+   evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
+VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk45_options *options_or_NULL, vm_real *work)
+{
+    return vmi_ode_init(s, vmi_rk45_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
+}
+
+/* Goes on with rk45 from another time or state, such as after a jump. The step size and the counters are kept. y, n
+   numbers, may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
+   ODE_BAD_ARGUMENT. */
+VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
+
+/* One accepted step of rk45, or less of it, up to an event that ends it. The direction is the sign of s->h, which at
+   first is that of the option h0: forward unless it is negative. Returns a status. */
+VM_INLINE int rk45_step(rk45 *s)
+{
+    vm_real t_end;
+    const int status = vmi_begin_step(s, VMI_RK45, &t_end);
+    if (status) return status;
+    return vmi_rk45_run(s, s->f, s->n, t_end, 1);
+}
+
+/* Steps of rk45 to t_end with f and n given once more, so that f is inlined. That takes constants in the call, but s
+   may have been made anywhere. f and n have to be those of s, else the status is ODE_BAD_ARGUMENT. Everything else is
+   as in rk45_solve. */
+VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
+{
+    const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
+    if (status) return status;
+    return vmi_rk45_run(s, f, n, t_end, 0);
+}
+
+/* Steps of rk45 to t_end exactly, forward or backward, or to a terminal event. Nothing happens if s->t is t_end. After
+   an error s->t and s->y are those of the last accepted step. Returns a status: ODE_MAX_STEPS after options.max_steps
+   attempts, and another call goes on. */
+VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return rk45_solve_with(s, s->f, s->n, t_end);
+}
+
+/* The state y(t) at a time t within the last step of rk45, of order 4. y gets n numbers; f is not evaluated. A t that
+   is not from s->t_old to s->t is ODE_BAD_ARGUMENT. */
+VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
 
 #endif
