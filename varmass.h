@@ -5004,6 +5004,29 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 }
 
 #endif
+/* mechanics/attitude.h - how the attitude of a rotating body changes
+
+       vm_real rates[4]; // of w, x, y, z
+       vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
+
+   Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
+#ifndef VARMASS_MECHANICS_ATTITUDE_H
+#define VARMASS_MECHANICS_ATTITUDE_H
+
+/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length
+   back to 1 within some steps of any explicit method, at a rate below that of the rotation itself, so that a slow
+   rotation is not stiff. */
+VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
+{
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
+    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
+}
+
+#endif
 /* mechanics/flow.h - a free body in space with streams of mass
 
    Right-hand sides for rk45 and rk87 of a rigid body whose mass, mass centre and inertia change while it moves: given
@@ -5111,18 +5134,6 @@ VM_INLINE int vmi_flow_note_status(int *kept, int status)
     return status;
 }
 
-/* q omega/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length back to
-   1 within some steps of any explicit method, at a rate below that of the rotation itself. */
-VM_INLINE void vmi_flow_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
-{
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    dydt[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    dydt[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    dydt[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    dydt[3] = back * q.z + q.w * z + q.x * y - q.y * x;
-}
-
 /* Mass, mass centre and inertia of a body at an instant */
 typedef struct VM_TAG(vmi_flow_mass) {
     vm_real mass;
@@ -5205,7 +5216,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     force = vmi_add(flow->force, vmi_add(sum.absolute, force));
     moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
     vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
-    vmi_flow_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
@@ -5275,7 +5286,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
     vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
-    vmi_flow_turning(q, square, omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
              vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
@@ -6592,6 +6603,30 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 }
 
 #endif
+/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
+
+   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
+       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
+   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c, tests/test_forces.c. */
+#ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
+#define VARMASS_OSCILLATORS_FORCE_TERMS_H
+
+/* x|x|^(alpha-1) by the power, alpha >= 0: a spring's force over -k. Whoever calls it treats exponents that take no power
+   before, and x = 0. */
+VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
+{
+    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+}
+
+/* Van der Pol's term (404): the force over the velocity at position x, feed - c x^2, N s/m. feed > 0 (N s/m) feeds the
+   vibration, c > 0 (N s/m^3) limits it. */
+VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
+
+/* The gyroscopic force over the velocity, 2 gyro, kg/s: the force is this times the velocity, turned by +90 degrees.
+   gyro is g of the remark after (516), kg/s. */
+VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
+
+#endif
 /* oscillators/waves.h - wave forms of a strongly nonlinear oscillator: ca, cos and cn
 
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
@@ -6797,7 +6832,7 @@ VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
     if (alpha == 3) return x * x * x;
-    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+    return vmi_elastic_power(x, alpha);
 }
 
 /* Energy per unit mass (259), v^2/2 + omega0^2 |x|^(alpha+1)/(alpha+1), m^2/s^2. */
@@ -9411,23 +9446,6 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 }
 
 #endif
-/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
-
-   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
-       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
-   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c. */
-#ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
-#define VARMASS_OSCILLATORS_FORCE_TERMS_H
-
-/* Van der Pol's term (404): the force over the velocity at position x, feed - c x^2, N s/m. feed > 0 (N s/m) feeds the
-   vibration, c > 0 (N s/m^3) limits it. */
-VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
-
-/* The gyroscopic force over the velocity, 2 gyro, kg/s: the force is this times the velocity, turned by +90 degrees.
-   gyro is g of the remark after (516), kg/s. */
-VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
-
-#endif
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
    The equation is (404), with the mass m(t) and a spring of any exponent alpha:
@@ -11366,19 +11384,6 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* its state; omega in body axes */
 
-/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes. The second term holds the length of q at 1; it
-   acts as fast as q turns, so that a slow rotation is not stiff. mechanics/flow.h has the same law. */
-VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
-{
-    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
-}
-
 /* Euler's equations I omega' = torque - omega x I omega in body axes. They are solved with the dummy moments, and so
    the spin about the null axis of a rod stays: no load turns a rod about it. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
@@ -11403,7 +11408,7 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     const vm_vec3 omega = vmi_get3(state + VMI_FREE_OMEGA);
     const vmi_mat3 axes = vmi_rotation(q);
     vmi_point_body_accelerate(b, state, rates);
-    vmi_free_turn(q, omega, rates + VMI_FREE_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), omega, rates + VMI_FREE_Q);
     return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
 }
 
@@ -11700,7 +11705,7 @@ VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
-    return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
+    return -k * vmi_elastic_power(x, alpha) * (x != 0);
 }
 
 /* The force of a linear damper, -damping v. damping in N s/m takes energy out if it is positive. */
@@ -11708,7 +11713,10 @@ VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping 
 
 /* The force of Van der Pol's damper, (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
    takes it out at large amplitudes. */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c)
+{
+    return vmi_van_der_pol_feed(b, c, x) * v;
+}
 
 /* The torque of a motor, stall_torque - kappa omega. Its characteristic is a straight line; stall_torque in N m is the
    torque at rest, kappa in N m s. */
@@ -11768,8 +11776,8 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -2 * gyro * vy;
-    *fy = 2 * gyro * vx;
+    *fx = -vmi_gyroscopic_coupling(gyro) * vy;
+    *fy = vmi_gyroscopic_coupling(gyro) * vx;
 }
 
 #endif

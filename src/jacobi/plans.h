@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "../base/bits.h"
+#include "../base/chebyshev.h"
 #include "../base/real.h"
 #include "../base/sums.h"
 #include "../base/words.h"
@@ -47,17 +48,11 @@ VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
 enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 };
 
 /* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by one of degree VMI_TERMS for 0 <= t
-   <= 1. Each step removes the highest power by subtracting a multiple of Chebyshev's polynomial of that degree. */
+   <= 1. The constant term stays 1. */
 VM_API void vmi_shorten(vm_real *c)
 {
-    int n, k;
-    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) {
-        vm_real term = c[n];
-        for (k = n; k > 1; k--) {
-            term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
-            c[k - 1] -= term;
-        }
-    }
+    int n;
+    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
 /* Fills p->a and p->b: the coefficients of w^2 cs^2(w) and of -theta d(cs^2)/d theta, theta = w^2, at w = v/2 in
