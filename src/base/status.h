@@ -37,7 +37,7 @@ enum {
     VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation it may be that of the rest */
     VM_SINGULAR = -5,            /* a system of linear equations has no unique solution */
     VM_DOMAIN = -6,              /* a parameter lies outside its domain */
-    VM_NO_LAW = -7,              /* the chosen route does not exist for this oscillator */
+    VM_NO_LAW = -7,              /* no such route or closed form exists for this problem */
     VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator did not reach the end */
     VM_BAD_MOTION = -9,          /* scenes: a motion that does not exist, or on which an effect or event cannot act */
     VM_NO_SUCH_BODY = -10,       /* scenes: no body has this index */
@@ -82,7 +82,7 @@ VM_API const char *vm_strerror(int status)
     case VM_BAD_INERTIA: return "no body can have this inertia";
     case VM_SINGULAR: return "the linear equations have no unique solution";
     case VM_DOMAIN: return "a parameter is outside its domain";
-    case VM_NO_LAW: return "this route does not exist for this oscillator: choose another, or call vm_osc_within";
+    case VM_NO_LAW: return "no such route or closed form exists for this problem: choose another route, or integrate";
     case VM_NOT_INTEGRATED: return "the integrator did not reach the end: allow a larger tolerance";
     case VM_BAD_MOTION: return "no body moves in this way, or the effect or event cannot act on a body that does";
     case VM_NO_SUCH_BODY: return "no body has this index: count from 0, the ground is VM_GROUND";
@@ -110,6 +110,22 @@ VM_API const char *vm_strerror(int status)
     case VM_BAD_STIFFNESS: return "a stiffness is not positive";
     default: return "unknown status";
     }
+}
+
+/* Where an error stands in the order at the top of this file: a smaller number comes first. Errors that are not there
+   have the order of their numbers. */
+VM_API int vmi_error_rank(int status)
+{
+    if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
+    return 2 * -status;
+}
+
+/* Of two statuses, VM_OK or errors, the one that is returned if both apply */
+VM_API int vmi_first_error(int a, int b)
+{
+    if (a == VM_OK) return b;
+    if (b == VM_OK || vmi_error_rank(a) < vmi_error_rank(b)) return a;
+    return b;
 }
 
 /* Copies n numbers if all of them are finite. Returns VM_OK, or VM_NOT_FINITE and leaves the target as it was. */

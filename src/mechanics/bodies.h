@@ -141,15 +141,6 @@ VM_API int vmi_impulse_is_finite(const vm_impulse *j)
     return vmi_vec3_is_finite(j->linear) && vmi_vec3_is_finite(j->couple) && vmi_vec3_is_finite(j->at);
 }
 
-/* Of two statuses, VM_OK or errors, the one that is returned if both apply: VM_BAD_ARGUMENT before VM_NOT_FINITE
-   before VM_BAD_MASS before VM_BAD_INERTIA, whose numbers fall in this order */
-VM_API int vmi_first_error(int a, int b)
-{
-    if (a == VM_OK) return b;
-    if (b == VM_OK) return a;
-    return a > b ? a : b;
-}
-
 /* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
 VM_API int vmi_check_body(const vm_body *b)
 {

@@ -94,7 +94,7 @@ VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_m
     m->J = d->inertia + d->band * d->radius * d->radius * phi;
     m->steiner = q / m->M * q; /* q^2 alone could underflow */
     if (!VM_IS_FINITE(m->M) || !VM_IS_FINITE(m->J)) return VM_NOT_FINITE;
-    if (!(m->M > 0)) return VM_BAD_MASS;
+    if (!(d->mass > 0) || !(m->M > 0)) return VM_BAD_MASS;
     if (d->stiffness < 0) return VM_BAD_STIFFNESS;
     if (!(m->J - m->steiner > 0)) return VM_BAD_INERTIA;
     return VM_OK;
@@ -247,6 +247,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
+    if (!VM_IS_FINITE(phi) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
     const vm_real rate = vm_drum_rate(d, phi), j = d->band * d->radius * d->radius;
     const vm_real e = d->band * d->speed * d->radius - d->damping;
     const vm_real slope_x = y[VM_DRUM_SLOPE], slope_y = y[VM_DRUM_SLOPE + 1];

@@ -39,6 +39,7 @@
 #ifndef VARMASS_MECHANICS_FLOW_H
 #define VARMASS_MECHANICS_FLOW_H
 
+#include "../base/arrays.h"
 #include "../base/real.h"
 #include "../base/status.h"
 #include "attitude.h"
@@ -136,8 +137,20 @@ VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const v
     return b;
 }
 
+VM_API int vmi_flow_mass_is_finite(const vmi_flow_mass *b)
+{
+    return VM_IS_FINITE(b->mass) && vmi_vec3_is_finite(b->centre) && vmi_inertia_is_finite(&b->inertia);
+}
+
+VM_INLINE int vmi_flow_check_mass(vm_real mass)
+{
+    if (!VM_IS_FINITE(mass)) return VM_NOT_FINITE;
+    if (!(mass > 0)) return VM_BAD_MASS;
+    return VM_OK;
+}
+
 /* From a state y: the rotation to *turn; velocity, angular velocity and the like to *seen. Returns VM_OK,
-   VM_BAD_MASS or VM_BAD_INERTIA. */
+   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -146,7 +159,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     const vm_real inverse = 1 / b->mass;
     vm_vec3 h, p_on_the_way, h_on_the_way;
     vmi_inertia_ldl factors;
-    if (!(b->mass > 0)) return VM_BAD_MASS;
+    const int status = vmi_flow_check_mass(b->mass);
+    if (status) return status;
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     *turn = vmi_rotation_of_square(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     h = vmi_times_transposed(turn, vmi_get3(y + VM_Y_H));
@@ -260,8 +274,8 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
     if (flow->y_size && flow->y_size < VM_FLOW_GIVEN_STATES) return flow->status = VM_SHORT_ARRAY;
-    if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = VM_BAD_INERTIA;
-    if (!(flow->mass > 0)) status = VM_BAD_MASS;
+    status = vmi_flow_check_mass(flow->mass);
+    if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = vmi_first_error(status, VM_BAD_INERTIA);
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
     vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
@@ -347,6 +361,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     if (!vmi_flow_has_streams(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < n) return VM_SHORT_ARRAY;
     now = vmi_flow_mass_at(flow, n < VM_FLOW_STATES, y);
+    if (!vmi_all_finite(VM_FLOW_GIVEN_STATES, y) || !vmi_flow_mass_is_finite(&now)) return VM_NOT_FINITE;
     status = vmi_flow_motion(flow, y, &now, &turn, &seen);
     if (status) return status;
     b.mass = now.mass;
@@ -372,7 +387,7 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 /* Least pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
    It stops a run before the inertia becomes singular, where the pivot is 0. For vm_flow_rhs and vm_flow_balanced_rhs;
    the event's ctx is the vm_flow. The triangle inequality is not watched, because the inertia of thin bodies is
-   always close to its limit. NaN for a null pointer. */
+   always close to its limit. NaN for a null pointer and where the inertia is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -380,6 +395,7 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
     vmi_inertia_ldl f;
     vm_real least = 0;
     (void)t;
+    if (!vmi_inertia_is_finite(&i)) return VM_NAN;
     if (vmi_inertia_factor(&i, &f)) least = vmi_smaller(1 / f.z, vmi_smaller(1 / f.y, i.xx));
     return least - ((const vm_flow *)flow)->least_inertia;
 }

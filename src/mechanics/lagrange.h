@@ -126,15 +126,18 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Puts q' = A^-1 (pi - b) of the state y into the work. VM_SINGULAR */
+/* Puts q' = A^-1 (pi - b) of the state y into the work. VM_SINGULAR; VM_NOT_FINITE where the reason is that t or the
+   state is not finite */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
-    int k;
+    int k, status;
     vmi_lagrange_freeze(system, t, y);
     vmi_lagrange_quadratic(system, t, y);
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
-    return vmi_solve_mass(system->n, w.A, w.rates, w.trial);
+    status = vmi_solve_mass(system->n, w.A, w.rates, w.trial);
+    if (status && !(VM_IS_FINITE(t) && vmi_all_finite(2 * system->n, y))) return VM_NOT_FINITE;
+    return status;
 }
 
 /* dT/dq_i with the masses in the work, by a central difference of order 6. Its error is h^6/140 of the seventh
@@ -170,9 +173,8 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 /* Right-hand side of Lagrange's equations with variable mass (247).
    An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns VM_BAD_ARGUMENT,
    VM_SINGULAR, where the mass matrix is not positive definite (as for vm_lagrange_separate; a mass has become
-   negative, for example), and what system->forces returns; each of them ends the run. An event should stop it before.
-   Time:
-   2 n^2 + 6 n + 1 calls of system->energy. */
+   negative, for example), VM_NOT_FINITE where this is due to a t or y that is not finite, and what system->forces
+   returns; each of them ends the run. An event should stop it before. Time: 2 n^2 + 6 n + 1 calls of system->energy. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;

@@ -95,6 +95,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     int status;
     if (!pendulum || !cut) return VM_BAD_ARGUMENT;
     status = vmi_check_pendulum(pendulum, part);
+    if (!VM_IS_FINITE(Omega) || !VM_IS_FINITE(ux) || !VM_IS_FINITE(uy)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_pendulum_directions(pendulum, &ex, &ey, &fx, &fy);
     rho = pendulum->length - part / 2; /* from O to S2 */

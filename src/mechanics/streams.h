@@ -306,6 +306,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     int status;
     if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
+    if (!vmi_vec3_is_finite(force) || !vmi_vec3_is_finite(moment) || !vmi_vec3_is_finite(loads->force) ||
+        !vmi_vec3_is_finite(loads->moment) || !vmi_vec3_is_finite(loads->torque))
+        status = vmi_first_error(status, VM_NOT_FINITE);
     if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);

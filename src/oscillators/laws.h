@@ -6,8 +6,8 @@
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
-   Every kind of law has a section below: the functions that work for this kind alone, and the constructor that
-   puts them into the vm_law. Nothing outside the section knows of the kind. The integral of 1/f from 0 to t is
+   Every kind of law has a section below, with the functions for this kind alone and the constructor that makes the
+   vm_law point to them. No code outside the section depends on the kind. The integral of 1/f from 0 to t is
    vm_law_inverse_integral (oscillators/panels.h).
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
@@ -20,44 +20,45 @@
 #include "../base/scalars.h"
 #include "../base/status.h"
 
-/* A user's law: writes f(t) and its rate df/dt, returns 0, or another number where it fails. f must be smooth. */
+/* A user's law: writes f(t) and its rate df/dt, and returns 0, or another number where it fails. f must be smooth. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
-/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it; only
-   change_time may be set by hand. The law keeps pointers to the arrays of a table and to the function of a user, which
-   must outlive it. It also points to functions: on a GPU call the constructor on the GPU. */
+/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it;
+   only change_time may be set by hand. The law points to the arrays of its table and to the user's function and ctx,
+   which must outlive it. It also points to functions of this header, so on a GPU the constructor must be called on
+   the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
     vm_real f0, f1, f2;       /* arguments of the constructor, in its order; 0 for tables and functions */
     int n;                    /* number of points of a table; 0 for the other laws */
     const vm_real *time;      /* n times of a table, s, rising; else null */
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
-    vm_law_function function; /* of vm_law_user; else null */
-    void *ctx;                /* last argument of function */
-    vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0: unknown */
-    /* What the kind of law does; its constructor sets these. */
-    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f); /* null: no law */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t is enough */
-    int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null: it has none */
-    vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null: there is no closed form */
+    vm_law_function function; /* the user's function for vm_law_user; else null */
+    void *ctx;                /* the user's pointer, last argument of function */
+    vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0 if it is unknown */
+    /* Functions that depend on the kind of law; its constructor sets them. */
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f); /* null if this is no law */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f at 0 and at t tells enough */
+    int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
+    vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
 
 /* -- What every kind of law shares -- */
 
-/* The direction of time over a length, or from 0 to a time: 1 forward, -1 backward */
+/* The direction of an interval of time of this length: 1 forward, -1 backward */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
-/* Numbers that the function `derivatives` of a law writes: f, f', f'', f''', the index is the order */
+/* How many numbers the function `derivatives` of a law writes: f, f', f'', f'''; the index is the order */
 enum { VMI_LAW_ORDERS = 4 };
 
 /* Whether f, f', f'' are finite, by one comparison: each difference is 0 or NaN */
 VM_API int vmi_law_is_finite(const vm_real *f) { return (f[0] - f[0]) + (f[1] - f[1]) + (f[2] - f[2]) == 0; }
 
-/* f[0] to f[3] at t: the value of the law, which a constructor made, and its first three derivatives.
-   side: where a derivative jumps at t, 1 asks for its value after t, -1 for that before t.
-   step: a short time, s, which functions of the user need for f''; 0 where f'' is not wanted.
-   f''' is that of a table, and 0 for all other laws, where it is not needed.
-   if_not_positive: the status where f <= 0, VM_BAD_MASS for a mass; VM_OK for numbers that may have any sign. */
+/* Writes the value of a law at t and its first three derivatives to f[0] ... f[3]. A constructor must have made the
+   law. Where a derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. step is
+   a short time, s, that user's functions need for f''; it is 0 where f'' is not wanted. f''' is computed for tables
+   only; for other laws it is set to 0, since no caller needs it. if_not_positive is the status for f <= 0, for
+   example VM_BAD_MASS for a mass; it is VM_OK for numbers of any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real step, vm_real *f)
 {
     int status;
@@ -70,28 +71,30 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return VM_OK;
 }
 
-/* Whether a constructor made the law, and it is finite and positive (with if_not_positive = VM_OK: of any sign) between
-   0 and t, as far as can be told without going there. A table is looked at as a whole. */
+/* Checks that a constructor made the law, and that the law is finite and positive between 0 and t, as far as this can
+   be told without a walk from 0 to t. With if_not_positive = VM_OK it may have any sign. A table is checked as a
+   whole. */
 VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS];
     int status;
     if (!law->derivatives) return VM_BAD_ARGUMENT;
     status = vmi_law_derivatives(law, if_not_positive, 0, 1, 0, f);
-    if (!status) status = vmi_law_derivatives(law, if_not_positive, t, 1, 0, f);
-    if (!status && law->validate) status = law->validate(law, if_not_positive, t);
+    status = vmi_first_error(status, vmi_law_derivatives(law, if_not_positive, t, 1, 0, f));
+    if (law->validate) status = vmi_first_error(status, law->validate(law, if_not_positive, t));
     return status;
 }
 
-/* 1, base and rate where the law is f0 exp(rate u) with u = ln(1 + base t)/base (u = t for base = 0), else 0.
-   Integrals of products of such laws with one base are closed forms. A constant has rate 0. */
+/* Returns 1 and writes base and rate if the law is f0 exp(rate u) with u = ln(1 + base t)/base (u = t for base = 0);
+   returns 0 otherwise. Integrals of products of such laws with the same base have closed forms. A constant has rate
+   0. */
 VM_API int vmi_law_exponential_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = *rate = 0;
     return law->exponential_form && law->exponential_form(law, base, rate);
 }
 
-/* The integral of dt/f from 0 to t of a law with an exponential form */
+/* The integral of dt/f from 0 to t for a law f with an exponential form */
 VM_API vm_real vmi_law_exponential_inverse_integral(const vm_law *law, vm_real t)
 {
     vm_real base, rate, u;
@@ -100,7 +103,7 @@ VM_API vm_real vmi_law_exponential_inverse_integral(const vm_law *law, vm_real t
     return u / law->f0 * vmi_exp_ratio((base - rate) * u);
 }
 
-/* f and df/dt at t of any law, with all arguments checked; both are NaN where the status is not VM_OK */
+/* Writes f and df/dt of any law at t, after a check of all arguments. Both are NaN if the status is not VM_OK. */
 VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real values[VMI_LAW_ORDERS];
@@ -115,23 +118,24 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
     return VM_OK;
 }
 
-/* Value f and rate df/dt of a law at time t (s), which may be negative.
-   Within some 8 ulp. VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for t or
-   a result that is infinite or NaN, VM_BAD_MASS where f <= 0 at t, VM_DOMAIN for t outside a table or where the
-   function fails. Then f and rate are untouched. */
+/* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps.
+   f may have any sign, since a law does not know whether it is the law of a mass. Returns VM_BAD_ARGUMENT for null
+   pointers and for a law that no constructor made, VM_NOT_FINITE where t or a result is infinite or NaN, and VM_DOMAIN
+   where the law has no value: for t outside a table, for a power law where 1 + f1 t <= 0, and where the user's function
+   fails. An error leaves *f and *rate untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
     int status;
     if (!f || !rate) return VM_BAD_ARGUMENT;
-    status = vmi_law_at(law, VM_BAD_MASS, t, &value, &slope);
+    status = vmi_law_at(law, VM_OK, t, &value, &slope);
     if (status) return status;
     *f = value;
     *rate = slope;
     return VM_OK;
 }
 
-/* A law without a kind, which the constructors complete */
+/* A law without a kind; the constructors below complete it */
 VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law;
@@ -162,7 +166,7 @@ VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm
     return VM_OK;
 }
 
-/* f0 (1 + base t) = f0 exp(base u) */
+/* The exponential form of a linear law: f0 (1 + base t) = f0 exp(base u) */
 VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = law->f1 / law->f0;
@@ -170,8 +174,8 @@ VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
     return 1;
 }
 
-/* Linear law f = f0 + f1 t (346); a constant where f1 = 0.
-   f0 is the value at t = 0, f1 the rate per second, such as kg and kg/s. */
+/* Linear law f = f0 + f1 t (346); a constant where f1 = 0. f0 is the value at t = 0, f1 the rate per second, for
+   example in kg and kg/s. */
 VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 {
     vm_law law = vmi_law_of(f0, f1, 0);
@@ -192,7 +196,7 @@ VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side,
     return VM_OK;
 }
 
-/* f must be positive where it is lowest, if that is between 0 and t. */
+/* Checks that f is positive at its minimum, if the minimum is between 0 and t. */
 VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS], lowest;
@@ -202,7 +206,7 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
-/* f0 (1 + base t)^2 = f0 exp(2 base u), where f is a square within rounding */
+/* The exponential form of a quadratic law: f0 (1 + base t)^2 = f0 exp(2 base u), if f is a square within rounding */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -211,8 +215,8 @@ VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rat
     return VM_FABS(rest) <= 4 * VM_EPSILON * square;
 }
 
-/* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t: (2/y) atanh(y t/x) or (2/y) atan(y t/x) with
-   x = 2 f0 + f1 t and y^2 = |f1^2 - 4 f0 f2| */
+/* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t. With x = 2 f0 + f1 t, D = f1^2 - 4 f0 f2 and d = sqrt|D| it is
+   (2/d) atan(d t/x) for D < 0, and (2/d) atanh(d t/x) otherwise. */
 VM_API vm_real vmi_law_quadratic_inverse_integral(const vm_law *law, vm_real t)
 {
     const vm_real D = law->f1 * law->f1 - 4 * law->f0 * law->f2, x = 2 * law->f0 + law->f1 * t;
@@ -221,8 +225,8 @@ VM_API vm_real vmi_law_quadratic_inverse_integral(const vm_law *law, vm_real t)
     return 2 * t / x * vmi_log_ratio(2 * s / (1 - s)) / (1 - s);
 }
 
-/* Quadratic law f = f0 + f1 t + f2 t^2.
-   Units are those of f, of f per second and of f per second squared. */
+/* Quadratic law f = f0 + f1 t + f2 t^2. f0 has the unit of f, f1 this unit per second, f2 this unit per second
+   squared. */
 VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law = vmi_law_of(f0, f1, f2);
@@ -251,8 +255,7 @@ VM_API int vmi_law_exponential_own_form(const vm_law *law, vm_real *base, vm_rea
     return 1;
 }
 
-/* Exponential law f = f0 exp(f1 t).
-   f0 is the value at t = 0, f1 the relative rate, 1/s. */
+/* Exponential law f = f0 exp(f1 t). f0 is the value at t = 0, f1 the relative rate, 1/s. */
 VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 {
     vm_law law = vmi_law_of(f0, f1, 0);
@@ -264,20 +267,21 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* VM_BAD_MASS where 1 + f1 t is not positive; for other numbers than masses vmi_law_derivatives changes the status */
+/* Returns VM_BAD_MASS where 1 + f1 t is not positive; vmi_law_derivatives changes this status for laws of other
+   numbers than masses. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
     (void)side;
     (void)step;
-    if (!(base > 0)) return VM_BAD_MASS;
+    if (base <= 0) return VM_BAD_MASS;
     f[0] = law->f0 * vmi_pow_checked(base, law->f2);
     f[1] = law->f2 * relative_rate * f[0];
     f[2] = (law->f2 - 1) * relative_rate * f[1];
     return VM_OK;
 }
 
-/* f0 (1 + f1 t)^f2 = f0 exp(f2 f1 u) with base = f1 */
+/* The exponential form of a power law: f0 (1 + f1 t)^f2 = f0 exp(f2 f1 u) with base = f1 */
 VM_API int vmi_law_power_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = law->f1;
@@ -285,8 +289,8 @@ VM_API int vmi_law_power_form(const vm_law *law, vm_real *base, vm_real *rate)
     return 1;
 }
 
-/* Power law f = f0 (1 + f1 t)^f2, as long as 1 + f1 t > 0.
-   f0 is the value at t = 0, f1 a rate, 1/s, f2 a pure number of either sign. */
+/* Power law f = f0 (1 + f1 t)^f2, for 1 + f1 t > 0. f0 is the value at t = 0, f1 a rate, 1/s, and f2 a pure number of
+   either sign. */
 VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law = vmi_law_of(f0, f1, f2);
@@ -298,8 +302,9 @@ VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Tables -- */
 
-/* Slope at an end of a table: that of the parabola through its last three points, limited so that the cubic stays
-   monotone. h_end, d_end: length and slope of the chord at the end; h_next, d_next: of the chord next to it. */
+/* Slope at an end of a table: the slope of the parabola through the last three points, limited so that the cubic
+   stays monotone. h_end and d_end are the length and the slope of the chord at the end, h_next and d_next those of
+   the chord next to it. */
 VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, vm_real d_next)
 {
     const vm_real slope = ((2 * h_end + h_next) * d_end - h_end * d_next) / (h_end + h_next);
@@ -308,8 +313,8 @@ VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, v
     return slope;
 }
 
-/* Slope at point i of a table: inside, the weighted harmonic mean of the chords' slopes on both sides, 0 at an
-   extremum (Fritsch and Butland) */
+/* Slope at point i of a table. At inner points it is the weighted harmonic mean of the slopes of the chords on both
+   sides, and 0 at an extremum (Fritsch and Butland). */
 VM_API vm_real vmi_law_slope(const vm_law *law, int i)
 {
     const vm_real *t = law->time, *f = law->value;
@@ -329,7 +334,8 @@ VM_API vm_real vmi_law_slope(const vm_law *law, int i)
     return 3 * (h0 + h1) / ((2 * h1 + h0) / d0 + (h1 + 2 * h0) / d1);
 }
 
-/* The index i with time[i] <= t <= time[i+1]; where t is a point of the table, of the interval on that side of it */
+/* The index i with time[i] <= t <= time[i+1]. If t is a point of the table, side tells on which side of t the
+   interval lies. */
 VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
 {
     int low = 0, high = law->n - 1;
@@ -341,14 +347,15 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
     return low;
 }
 
-/* The cubic of the interval with t, which has the values and the slopes of its two points */
+/* Writes the derivatives of the cubic on the interval that contains t. The cubic has the values and slopes of the
+   interval's two points. */
 VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
     vm_real length, u, chord, slope0, slope1, b, c;
     int i;
     (void)step;
-    if (law->n < 2 || !law->time || !law->value) return VM_BAD_ARGUMENT;
-    if (!(t >= law->time[0] && t <= law->time[law->n - 1])) return VM_DOMAIN;
+    if (!(t >= law->time[0] && t <= law->time[law->n - 1]))
+        return vmi_all_finite(law->n, law->time) ? VM_DOMAIN : VM_NOT_FINITE;
     i = vmi_law_interval(law, t, side);
     length = law->time[i + 1] - law->time[i];
     u = t - law->time[i];
@@ -364,7 +371,7 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     return VM_OK;
 }
 
-/* The whole table, whatever t is: values finite and positive, times rising */
+/* Checks the whole table, whatever t is: its values must be finite and positive, its times must rise. */
 VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     int i;
@@ -377,21 +384,22 @@ VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_rea
     return VM_OK;
 }
 
-/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics.
-   Times (s) rise; a call's t must lie between the first and the last. Between its points a cubic with the slopes of
-   Fritsch and Butland neither overshoots nor rings; its second derivative jumps at the points. */
+/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. A table of fewer points, or with a null
+   pointer, is no law: all functions refuse it with VM_BAD_ARGUMENT. Times (s) must rise, and every t of a call
+   must lie between the first and the last. Between two points the law is a cubic with the slopes of Fritsch and
+   Butland, which neither overshoots nor oscillates; its second derivative jumps at the points. */
 VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
 {
     vm_law law = vmi_law_of(0, 0, 0);
     law.n = n;
     law.time = time;
     law.value = value;
-    law.derivatives = vmi_law_table_derivatives;
+    if (n >= 2 && time && value) law.derivatives = vmi_law_table_derivatives; /* else there is no law */
     law.validate = vmi_law_table_validate;
     return law;
 }
 
-/* The next point of a table after t on the way to t_end; t_end where there is none, and for every other law */
+/* The next point of a table after t on the way to t_end; t_end if there is none, or if the law is not a table */
 VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 {
     const int side = t_end > t ? 1 : -1;
@@ -405,14 +413,14 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 
 /* -- Functions of the user -- */
 
-/* The function gives f and f'. f'' is found to second order from f' at t, t + step, t + 2 step; 0 for step = 0. */
+/* Writes f and f', which the user's function gives, and f'', which is found to second order from f' at t, t + step
+   and t + 2 step. f'' is 0 for step = 0. */
 VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
     vm_real unused, rate[2];
     int i;
     (void)side;
     f[2] = 0;
-    if (!law->function) return VM_BAD_ARGUMENT;
     if (law->function(t, &f[0], &f[1], law->ctx)) return VM_DOMAIN;
     if (step == 0) return VM_OK;
     for (i = 0; i < 2; i++)
@@ -421,7 +429,8 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
     return VM_OK;
 }
 
-/* change_time must be a time, and at most 2^20 of them may lie between 0 and t, so that every call ends. */
+/* Checks that change_time is finite and not negative, and that at most 2^20 of it lie between 0 and t, so that every
+   call ends. */
 VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     const vm_real most_changes = VM_C(1048576.);
@@ -432,23 +441,23 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
     return VM_OK;
 }
 
-/* Law by a function of the user, which must be smooth.
-   ctx is passed on to the function. Integrals along the law evaluate the function at 20 points in each panel of
-   time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2)
-   is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time to that
-   time, s: then no panel and no step of an integrator is longer. It may not be negative or less than |t|/2^20
-   (VM_DOMAIN). */
+/* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
+   VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law evaluate the function at 20 points in each
+   panel of time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump
+   exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set
+   law.change_time to that time, s: then no panel and no step of an integrator is longer. A change_time that is negative
+   or less than |t|/2^20 is refused with VM_DOMAIN. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);
     law.function = function;
     law.ctx = ctx;
-    law.derivatives = vmi_law_user_derivatives;
+    if (function) law.derivatives = vmi_law_user_derivatives; /* else there is no law */
     law.validate = vmi_law_user_validate;
     return law;
 }
 
-/* The longest panel of time, s, in which the law cannot hide a change between 0 and t; whole = |t| */
+/* The longest panel of time, s, in which the law cannot hide a change between 0 and t; `whole` is |t| */
 VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 {
     const vm_real longest = whole / 32;

@@ -1,12 +1,16 @@
 /* oscillators/mean_motion.h - averaged motion of first and second order without a force, and estimates of its error
 
    Without a force F the averaged equations of an oscillator with slow laws of mass and stiffness are solved by
-   integrals: the amplitude follows the adiabatic law (325), (344), (367), (389), the phase is the integral of Om,
-   (310), (329), (370). vmi_osc_first_order is that solution for one of the three waves, error q/Om;
-   vmi_osc_second_order adds the ripple within a period and the second order of the mean phase, error (q/Om)^2.
-   vmi_osc_mean mean; vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ATEB); int status = vmi_osc_mean_at(&plan, t,
-   &mean); if (!status) status = vmi_osc_second_order(&plan, &w, &mean, &motion); Tests: tests/test_averaging.c,
-   tests/test_routes.c. */
+   integrals: the amplitude A follows the adiabatic law (325), (344), (367), (389), and the Ateb phase is the integral
+   of its rate Om, (310), (329), (370). vmi_osc_first_order is this solution for one of the three waves;
+   vmi_osc_second_order adds the ripple within a period and the second order of the mean phase, so that up to t = 1/q
+   its error is of the order of (q/Om)^2. oscillators/problem.h explains q, h, gamma and rho.
+       vmi_osc_mean mean;
+       vm_osc_motion motion;
+       vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_SECOND); // plan is a vm_osc_plan
+       int status = vmi_osc_mean_at(&plan, 10, &mean);
+       if (!status) status = vmi_osc_second_order(&plan, VM_ROUTE_SECOND, &w, &mean, &motion);
+   Tests: tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_MEAN_MOTION_H
 #define VARMASS_OSCILLATORS_MEAN_MOTION_H
 
@@ -20,23 +24,23 @@
 
 /* -- The mean motion at t -- */
 typedef struct VM_TAG(vmi_osc_mean) {
-    vmi_osc_rates now;          /* the rates just before t (after it for t < 0) */
-    vmi_osc_integrals integral; /* from 0 to t */
-    vm_real fourth;             /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi, epsilon = q/Om */
+    vmi_osc_rates now;          /* the rates just before t (just after t for t < 0) */
+    vmi_osc_integrals integral; /* integrals from 0 to t */
+    vm_real fourth;             /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi with epsilon = q/Om */
     vm_real ln_A, ratio;        /* ln(A/A0) and Om/Om0 by the adiabatic law */
-    vm_real kick2, kick3;       /* of the points of tables, see vmi_osc_walk */
-    vm_real fast;               /* fast changes of m and k change ln J, J the action, by no more than this */
-    vm_real phase_error;        /* error of the phase by that of integral.phase */
+    vm_real kick2, kick3;       /* squares of jumps at points of tables, as in vmi_osc_walk */
+    vm_real fast;               /* bound of the change of ln J by fast changes of m and k, where J is the action */
+    vm_real phase_error;        /* error of the mean phase that comes from the error of integral.phase */
 } vmi_osc_mean;
 
-/* A bound of the change of ln J, J the action, that the adiabatic law leaves out. The law ignores
-   (ln J)' = epsilon w(psi), per radian of phase, with w = (1 - (n+2)/n sa^2)/2, n = alpha + 1, whose mean is 0. The
-   change is at most the integral of |epsilon w|. After i integrations by parts it is at most the integral of the ith
-   derivative of epsilon times the ith integral of w; the solution has the terms at the ends. The smallest of these
-   bounds is taken: one with a high i where m and k change slowly, the first where they change in less than a period.
-   At points of tables the derivatives jump. The solution contains the effect (a kick) of the jumps of the first
-   derivative, and kick3 that of the next. Where the first bounds are the smallest, the kicks of the solution are
-   wrong, so these bounds include them. */
+/* A bound of the change of ln J that the adiabatic law leaves out, where J is the action. With n = alpha + 1 and
+   epsilon = q/Om, the law ignores (ln J)' = epsilon w(psi), per radian of phase, where w = (1 - (n+2)/n sa^2)/2 has
+   the mean 0. The change is at most the integral of |epsilon w|. After i integrations by parts it is at most the
+   integral of the absolute value of the ith derivative of epsilon times the ith integral of w; the terms at the ends
+   are part of the solution. The smallest of these bounds is taken: it has a high i where m and k change slowly, and i
+   = 0 where they change in less than a period. At points of tables the derivatives jump. The solution includes the
+   effect (a kick) of jumps of the first derivative, and kick3 measures that of jumps of the second. Where the bound
+   with i = 0 or 1 is the smallest, the kicks of the solution are wrong, so these two bounds include them. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
 {
     const vm_real n = p->problem.alpha + 1, turn = p->pi / (2 * VM_PI);
@@ -44,7 +48,7 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
     vm_real size[VMI_WALK_ORDERS], least = VM_INFINITY; /* size[i]: largest value of the ith integral of w */
     int i;
     size[0] = n < 2 ? 1 / n : VM_C(0.5);
-    size[1] = VM_C(0.25); /* sa ca/2 */
+    size[1] = VM_C(0.25); /* the first integral of w is sa ca/2 */
     size[2] = n / 8 * larger_part;
     for (i = 3; i < VMI_WALK_ORDERS; i++) size[i] = size[i - 1] * turn;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
@@ -55,7 +59,7 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
     return least;
 }
 
-/* The mean motion by a walk along the laws of m and k; mean->now is given. */
+/* Computes the mean motion by a walk along the laws of m and k; mean->now is set before the call. */
 VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
 {
     const vm_osc_problem *o = &p->problem;
@@ -75,8 +79,8 @@ VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     return VM_OK;
 }
 
-/* The mean motion where m and k are exponentials in one u. epsilon then is a power or an exponential, too, so that
-   its fastest change is at 0 or at t, which the estimates below include. */
+/* Computes the mean motion where m and k are exponentials in one variable u. Then epsilon = q/Om is a power or an
+   exponential, too, so that it changes fastest at 0 or at t, and the estimates below include both. */
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
 {
     const vm_real u = t * vmi_log_ratio(p->base * t), q = p->q;
@@ -92,7 +96,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     mean->phase_error = 0;
 }
 
-/* The mean motion at t */
+/* Computes the mean motion at the time t. */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     vm_real ln_Om;
@@ -109,22 +113,23 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 
 /* -- Estimates, of the larger of |error of x|/A and |error of v|/vmax -- */
 
-/* What the rounding errors of the phase add */
+/* Error of the motion by rounding errors of the phase */
 VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->integral.phase)) + mean->phase_error;
 }
 
-/* What both solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t,
-   and the roughness of tables */
+/* Error of both solutions by what they leave out between 0 and t: fast changes of m and k, and jumps in derivatives
+   of tables. Such an error of ln A causes an error of the phase that is gamma Om t times as large. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real g = VM_FABS(p->gamma * p->Om * mean->integral.phase);
     return (1 + g) * mean->fast + VM_C(0.2) * (VM_SQRT(mean->kick2) + g * VM_SQRT(mean->kick3));
 }
 
-/* The error of first order, to first order in q/Om: the solution leaves out ln rho and the shift of the start, the
-   ripple of a period, and the second order of the mean phase. The phase multiplies ln rho by gamma Om t. */
+/* Error of the first-order solution, to first order in q/Om. The solution leaves out ln rho and the shift at the
+   start, the ripple within a period, and the second order of the mean phase. An error of ln rho causes an error of
+   the phase that is gamma Om t times as large. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real n = p->problem.alpha + 1, e = VM_FABS(mean->now.q) / (p->Om * mean->ratio), M = p->mean_ca2;
@@ -136,9 +141,9 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return phase + amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* The error of second order: the solution leaves out ripples of second order at the start and at t, the third order of
-   ln rho, which the phase multiplies, and the fourth order of the mean phase. The factors fit what
-   tests/test_routes.c finds. */
+/* Error of the second-order solution. The solution leaves out ripples of second order at the start and at t, the
+   third order of ln rho, which causes an error of the phase, and the fourth order of the mean phase. The factors are
+   fitted to the errors in tests/test_routes.c. */
 VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real Om = p->Om * mean->ratio, e = VM_FABS(mean->now.q) / Om, e0 = VM_FABS(p->q) / p->Om;
@@ -152,8 +157,9 @@ VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *me
 
 /* -- The solutions -- */
 
-/* The motion of amplitude A where Om is the rate of the Ateb phase, so that vmax = 2 A Om/(alpha+1); c and s are those
-   of the wave. Evaluations are set to 0. VM_NOT_FINITE leaves *motion untouched. */
+/* Writes the motion of amplitude A where Om is the rate of the Ateb phase, so that the largest velocity is 2 A
+   Om/(alpha+1); c and s are those of the wave. Sets evals to 0. Returns VM_NOT_FINITE, and leaves *motion untouched,
+   where x or v is not finite; returns VM_OK otherwise. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {
@@ -169,7 +175,8 @@ VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_re
     return VM_OK;
 }
 
-/* First order (310), (329), (370): A by the adiabatic law, the phase the integral of Om. route: the one with wave w */
+/* The first-order solution (310), (329), (370): A follows the adiabatic law, and the phase is the integral of Om.
+   `route` is the route with the wave w. */
 VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                vm_osc_motion *motion)
 {
@@ -180,8 +187,8 @@ VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wa
     return vmi_osc_motion_of(w, A, Om, c, s, error, route, motion);
 }
 
-/* Second order. Om at the exact amplitude is that at the mean amplitude times rho^gamma, where
-   rho = (A/mean A)^((alpha+3)/2). route: VM_ROUTE_SECOND */
+/* The second-order solution; `route` is VM_ROUTE_SECOND. Om at the exact amplitude is Om at the mean amplitude times
+   rho^gamma, where rho = (A/mean A)^((alpha+3)/2). */
 VM_API int vmi_osc_second_order(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion)
 {

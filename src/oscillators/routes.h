@@ -2,8 +2,8 @@
 
    Seven routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
    in oscillators/problem.h). vm_osc_within takes the cheapest whose error is estimated to be within a tolerance,
-   vm_osc_by_route the one that is asked for; vm_osc_plan_within and vm_osc_plan_by_route do the same for many times of
-   one problem. The shortest useful call:
+   vm_osc_by_route takes the route that its argument names; vm_osc_plan_within and vm_osc_plan_by_route do this for many
+   times of one problem. The shortest useful call:
        vm_osc_problem bucket = {1, vm_law_linear(10, -0.1), vm_law_linear(250, 0), 0, 0, 0.05, 0, NULL, NULL};
        vm_osc_motion motion;
        if (vm_osc_within(&bucket, 70, 1e-6, &motion) == VM_OK) printf("%g m\n", motion.x);
@@ -21,49 +21,48 @@
 
 /* -- Which route for what, and what the estimate of the error covers --
 
-   Cost. Without a force F the first four routes are averaged solutions in closed form: one or two sa, ca and the
-   integrals of the laws of mass and stiffness, whatever t and the tolerance are. The other routes integrate from 0
-   to t and work to the tolerance: each runs twice, the second time more strictly, and the difference of the two
-   gives the error. By the default tolerance that takes 400 (variation), 700 (rk87) or 2200 (rk45) evaluations a
-   period for alpha = 3. With F the averaged equations of the first three routes are integrated, too, and the
-   second-order law does not exist.
+   Cost. Without a force F the first four routes are averaged solutions in closed form: they need one or two
+   evaluations of sa and ca and the integrals of the laws of mass and stiffness, whatever t and the tolerance are. The
+   other routes integrate from 0 to t to the tolerance. Each of them runs twice, the second time with a stricter
+   tolerance, and the difference of the two runs gives the error. With F the averaged equations of the first three
+   routes are integrated, too, and the second-order law does not exist. docs/cost.md has the times.
 
-   Choice. vm_osc_within takes the first of these four that is within the tolerance. Where none is, or F is given,
-   it integrates: by rk87 for odd alpha without F, where it is two to four times as fast, else by the variation of
-   constants.
+   Choice. vm_osc_within takes the first of these four solutions that is within the tolerance. Where none is, or where
+   F is given, it integrates: by rk87 for odd alpha without F, and by the variation of constants in all other cases.
 
-   What the estimate covers. Of averaged solutions: what the solution leaves out, and the fastest changes of mass
-   and stiffness between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from
+   What the estimate covers. For averaged solutions it covers what the solution leaves out, and the fastest changes of
+   mass and stiffness between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from
    point to point. A change within a period makes the estimate large; vm_osc_within then integrates, in steps of at
-   most a quarter of the shortest panel. Of averaged equations with F: the error of their integration, of averaging,
-   and of cos and cn in place of the Ateb functions. Averaging leaves out the ripple within a period, its effect on
-   phase and amplitude at the start, its square, and a force that changes within a period, as in a resonance. For
-   this estimate F is called over a period at the start and at eight later times: a force that acts only for a short
-   time between these is not seen.
+   most a quarter of the shortest panel. For averaged equations with F the estimate covers the error of their
+   integration, of averaging, and of cos and cn in place of the Ateb functions. Averaging leaves out the ripple within
+   a period, its effect on phase and amplitude at the start, its square, and a force that changes within a period, as
+   in a resonance. For this estimate F is called over a period at the start and at eight later times: it misses a
+   force that acts only for a short time between them.
 
-   How good the estimate is. Random problems (tests/test_routes.c) have alpha in [0, 8], q from 3e-3 to 0.1 and end
-   at t = 3/q; some of them change only in a part of the run, or have tables with a step. The true error is below 3
-   times the estimate in 99 % of them, and above 10 times (by vm_osc_within at most 10.3) in 1 of 1000. Of 282 runs
-   by the variation of constants one erred by 37 times the estimate, at alpha = 1.5. With rk87 the true error is
-   above 3 times the estimate in 2 %, up to 20 times: if alpha is not an odd integer, its errors are not
-   proportional to the tolerance. In the median the estimate is 3 to 4 (first order), 7 (second order), 5 to 20
-   (integrators) and, with F, 5 to 10 (averaged) times the true error. Above alpha = 8 the estimate of first order
-   is too large. */
+   How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
+   1/8 to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. In double its bounds are, for
+     the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
+     the largest ratio of true error to estimate: 30 by rk87, 40 by rk45 and variation of constants, else 10,
+     the median ratio of estimate to true error: 25 by rk87, 13 by rk45 and variation of constants, 15 with F, else 10.
+   The estimate is worse for rk87, because its errors are not proportional to the tolerance if alpha is not an odd
+   integer. */
 
 /* -- The table of routes -- */
 
-/* The solution of averaged equations without a force at t, where the mean motion has come to *mean */
+/* The solution at t of averaged equations without a force; *mean is the mean motion at t */
 typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion);
 
-/* A route: without a force by its solution in closed form, if it has one, else by its method of integration */
+/* A route. Without a force it takes its solution in closed form, if it has one; otherwise it integrates by its
+   method. */
 typedef struct VM_TAG(vmi_osc_route) {
     const char *name;
-    vmi_osc_solution solution; /* null: it has none */
-    vmi_osc_method method;     /* with rhs null: it cannot be integrated */
+    vmi_osc_solution solution; /* the solution in closed form, or null if there is none */
+    vmi_osc_method method;     /* the method of integration; its rhs is null if there is none */
 } vmi_osc_route;
 
-/* The entry of an averaged solution, whose equations with a force, by rk45, are rhs; null: there are none */
+/* The entry of an averaged solution. rhs is the right-hand side of its equations with a force, which rk45 integrates,
+   or null if there are none. */
 VM_API vmi_osc_route vmi_osc_route_averaged(const char *name, vmi_osc_solution solution, ode_rhs rhs)
 {
     vmi_osc_route route;
@@ -85,7 +84,7 @@ VM_API vmi_osc_route vmi_osc_route_integrated(const char *name, vmi_osc_method m
     return route;
 }
 
-/* The table: entry VM_ROUTE_... */
+/* The table of routes: its entry for the route VM_ROUTE_... */
 VM_API vmi_osc_route vmi_osc_route_of(int route)
 {
     const vmi_osc_method variation = vmi_osc_method_rk45(vmi_osc_variation_rhs);
@@ -108,20 +107,28 @@ VM_API const char *vm_osc_route_name(int route) { return vmi_osc_route_of(route)
 
 /* -- One route -- */
 
-/* Checks what all calls share, and puts the default for a tolerance of 0 */
-VM_API int vmi_osc_check_call(const vm_osc_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
+/* Checks the arguments that all calls share, apart from the problem. */
+VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, const vm_osc_motion *motion)
 {
-    int status;
-    if (!p || !motion) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
-    if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
-    status = vmi_law_check(&p->problem.mass, VM_BAD_MASS, t);
-    if (!status) status = vmi_law_check(&p->problem.stiffness, VM_BAD_STIFFNESS, t);
-    if (!status && *tolerance < 0) return VM_DOMAIN;
-    return status;
+    if (!motion || route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(tolerance)) return VM_NOT_FINITE;
+    if (tolerance < 0) return VM_DOMAIN;
+    return VM_OK;
 }
 
-/* The motion of a body at rest at x = 0: none, unless a force starts one, of which no route knows */
+/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+VM_API int vmi_osc_check_call(const vm_osc_plan *p, int route, vm_real t, vm_real *tolerance,
+                              const vm_osc_motion *motion)
+{
+    const int status = vmi_osc_check_arguments(route, t, *tolerance, motion);
+    if (!p) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return status;
+    if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
+    return vmi_first_error(status, vmi_osc_check_laws(&p->problem, t));
+}
+
+/* The motion of a body at rest at x = 0: it stays at rest, unless a force starts a motion, which no route can
+   compute */
 VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motion)
 {
     if (p->problem.force) return VM_NO_LAW;
@@ -134,23 +141,27 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
     return VM_OK;
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan.
-   route: VM_ROUTE_.... motion->error estimates the larger of |error of x|/A and |error of v|/vmax. tolerance is of
-   the same number, for routes that integrate: 0 means 1e-6 (float 1e-3). See above for what a route costs.
-   VM_TOLERANCE_MISSED: x and v are there, but the error of integration is larger than the tolerance. Errors leave
-   *motion untouched: VM_BAD_ARGUMENT (null pointers, no such route), VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS
-   (a law that is not positive between 0 and t), VM_DOMAIN (a negative tolerance, t outside a table, a table out of
-   order, the function of a law fails, a change_time that is negative or too short), VM_NO_LAW (second-order law
-   with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (the integrator gave up, or would need 2^13 steps a
-   period, four times what its longest step asks for, or 2^23 of the present periods: so every call ends). */
+/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. route is one of VM_ROUTE_....
+   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
+   it that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). The comment at
+   the top of this file says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but
+   the error of integration is larger than the tolerance.
+   An error leaves *motion untouched; it returns
+     VM_BAD_ARGUMENT for null pointers or a route that does not exist,
+     VM_NOT_FINITE for a number that is infinite or NaN,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, a user's function of a law that fails,
+       or a change_time that is negative or too short,
+     VM_NO_LAW for the second-order law with F, and for F on a body at rest at x = 0,
+     VM_NOT_INTEGRATED where the integrator gives up, or would need too many steps: more than 2^13 a period plus four
+       times what its longest step asks for, or more than 2^23 of the present periods. Thus every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
     vmi_osc_mean mean;
     vmi_osc_wave w;
-    int status = vmi_osc_check_call(p, t, &tolerance, motion);
+    int status = vmi_osc_check_call(p, route, t, &tolerance, motion);
     if (status) return status;
-    if (route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
     entry = vmi_osc_route_of(route);
     if (p->problem.force && !entry.method.rhs) return VM_NO_LAW;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
@@ -163,15 +174,15 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* The route that integrates where no averaged solution is good enough: rk87 only for odd alpha, where the elastic
-   force has all derivatives at x = 0, so that rk87 holds its order, and where F, which may have none, is missing */
+/* The route that integrates where no averaged solution is good enough. It is rk87 only for odd alpha and without F:
+   then the force has all derivatives at x = 0, which rk87 needs to keep its order. */
 VM_API int vmi_osc_integrator(const vm_osc_problem *o)
 {
     const vm_real half = (o->alpha - 1) / 2;
     return !o->force && half == VM_FLOOR(half) ? VM_ROUTE_RK87 : VM_ROUTE_VARIATION;
 }
 
-/* Motion at any time t (s) by integration, as vm_osc_plan_within does where no averaged solution is good enough */
+/* Motion at any time t (s) by integration, for vm_osc_plan_within where no averaged solution is good enough */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const int route = vmi_osc_integrator(&p->problem);
@@ -179,16 +190,16 @@ VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tol
     return vmi_osc_integrate(p, route, &entry.method, t, tolerance, motion);
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan.
-   Takes the cheapest route whose error is estimated to be within the tolerance; motion->route says which. The
-   tolerance is relative, of the larger of |error of x|/A and |error of v|/vmax: for x within d metres ask for d/A;
-   0 means 1e-6 (float 1e-3). Statuses as in vm_osc_plan_by_route. */
+/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan. It takes the cheapest route whose
+   error is estimated to be within the tolerance; motion->route says which. The tolerance is relative, for the larger
+   of |error of x|/A and |error of v|/vmax: for x within d metres ask for d/A; 0 means 1e-6 (float 1e-3). The statuses
+   are those of vm_osc_plan_by_route. */
 VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;
-    int route, status = vmi_osc_check_call(p, t, &tolerance, motion);
+    int route, status = vmi_osc_check_call(p, VM_ROUTE_TRIG, t, &tolerance, motion);
     if (status) return status;
     if (p->A == 0) return vmi_osc_at_rest(p, VM_ROUTE_TRIG, motion);
     if (p->problem.force) return vmi_osc_integrate_within(p, t, tolerance, motion);
@@ -207,7 +218,8 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 
 /* -- Without a plan -- */
 
-/* The plan of a problem that is asked once, without the plan of the Ateb functions, which only many values repay */
+/* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
+   many calls */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, vm_osc_plan *plan)
 {
     int status;
@@ -217,25 +229,26 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, vm_osc_plan *plan)
     return vmi_osc_start(plan);
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) by a given route.
-   For one time of a problem. Arguments, result and statuses of vm_osc_plan_by_route, and the statuses of
-   vm_osc_plan_init. */
+/* Motion x(t), x'(t) at time t (s, either sign) by a given route. It is for one time of a problem. Arguments, result
+   and statuses are those of vm_osc_plan_by_route; it also returns the statuses of vm_osc_plan_init. */
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, &plan);
+    int status = vmi_osc_check_arguments(route, t, tolerance, motion);
+    status = vmi_first_error(status, vmi_osc_once(problem, &plan));
     if (status) return status;
     return vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance.
-   For one time of a problem, by the cheapest route. Arguments, result and statuses of vm_osc_plan_within, and the
-   statuses of vm_osc_plan_init. */
+/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance. It is for one time of a problem, by the cheapest
+   route. Arguments, result and statuses are those of vm_osc_plan_within; it also returns the statuses of
+   vm_osc_plan_init. */
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, &plan);
+    int status = vmi_osc_check_arguments(VM_ROUTE_TRIG, t, tolerance, motion);
+    status = vmi_first_error(status, vmi_osc_once(problem, &plan));
     if (status) return status;
     return vm_osc_plan_within(&plan, t, tolerance, motion);
 }

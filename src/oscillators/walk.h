@@ -1,9 +1,10 @@
 /* oscillators/walk.h - integrals along the mean motion of an oscillator, where they have no closed form
 
-   The averaged motion from 0 to t is known as soon as three integrals are, vmi_osc_integrals. Where mass and stiffness
-   are laws without a common closed form, vmi_osc_walk_to goes along both laws from 0 to t, by the panels of
-   oscillators/panels.h. On the way it also gathers what the estimates of the error need: how fast the small parameter
-   epsilon = q/Om changes with the phase, and how the derivatives of tables jump at their points.
+   The three integrals of vmi_osc_integrals determine the averaged motion from 0 to t. Where the laws of mass and
+   stiffness give no closed forms of them, vmi_osc_walk_to sums over the panels of oscillators/panels.h along both laws
+   from 0 to t. It also computes what the estimates of the error need: how fast the small parameter epsilon = q/Om
+   changes with the mean phase psi, and how the derivatives of tables jump at their points. oscillators/problem.h
+   explains q, h and Om.
        vmi_osc_walk w;
        int status = vmi_osc_walk_to(&w, &plan, 10); // plan is a vm_osc_plan; w.integral.phase, w.integral.drift, ...
    Tests: tests/test_averaging.c, tests/test_ladder.c. */
@@ -19,34 +20,34 @@
 #include "problem.h"
 #include "waves.h"
 
-/* Derivatives of epsilon that are looked at, the value itself included */
+/* Number of derivatives of epsilon that the error estimate uses, from the order 0 (epsilon itself) to the order 4 */
 enum { VMI_WALK_ORDERS = 5 };
 
-/* What the walk along the laws from 0 to t gathers; psi is the mean phase. */
+/* The results of a walk along the laws from 0 to t; psi is the mean phase. */
 typedef struct VM_TAG(vmi_osc_walk) {
     const vm_osc_plan *plan;
     int side;                        /* 1 forward, -1 backward in time */
-    vmi_osc_integrals integral;      /* from 0 to the present time */
+    vmi_osc_integrals integral;      /* integrals from 0 to the present time */
     vm_real fourth;                  /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi */
-    vm_real change[VMI_WALK_ORDERS]; /* integral of |d^i epsilon/dpsi^i| dpsi, but for jumps at points of tables */
-    vm_real ln_A;                    /* change of ln of the mean amplitude by jumps of q' */
-    vm_real kicks;                   /* sum of the sizes of these changes */
+    vm_real change[VMI_WALK_ORDERS]; /* integral of |d^i epsilon/dpsi^i| dpsi, without jumps at points of tables */
+    vm_real ln_A;                    /* sum of the changes of ln(mean amplitude) by jumps of q' */
+    vm_real kicks;                   /* sum of the absolute values of these changes */
     vm_real kick2, kick3;            /* sums of squares of the jumps of h/Om^2, and of (q h + h')/Om^3 */
-    vm_real shortest;                /* shortest panel that the laws of m and k took, s */
-    vm_real error;                   /* of integral.phase, s */
+    vm_real shortest;                /* length of the shortest panel so far, s */
+    vm_real error;                   /* estimated error of integral.phase, s */
 } vmi_osc_walk;
 
-/* A panel of the walk: three series on it, and its share of two integrals */
+/* A panel of the walk: three series on it, and its contributions to two integrals */
 typedef struct VM_TAG(vmi_osc_panel) {
-    vm_real edge;               /* how far the series of 1/m and of k are from the laws at the panel's ends, relative */
-    vm_real inverse[VMI_GAUSS]; /* 1/m */
-    vm_real ratio[VMI_GAUSS];   /* k at first, then Om/Om0 */
-    vm_real epsilon[VMI_GAUSS]; /* q/Om */
-    vm_real drift;              /* integral of q^2 Om0/Om dt */
-    vm_real fourth;             /* integral of (q/Om)^4 dpsi, psi the mean phase */
+    vm_real edge;               /* largest relative error of the series of 1/m and of k at the panel's ends */
+    vm_real inverse[VMI_GAUSS]; /* series of 1/m */
+    vm_real ratio[VMI_GAUSS];   /* at first series of k, then series of Om/Om0, where Om0 is Om at t = 0 */
+    vm_real epsilon[VMI_GAUSS]; /* series of epsilon = q/Om */
+    vm_real drift;              /* integral of q^2 Om0/Om dt over the panel */
+    vm_real fourth;             /* integral of epsilon^4 dpsi over the panel, where psi is the mean phase */
 } vmi_osc_panel;
 
-/* Om/Om0 where mass and stiffness are m and k, and the integral of dt/m is inverse_mass */
+/* Om/Om0, where mass and stiffness are m and k, and inverse_mass is the integral of dt/m */
 VM_API vm_real vmi_osc_walk_ratio(const vmi_osc_walk *w, vm_real m, vm_real k, vm_real inverse_mass)
 {
     const vm_osc_plan *p = w->plan;
@@ -56,7 +57,8 @@ VM_API vm_real vmi_osc_walk_ratio(const vmi_osc_walk *w, vm_real m, vm_real k, v
     return vmi_exp(ln_Om + (p->problem.alpha - 1) / 2 * w->ln_A, 0);
 }
 
-/* The rates at the points of Gauss' rule, the series of 1/m and of k, and how far they miss the laws at the ends */
+/* Computes the rates r at the points of Gauss' rule, the series of 1/m and of k, and their relative errors at the
+   panel's ends */
 VM_API int vmi_osc_panel_laws(const vmi_osc_walk *w, vm_real start, vm_real length, vmi_osc_rates *r,
                               vmi_osc_panel *panel)
 {
@@ -77,7 +79,7 @@ VM_API int vmi_osc_panel_laws(const vmi_osc_walk *w, vm_real start, vm_real leng
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The panel of a length (with its sign) from start on */
+/* Computes the panel of a length from start on; the length is negative backward in time. */
 VM_API int vmi_osc_panel_of(const vmi_osc_walk *w, vm_real start, vm_real length, vmi_osc_panel *panel)
 {
     const vm_osc_plan *p = w->plan;
@@ -102,8 +104,9 @@ VM_API int vmi_osc_panel_of(const vmi_osc_walk *w, vm_real start, vm_real length
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. epsilon may be less accurate than the others. If a law has a kink,
-   no panel is short enough; what is left out must then not matter. whole is the walk's length, s. */
+/* Whether the panel is short enough for its series. The series of epsilon may be less accurate than the series of the
+   laws. If a law has a kink, no panel is short enough, and halving ends where the part that is left out no longer
+   matters. whole is the walk's length, s. */
 VM_API int vmi_osc_panel_is_resolved(const vmi_osc_walk *w, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real epsilon_enough = VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
@@ -117,13 +120,14 @@ VM_API int vmi_osc_panel_is_resolved(const vmi_osc_walk *w, const vmi_osc_panel 
            epsilon_enough * VM_SQRT(vmi_legendre_square(panel->epsilon)) + phase_matters / phase;
 }
 
-/* Adds the integrals of |d^i epsilon/dpsi^i| over the panel, by the root of the mean square. Coefficients of epsilon
-   that are rounding errors are dropped before; the series is destroyed. */
+/* Adds the panel's integrals of |d^i epsilon/dpsi^i|, each taken as the root of the mean square times the length.
+   Coefficients of epsilon that are mere rounding errors are set to 0 first. The function destroys the series of
+   epsilon. */
 VM_API void vmi_osc_walk_add_changes(vmi_osc_walk *w, vmi_osc_panel *panel, vm_real length)
 {
     const vm_real noise = 1024 * VM_EPSILON, size = VM_FABS(length), Om = w->plan->Om * panel->ratio[0];
     const vm_real least = noise * VM_SQRT(vmi_legendre_square(panel->epsilon));
-    vm_real rate = 1; /* (dx/dpsi)^i with x in [-1, 1] on the panel */
+    vm_real rate = 1; /* (dx/dpsi)^i, where x runs over [-1, 1] on the panel */
     int i;
     for (i = 0; i < VMI_GAUSS; i++)
         if (VM_FABS(panel->epsilon[i]) <= least) panel->epsilon[i] = 0;
@@ -136,7 +140,7 @@ VM_API void vmi_osc_walk_add_changes(vmi_osc_walk *w, vmi_osc_panel *panel, vm_r
     }
 }
 
-/* Adds the panel's share of all that the walk gathers */
+/* Adds the panel's contributions to all results of the walk */
 VM_API void vmi_osc_walk_add(vmi_osc_walk *w, vmi_osc_panel *panel, vm_real length)
 {
     w->integral.inverse_mass += length * panel->inverse[0];
@@ -146,15 +150,15 @@ VM_API void vmi_osc_walk_add(vmi_osc_walk *w, vmi_osc_panel *panel, vm_real leng
     w->fourth += panel->fourth;
 }
 
-/* At t, a point of a table, q' jumps. The motion does not jump, and so goes on with another mean amplitude. This
-   holds for small jumps only: a larger one changes only the error estimate. */
+/* Passes the point t of a table, where q' jumps. The motion itself does not jump, so it continues with another mean
+   amplitude. This holds for small jumps only; a larger jump changes only the error estimate. */
 VM_API int vmi_osc_walk_past_knot(vmi_osc_walk *w, vm_real t)
 {
     const vm_osc_plan *p = w->plan;
     const vm_real n = p->problem.alpha + 1, largest = VM_C(0.5);
     const vmi_osc_wave wave = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     vmi_osc_rates before, after;
-    vm_real ca, sa, jump, third, kick, Om; /* jumps of h/Om^2 and of (q h + h')/Om^3; of ln A */
+    vm_real ca, sa, jump, third, kick, Om; /* jump of h/Om^2, of (q h + h')/Om^3, of ln A */
     int status = vmi_osc_rates_at(p, t, -w->side, 1, &before);
     if (!status) status = vmi_osc_rates_at(p, t, w->side, 1, &after);
     if (status || before.h == after.h) return status;
@@ -173,7 +177,8 @@ VM_API int vmi_osc_walk_past_knot(vmi_osc_walk *w, vm_real t)
     return VM_OK;
 }
 
-/* From start to end, between which no table has a point, by panels of at most `longest`; whole: length of the walk */
+/* Walks from start to end by panels of at most `longest`; a table must have no point between them. `whole` is the
+   length of the walk. */
 VM_API int vmi_osc_walk_piece(vmi_osc_walk *w, vm_real start, vm_real end, vm_real longest, vm_real whole)
 {
     vmi_panels p = vmi_panels_from(start, end, longest, whole);
@@ -193,7 +198,7 @@ VM_API int vmi_osc_walk_piece(vmi_osc_walk *w, vm_real start, vm_real end, vm_re
     return VM_OK;
 }
 
-/* A walk of a plan that is still at t = 0, and will go to that side */
+/* Begins a walk at t = 0 for the plan p, forward in time for side = 1 and backward for side = -1 */
 VM_API void vmi_osc_walk_start(vmi_osc_walk *w, const vm_osc_plan *p, int side, vm_real longest)
 {
     int i;
@@ -212,7 +217,7 @@ VM_API void vmi_osc_walk_start(vmi_osc_walk *w, const vm_osc_plan *p, int side, 
     w->error = 0;
 }
 
-/* The walk along both laws of the plan from 0 to t, from one point of a table to the next */
+/* Walks along both laws of the plan from 0 to t, from one point of a table to the next. */
 VM_API int vmi_osc_walk_to(vmi_osc_walk *w, const vm_osc_plan *p, vm_real t)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;
@@ -221,7 +226,7 @@ VM_API int vmi_osc_walk_to(vmi_osc_walk *w, const vm_osc_plan *p, vm_real t)
     int status = VM_OK;
     if (other < longest) longest = other;
     vmi_osc_walk_start(w, p, vmi_time_side(t), longest);
-    if (w->side < 0) status = vmi_osc_walk_past_knot(w, 0); /* the plan starts with the rates after t = 0 */
+    if (w->side < 0) status = vmi_osc_walk_past_knot(w, 0); /* the plan has the rates after t = 0 */
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
         status = vmi_osc_walk_piece(w, at, next, longest, whole);

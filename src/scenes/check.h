@@ -72,13 +72,13 @@ VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 
 VM_API int vmi_scene_check_parameters(const vm_scene_body *b, const vm_effect *e)
 {
+    const int own = e->check ? (e->check)(e) : VM_OK;
     int k;
     for (k = 0; k < VM_LENGTH(e->p); k++)
-        if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
+        if (!VM_IS_FINITE(e->p[k])) return vmi_first_error(VM_NOT_FINITE, own);
     if (e->needs >= VMI_NEEDS_MASS_STATE && !b->mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->needs >= VMI_NEEDS_GROWING_BODY && !b->grows) return VM_DOES_NOT_GROW;
-    if (e->check) return (e->check)(e);
-    return VM_OK;
+    return own;
 }
 
 VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)

@@ -23,15 +23,22 @@
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_mass_law_values now = {0, 0, 0, 0};
-    const int status = vm_law_at((const vm_law *)e->ctx, t, &now.mass, &now.by_t);
+    const int status = vmi_law_at((const vm_law *)e->ctx, VM_BAD_MASS, t, &now.mass, &now.by_t);
     if (status) s->status = status;
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
+/* Whether a constructor made the law */
+VM_API int vmi_check_mass_of_time(const vm_effect *e)
+{
+    return ((const vm_law *)e->ctx)->derivatives ? VM_OK : VM_BAD_ARGUMENT;
+}
+
 /* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the one with
    which the body was made does not count. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law
-   stays the caller's and must stay where it is. VM_BAD_ARGUMENT at the start where law is NULL. A run ends where the
-   law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where that fails. */
+   stays the caller's and must stay where it is. VM_BAD_ARGUMENT at the start where law is NULL or no constructor
+   made it. A run ends where the law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where
+   that fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
@@ -41,6 +48,7 @@ VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, 
     e.p[VMI_MASS_U + 2] = u.z;
     e.p[VMI_MASS_REACTIVE] = reactive;
     e.order = VMI_ORDER_MASS_LAW;
+    e.check = vmi_check_mass_of_time;
     e.ctx = (void *)law;
     return e;
 }
