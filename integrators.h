@@ -833,6 +833,14 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_FOLDED VM_INLINE
 #endif
 
+/* Linkage of the loop over the steps of one pair. It is inlined where it is to be fast, and never where it is to be
+   short: there one copy for any n is enough. */
+#ifdef __OPTIMIZE_SIZE__
+#define VMI_LOOP VMI_APART
+#else
+#define VMI_LOOP VM_INLINE
+#endif
+
 /* The part of work with f at the end of a step */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
@@ -2150,7 +2158,7 @@ VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
 }
 
 /* Steps of rk45 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
-VM_INLINE int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 {
     vmi_rk_stepper stepper;
     stepper.pair = vmi_rk45_pair();
@@ -2542,7 +2550,7 @@ VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
 }
 
 /* Steps of rk87 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
-VM_INLINE int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 {
     vmi_rk_stepper stepper;
     stepper.pair = vmi_rk87_pair();

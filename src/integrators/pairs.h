@@ -70,6 +70,14 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_FOLDED VM_INLINE
 #endif
 
+/* Linkage of the loop over the steps of one pair. It is inlined where it is to be fast, and never where it is to be
+   short: there one copy for any n is enough. */
+#ifdef __OPTIMIZE_SIZE__
+#define VMI_LOOP VMI_APART
+#else
+#define VMI_LOOP VM_INLINE
+#endif
+
 /* The part of work with f at the end of a step */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 

@@ -330,7 +330,7 @@ VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
 }
 
 /* Steps of rk87 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
-VM_INLINE int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 {
     vmi_rk_stepper stepper;
     stepper.pair = vmi_rk87_pair();
