@@ -120,38 +120,38 @@
 
    INDEX
      base/self_check: whether this compiler and this processor compute as varmass needs
-       vm_self_check                  1 where the compiler and the processor compute as varmass needs, else 0
+       vm_self_check                  Returns 1 if the compiler and the processor compute as varmass needs, else 0
 
      integrators/ode: ordinary differential equations y' = f(t, y): right-hand sides and statuses
-       ode_strerror                   The text of a status of this header
+       ode_strerror                   Text that describes a status of the integrators
 
      integrators/rk4: rk4: the classical Runge-Kutta method of order 4 with fixed steps
-       rk4_step                       One step of size h, of either sign, by the classical Runge-Kutta method
-       rk4_solve                      Equal steps, as many as `steps`, from *t to t_end by the classical Runge-Kutta method
-       rk4_solve_compensated          Equal steps with compensated summation, so that roundings do not add up
+       rk4_step                       One step of size h, positive or negative, by the classical Runge-Kutta method
+       rk4_solve                      Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method
+       rk4_solve_compensated          Equal steps with compensated summation [3], so that roundings do not add up
 
      integrators/rk45: rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
-       rk45_defaults                  The options with their defaults in place of zeros, as rk45_init takes them
+       rk45_defaults                  Options of rk45 with each zero replaced by its default, as rk45_init uses them
        rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
-       rk45_restart                   Goes on with rk45 from another time or state, such as after a jump
-       rk45_step                      One accepted step of rk45, or less of it, up to an event that ends it
-       rk45_solve_with                Steps of rk45 to t_end with f and n given once more, so that f is inlined
-       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to a terminal event
-       rk45_interpolate               The state y(t) at a time t within the last step of rk45, of order 4
+       rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
+       rk45_step                      One accepted step of rk45, or the part of it before an event that ends the step
+       rk45_solve_with                Steps of rk45 to t_end, with f and n named again so that f is inlined
+       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event
+       rk45_interpolate               State y(t) at a time t within the last step of rk45, accurate to order 4
 
      integrators/rk87: rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
-       rk87_init                      Begins a run by rk87, as rk45_init does by rk45
-       rk87_restart                   Goes on with rk87 from another time or state, as rk45_restart does with rk45
-       rk87_step                      One accepted step of rk87, as rk45_step makes one of rk45
-       rk87_solve_with                Steps of rk87 to t_end with f and n given once more, so that f is inlined, as in rk45_solve_with
-       rk87_solve                     Steps of rk87 to t_end exactly, as rk45_solve makes them of rk45
-       rk87_interpolate               The state y(t) at a time t within the last step of rk87, of order 8 */
+       rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
+       rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
+       rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
+       rk87_solve_with                Steps of rk87 to t_end, with f and n named again so that f is inlined
+       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event
+       rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8 */
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
 /* base/real.h - the number type, the macros that a user may set, the functions of the C library
 
-   Everything else is built on this file. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
+   All other files are built on this one. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
    each macro that the user has not set its default, refuses compilers whose options change the values of results, and
    names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
 
@@ -186,7 +186,7 @@
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* slower, with the same results */
+#define VM_INLINE VM_API /* slower than with inlining, with the same results */
 #endif
 
 #ifdef VM_USE_FLOAT
@@ -235,7 +235,7 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
-#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* here gcc compiles "x = copysign(x, y)" to x = y */
+#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* for this processor gcc compiles "x = copysign(x, y)" to x = y */
 #else
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)((vm_real)(x), (vm_real)(y))
 #endif
@@ -246,7 +246,7 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
-/* |x| with the sign of y, which may be -0 */
+/* Returns |x| with the sign of y, which may be -0. */
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
     const int negative = y < 0 || (y == 0 && 1 / y < 0);
@@ -255,7 +255,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers; b where one of them is NaN */
+/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
@@ -283,8 +283,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps them in
-   variables. */
+/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps these
+   digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -295,7 +295,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* a + b as an exact pair (Knuth) */
+/* Returns the exact sum a + b as a pair (by Knuth). */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -306,7 +306,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a + b as an exact pair, for |a| >= |b| (Dekker) */
+/* Returns the exact sum a + b as a pair, for |a| >= |b| (by Dekker). */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -315,7 +315,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* The pair hi, lo as it is */
+/* Makes a pair from its words hi and lo, which are not changed. */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -338,7 +338,7 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
-/* Whether sums are computed in the order in which they are written, as arithmetic in two words needs, and whether
+/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if
    adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
@@ -353,8 +353,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
-   instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
+/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a
+   reciprocal instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -367,8 +367,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Whether sums next to 1 are rounded to the nearest number, in the middle between two to the even one, and are not
-   kept with more digits than vm_real has */
+/* Returns 1 if sums next to 1 are rounded to the nearest number (a sum in the middle between two numbers, to the even
+   one) and are not kept with more digits than vm_real has. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -377,7 +377,7 @@ VM_API int vmi_rounds(vm_real one, vm_real eps)
            minus_above + one == -eps;
 }
 
-/* Whether NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should */
+/* Returns 1 if NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should. */
 VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
 {
     const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
@@ -387,10 +387,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* 1 where the compiler and the processor compute as varmass needs, else 0: results would be wrong.
-   It returns
-   0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
-   processor takes subnormal numbers for zero. Call it once, when the program starts. */
+/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results are wrong.
+   This happens, for example, with options of clang that its macros do not show, with another rounding mode, or where
+   the processor takes subnormal numbers for zero. Call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
@@ -401,8 +400,9 @@ VM_API int vm_self_check(void)
 
 #endif
 /* base/arrays.h - loops over arrays of numbers
-   Whether all numbers of an array are finite, copies, and the loops over the components of a small state, which the
-   compiler unrolls where it knows the number n of components, so that they live in registers.
+   Two functions test an array for numbers that are not finite and copy an array. A macro writes the loops over the
+   components of a small state: the compiler unrolls them where it knows the number n of components, and then keeps
+   the components in registers.
 
        vm_real y[3] = {1, 2, 3}, z[3];
        if (vmi_all_finite(3, y)) vmi_copy(3, y, z);
@@ -411,7 +411,7 @@ VM_API int vm_self_check(void)
 #ifndef VARMASS_BASE_ARRAYS_H
 #define VARMASS_BASE_ARRAYS_H
 
-/* Whether none of the n numbers is infinite or NaN */
+/* Returns 1 if all n numbers are finite, and 0 if one of them is infinite or NaN. */
 VM_API int vmi_all_finite(int n, const vm_real *y)
 {
     int i;
@@ -420,7 +420,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
     return 1;
 }
 
-/* A loop `VMI_EACH(i, n) statement` over components, unrolled where the compiler knows n. */
+/* `VMI_EACH(i, n) statement` executes the statement for i = 0 ... n - 1. gcc unrolls this loop where it knows n. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
     !defined(__OPTIMIZE_SIZE__)
 #define VMI_UNROLL _Pragma("GCC unroll 16")
@@ -429,8 +429,8 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #endif
 #define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
 
-/* Systems of up to VMI_SMALL components, where the compiler knows n, are stepped in local arrays, others in the
-   caller's work. */
+/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL. An integrator then keeps a state of n
+   components in local arrays; otherwise it keeps the state in the caller's array `work`. */
 #define VMI_SMALL 8
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
@@ -438,7 +438,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #define VMI_IS_SMALL(n) 0
 #endif
 
-/* Copies n numbers; the arrays do not overlap, unless they are the same. */
+/* Copies n numbers. The arrays `from` and `to` must not overlap, but they may be one and the same array. */
 VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 {
     int i;
@@ -447,7 +447,7 @@ VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 
 #endif
 /* integrators/ode.h - ordinary differential equations y' = f(t, y): right-hand sides and statuses
-   The type of every right-hand side f, and the statuses of all functions that begin with rk4_, rk45_, rk87_ or ode_.
+   This file has the type of every right-hand side f, and the statuses of the functions rk4_..., rk45_... and rk87_...
 
        #include "integrators.h"
        static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x as y = (x, x')
@@ -470,28 +470,28 @@ VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 
 enum {
     ODE_OK = 0,          /* success */
-    ODE_RTOL_RAISED = 1, /* from an init: rtol was below 16 eps (rk87: 256 eps), and the run takes that instead */
-    ODE_EVENT = 2,       /* a terminal event: s->t and s->y are where it happened, s->event is its index */
+    ODE_RTOL_RAISED = 1, /* rk45_init has raised rtol to 16 eps, or rk87_init to 256 eps, which is the least */
+    ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not accuracy, kept the steps short */
-    /* A count n or steps that is not positive, a null pointer, a component without tolerance, h_min < 0 or above h_max,
-       a time, state or option that is not finite, a time outside the last step, an event without g, or an rk45 that the
-       init function of another method made */
+    /* An argument is wrong: n or steps is not positive, a pointer is NULL, a component has no tolerance, h_min is
+       negative or above h_max, a time, a state or an option is not finite, a time is outside the last step, an event
+       has no g, or the rk45 was made by the init function of another method. */
     ODE_BAD_ARGUMENT = -1,
-    ODE_RHS_STOPPED = -2, /* f returned another number than 0; s->rhs_status is this number */
-    ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step, or an event function NaN */
-    /* Two steps of the smallest size (h_min, or what t can resolve) missed the tolerance, with fewer than three good
-       steps between them: f is singular there, or too stiff for t. The status is also given if h_max is less than t can
-       resolve. A jump of f does not end a run: s->missed counts it. */
+    ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
+    ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
+    /* Two steps of the smallest size (h_min, or the resolution of t) missed the tolerance, with fewer than three steps
+       between them that kept it: f is singular there, or too stiff for the resolution of t. The run also ends so if
+       h_max is less than the resolution of t. A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
-    ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call goes on from there */
+    ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call continues the run */
     ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
 };
 
-/* A right-hand side writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx
-   is the pointer that the caller gave to the integrator. */
+/* A function that writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx is
+   the pointer that the caller gave to the integrator. */
 typedef int (*ode_rhs)(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
 
-/* The text of a status of this header. */
+/* Text that describes a status of the integrators. */
 VM_API const char *ode_strerror(int status)
 {
     switch (status) {
@@ -511,8 +511,8 @@ VM_API const char *ode_strerror(int status)
 
 #endif
 /* integrators/rk4.h - rk4: the classical Runge-Kutta method of order 4 with fixed steps
-   Four evaluations of f in each step; the error at the end is proportional to h^4. It is the method where each step
-   must take the same time, as in a control loop; rk45 needs less time for the same error.
+   A step takes four evaluations of f, and the error at the end of a run is proportional to h^4. It is the method where
+   each step must take the same time, as in a control loop; rk45 needs less time for the same error.
 
        double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
        int status = rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // spring is the ode_rhs of ode.h; 1000 steps
@@ -521,9 +521,10 @@ VM_API const char *ode_strerror(int status)
 #ifndef VARMASS_INTEGRATORS_RK4_H
 #define VARMASS_INTEGRATORS_RK4_H
 
-#define RK4_WORK(n) (3 * (n)) /* how many numbers the work of rk4 with n components has */
+#define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
 
-/* The four stages of a step of h from y: leaves k_1 + 2 k_2 + 2 k_3 in sum and k_4 in k. Returns what f returns. */
+/* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
+   k_4; z holds the argument of f. Returns 0, or the number with which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -548,8 +549,8 @@ VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, 
     return f(t + h, z, k, ctx);
 }
 
-/* Makes `steps` steps of h from *t. The state is y, or y + low_or_NULL; w has 3 m numbers, m >= n. y and *t become
-   those of the last complete step. Returns a status. */
+/* Makes `steps` steps of size h from *t. The state is y, or y + low_or_NULL with compensated summation. w is a work
+   array of 3 m numbers, m >= n. y and *t become those at the end of the last complete step. Returns a status. */
 VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
                           vm_real *low_or_NULL, vm_real *w, ptrdiff_t m)
 {
@@ -558,7 +559,7 @@ VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, lo
     long step;
     int i, status = ODE_OK;
     for (step = 0; step < steps; step++) {
-        vm_real bad = 0; /* x - x is 0 or NaN */
+        vm_real bad = 0; /* becomes NaN if a component of z is not finite */
         if (vmi_rk4_stages(f, ctx, n, t0 + (vm_real)step * h, h, y, k, sum, z)) {
             status = ODE_RHS_STOPPED;
             break;
@@ -584,7 +585,7 @@ VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, lo
     return status;
 }
 
-/* vmi_rk4_run in registers, where the compiler knows that n is small */
+/* Does the work of vmi_rk4_run in local arrays, which the compiler keeps in registers if it knows that n is small */
 VM_INLINE int vmi_rk4_run_small(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
                                 vm_real *low_or_NULL)
 {
@@ -599,7 +600,7 @@ VM_INLINE int vmi_rk4_run_small(ode_rhs f, void *ctx, int n, vm_real *t, vm_real
     return status;
 }
 
-/* Checks the arguments of an rk4 function, and makes the steps */
+/* Checks the arguments of an rk4 function and makes the steps. Returns a status. */
 VM_INLINE int vmi_rk4(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y, vm_real *low_or_NULL,
                       vm_real *work)
 {
@@ -608,7 +609,7 @@ VM_INLINE int vmi_rk4(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long s
     return vmi_rk4_run(f, ctx, n, t, h, steps, y, low_or_NULL, work, n);
 }
 
-/* rk4_solve and rk4_solve_compensated */
+/* Does the work of rk4_solve and of rk4_solve_compensated */
 VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                             vm_real *low_or_NULL, vm_real *work)
 {
@@ -619,25 +620,26 @@ VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_e
     return status;
 }
 
-/* One step of size h, of either sign, by the classical Runge-Kutta method. y, n numbers, is the state at time t and
-   becomes that at t + h. f gets ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED
-   or ODE_NOT_FINITE, and in the last three cases y is as it was. */
+/* One step of size h, positive or negative, by the classical Runge-Kutta method. y has n numbers; it is the state at
+   time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, or,
+   with y unchanged, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED or ODE_NOT_FINITE. */
 VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
 {
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
-/* Equal steps, as many as `steps`, from *t to t_end by the classical Runge-Kutta method. y, n numbers, becomes the
-   state at t_end, and *t becomes t_end exactly. Where f stops the run or something is not finite, y and *t are those
-   of the last complete step. Returns as rk4_step does. */
+/* Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method. y has n numbers and becomes the
+   state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the
+   end of the last complete step. Returns the statuses of rk4_step. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
     return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, NULL, work);
 }
 
-/* Equal steps with compensated summation, so that roundings do not add up. They are those of rk4_solve, but the state
-   is y + y_low [3]. y_low has n numbers, which are zero at first. It pays where there are millions of steps. */
+/* Equal steps with compensated summation [3], so that roundings do not add up. The steps are those of rk4_solve, but
+   the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The summation is
+   worth its time when there are millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {
@@ -669,47 +671,48 @@ typedef vm_real (*ode_event_function)(vm_real t, const vm_real *y, void *ctx);
 
 /* What a run does at an event. */
 enum {
-    ODE_RECORD = 0, /* it counts the event and goes on */
-    ODE_STOP = 1,   /* it ends there with ODE_EVENT: a terminal event */
-    ODE_RESTART = 2 /* it ends the step there, calls `change`, and begins a new step */
+    ODE_RECORD = 0, /* the run counts the event and goes on */
+    ODE_STOP = 1,   /* the run ends at the event with the status ODE_EVENT */
+    ODE_RESTART = 2 /* the run ends the step at the event, calls `change`, and begins a new step */
 };
 
-/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events that the
-   options point at. He sets the fields from g to states; the integrator sets the others. */
+/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events to which the
+   options point. The caller sets the fields from g to states; the integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
-    ode_event_function g; /* the function whose zeros are looked for */
-    void *ctx;            /* given to g and to change */
-    int direction; /* in the run's own direction: > 0 when g rises through zero, < 0 when it falls, 0 for both */
+    ode_event_function g; /* the function whose zeros are the event */
+    void *ctx;            /* pointer that g and change receive */
+    int direction; /* the changes of sign of g, along the run, that count: > 0 rising ones, < 0 falling ones, 0 both */
     int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
-    int checks;    /* g is looked at in so many points inside each step; 0 means 3, negative none, at most 9999 */
-    /* NULL, or what an ODE_RESTART calls. It may change y, and in ctx what f depends on. */
+    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0 means 3, negative 0 */
+    /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
+       depends. */
     void (*change)(vm_real t, vm_real *y, void *ctx);
-    long room;       /* how many events times and states have room for; later events are counted only */
-    vm_real *times;  /* NULL, or room for `room` times */
-    vm_real *states; /* NULL, or room for `room` states of n numbers each */
-    long count;      /* events so far */
+    long room;       /* number of events for which times and states have room; later events are only counted */
+    vm_real *times;  /* NULL, or an array that receives the times of the first `room` events */
+    vm_real *states; /* NULL, or an array that receives the states of the first `room` events, n numbers each */
+    long count;      /* number of events so far */
     vm_real t;       /* time of the last event */
     /* The fields from here on are internal. */
-    int side;       /* the sign of g where the run is, 0 while it is not known */
-    int side_ahead; /* the side at the end of the step, if the step is not cut */
-    int happens;    /* nonzero while the step is cut at an instant at which this event happens */
-    vm_real from;   /* g has been looked at up to this fraction of the step */
-    vm_real slack;  /* after an event the side stays unknown while |g| <= slack ... */
-    vm_real quiet;  /* ... and for this time at most */
+    int side;       /* sign of g at the present time of the run, 0 while it is uncertain */
+    int side_ahead; /* sign of g at the end of the step, if no event ends the step earlier */
+    int happens;    /* nonzero if this event happens at the end of the step */
+    vm_real from;   /* g has been evaluated up to this fraction of the step */
+    vm_real slack;  /* after the event, the sign of g is uncertain while |g| <= slack */
+    vm_real quiet;  /* time after the event for which the sign of g may still be uncertain */
 } ode_event;
 
-/* The options of a run, zero meaning the default in every field. rk45_defaults shows what the defaults come to. */
+/* Options of a run. A zero in any field means its default; rk45_defaults shows all defaults. */
 typedef struct VM_TAG(rk45_options) {
-    vm_real rtol;             /* relative tolerance of a step; default 1e-6 (float 1e-4), negative: none */
-    vm_real atol;             /* absolute tolerance of every component; default rtol/1000, negative: none */
-    vm_real h0;               /* first step, chosen from f by default. Its sign is the direction of rk45_step. */
-    vm_real h_min;            /* shortest step; default: what t can resolve */
-    vm_real h_max;            /* longest step; default: no limit */
-    long max_steps;           /* attempts in one call of rk45_solve; default 1000000, negative: no limit */
-    const vm_real *atol_each; /* NULL, or n absolute tolerances, one for each component, instead of atol; 0 is none */
-    ode_event *events;        /* n_events events, or NULL */
+    vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
+    vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
+    vm_real h0;               /* size of the first step; by default from f. Its sign is the direction of rk45_step. */
+    vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
+    vm_real h_max;            /* size of the longest step; the default is no limit */
+    long max_steps;           /* attempts in a call of rk45_solve; the default is 1000000, negative means no limit */
+    const vm_real *atol_each; /* NULL, or n absolute tolerances of the components, in place of atol; 0 means none */
+    ode_event *events;        /* array of n_events events, or NULL */
     int n_events;             /* number of events */
-    long work_size; /* how many numbers work has room for, e.g. sizeof work / sizeof *work; 0: it is not checked */
+    long work_size; /* number of elements of work, e.g. sizeof work / sizeof *work; 0 means that it is not checked */
 } rk45_options;
 
 #if VM_MANT_DIG > 24
@@ -718,7 +721,7 @@ typedef struct VM_TAG(rk45_options) {
 #define VMI_DEFAULT_RTOL VM_C(1e-4)
 #endif
 
-/* The options with the defaults in place of zeros, and rtol raised to least_rtol */
+/* The options with each zero replaced by its default, and with rtol raised to least_rtol */
 VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options_or_NULL)
 {
     rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
@@ -736,7 +739,7 @@ VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options
 /* The absolute tolerance of component i */
 VM_INLINE vm_real vmi_atol(const rk45_options *o, int i) { return o->atol_each ? o->atol_each[i] : o->atol; }
 
-/* Whether every component has a tolerance, and none is negative or NaN */
+/* Whether every component has a tolerance, and no tolerance is negative or NaN */
 VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
 {
     int i;
@@ -759,7 +762,8 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
     return 1;
 }
 
-/* The error that component i may have in a step in which its size is |y|; always > 0 */
+/* Tolerance of component i in a step, atol + rtol |y|. y is the value of the component. The result is always
+   positive. */
 VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 {
     return vmi_atol(o, i) + o->rtol * VM_FABS(y) + VM_MIN;
@@ -781,10 +785,12 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
 struct VM_TAG(rk45);
 
-/* The parts of a run's work, of n numbers each: y, y at t_old, an argument of f, and the derivatives k_1, k_2 ... */
+/* The parts of a run's work, of n numbers each: the state y, the state at t_old, the state at which a stage evaluates f
+   (after the stages the new state), and from VMI_K on the derivatives k_1, k_2 ... */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
-/* The equations that a step solves, and its parts of work: part p begins at w + p m, and m >= n. */
+/* The equations y' = f(t, y) that a step solves, n of them, and the arrays of the step: part p, such as VMI_Y, begins
+   at w + p m, where m >= n. ctx is the pointer that f receives. */
 typedef struct VM_TAG(vmi_rk_system) {
     ode_rhs f;
     void *ctx;
@@ -795,20 +801,21 @@ typedef struct VM_TAG(vmi_rk_system) {
 
 /* What a run needs to know of its pair */
 typedef struct VM_TAG(vmi_rk_pair) {
-    int method;           /* the number of the pair: VMI_RK45 ... */
-    int order;            /* of the state after a step. That of the error estimate is one less. */
-    int stages;           /* evaluations of f that make the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage is f at the new state, the next step's k_1; 0: that is evaluated apart */
-    int derivatives;      /* all k_i of a step: stages, f at its end, and those of the continuous extension alone */
-    int rounding;         /* bound of the rounding within a step, relative to y, in eps: the smallest rtol */
-    vm_real keep_from;    /* after a step whose error is above this part of the tolerance the size may stay */
-    vm_real stiff_beyond; /* the run looks stiff where |h lambda| is larger, about the end of the stability region */
-    /* The weight of k_{j+1} in the difference, over h, of the last two states for which f is evaluated at t + h */
+    int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
+    int order;            /* the order of the state after a step; the order of the error estimate is one less */
+    int stages;           /* number of evaluations of f for the new state and the error estimate */
+    int last_is_first;    /* 1: the last stage is f at the new state, k_1 of the next step; 0: the run evaluates that */
+    int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
+    int rounding;         /* bound of the rounding error in a step, relative to y, in VM_EPSILON: the least rtol */
+    vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
+    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of the Jacobian of f is larger */
+    /* Two stages, or the last stage and the new state, evaluate f at t + h. Returns the weight of k_{j+1} in the
+       difference of these two states, divided by h. */
     vm_real (*end_difference)(int j);
-    /* The continuous extension: y(t_old + x h) = y_old + h (b_1 k_1 + b_2 k_2 + ...), 0 <= x <= 1, by vmi_weigh_inside
-       with weights b_j that depend on x */
+    /* Computes the state y at the fraction x of the step by the continuous extension, y_old + h (b_1 k_1 + ...), whose
+       weights b_j depend on x */
     void (*inside)(const struct VM_TAG(rk45) * s, vm_real x, vm_real *y);
-    /* NULL, or what evaluates the k_i that only the continuous extension needs. Returns a status. */
+    /* NULL, or the function that evaluates the k_i of the continuous extension alone. Returns a status. */
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
@@ -816,17 +823,19 @@ typedef struct VM_TAG(vmi_rk_pair) {
    into the loop. They are no part of vmi_rk_pair, which each run holds: there they would be compiled a second time. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
-    /* Stages 2, 3 ... of a step from t to t_new = t + h: part VMI_Z becomes the new state. Returns what f returns. */
+    /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
+       Adds the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
     int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
-    /* The largest error of a component over its tolerance; NaN where anything is not finite */
+    /* The largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error or the
+       new state is not finite */
     vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
 } vmi_rk_stepper;
 
-#define VMI_MOST_OWN 14 /* the most k_i that a step of any pair makes, without those of the continuous extension */
+#define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
 
-/* Linkage of descriptors and of the parts of vmi_advance. Inlining makes the descriptors constants, and each part is
-   called in one place only. So the code becomes smaller too, and they are inlined even where VM_INLINE, for the sake of
-   size, does not inline. */
+/* Linkage of descriptors and of the parts of vmi_advance. Inlining turns the descriptors into constants, and each part
+   is called in one place only, so that inlining makes the code smaller. These functions are therefore inlined even
+   where VM_INLINE does not inline, in order to keep the code small. */
 #if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
 #define VMI_FOLDED static inline __attribute__((always_inline))
 #else
@@ -841,15 +850,15 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_LOOP VM_INLINE
 #endif
 
-/* The part of work with f at the end of a step */
+/* The index of the part of work that holds f at the end of a step */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
-/* The smallest rtol */
+/* The least rtol that a run by this pair accepts */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
-/* In the stages of a pair: h times a coefficient, and an evaluation of f. h is folded into the coefficients and the
-   newest k comes last in every sum, so that the chain from one evaluation of f to the next is a multiplication and an
-   addition long. */
+/* For the stages of a pair: VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h is
+   multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
+   between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
     do {                                 \
@@ -861,10 +870,11 @@ VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pai
 
 #define VMI_LARGER(a, b) ((a) > (b) ? (a) : (b))
 #define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
-#define VMI_WORST VM_C(1e4) /* larger errors, in tolerances, count as this one */
+#define VMI_WORST VM_C(1e4) /* a larger ratio of an error to its tolerance counts as this one */
 
-/* Takes up an error e of component i, whose state goes from y to z: *worst becomes the largest error over its
-   tolerance so far, and *bad becomes NaN if e or z is not finite, since x - x is 0 or NaN. */
+/* Enters the error e of component i, whose value is y before the step and z after it. *worst becomes the largest ratio
+   of an error to its tolerance so far. *bad becomes NaN if e or z is not finite, since infinity minus infinity is
+   NaN. */
 VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_real z, vm_real *worst, vm_real *bad)
 {
     const vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y), VM_FABS(z)));
@@ -875,8 +885,8 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
 
 #endif
 /* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
-   An rk45 holds the state of a run by either pair, and its `work`, which the caller provides, the arrays of n numbers.
-   The functions that make and use it are in rk45.h and rk87.h.
+   An rk45 holds the state of a run by rk45 or by rk87. Its `work`, which the caller provides, holds the arrays of n
+   numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RUNS_H
@@ -886,41 +896,41 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
 typedef struct VM_TAG(rk45) {
     vm_real t;            /* current time */
     vm_real *y;           /* current state, n numbers (in work) */
-    vm_real t_old;        /* rk45_interpolate covers t_old .. t, the last accepted step; equal to t after an error */
-    vm_real h;            /* the next step that will be tried, with its sign; 0 before the first */
-    long steps;           /* accepted steps */
-    long rejected;        /* rejected steps */
-    long evals;           /* evaluations of f */
-    long missed;          /* steps of the smallest size that were accepted though their error was above the tolerance */
-    int rhs_status;       /* what f returned last */
-    int event;            /* index of the terminal event that ended the last call, else -1 */
+    vm_real t_old;        /* rk45_interpolate covers t_old to t, the last accepted step; t_old is t after an error */
+    vm_real h;            /* size of the next step to be tried, with its sign; 0 before the first step */
+    long steps;           /* number of accepted steps */
+    long rejected;        /* number of rejected steps */
+    long evals;           /* number of evaluations of f */
+    long missed;          /* number of steps of the smallest size accepted with an error above the tolerance */
+    int rhs_status;       /* number that f returned last */
+    int event;            /* index of the ODE_STOP event that ended the last call, else -1 */
     int stiff;            /* nonzero once the run has looked stiff */
     ode_rhs f;            /* the right-hand side */
-    void *ctx;            /* given to f */
+    void *ctx;            /* pointer that f receives */
     int n;                /* number of components */
-    rk45_options options; /* with the defaults in place of zeros */
+    rk45_options options; /* the options, with the defaults in place of zeros */
     /* The fields from here on are internal. */
     vmi_rk_pair pair;
     vm_real *work;
-    vm_real t_low;         /* y belongs to t + t_low, |t_low| <= ulp(t)/2 ... */
-    vm_real t_old_low;     /* ... and the last step began at t_old + t_old_low */
+    vm_real t_low;         /* y belongs to the time t + t_low; |t_low| <= ulp(t)/2 */
+    vm_real t_old_low;     /* the last step began at the time t_old + t_old_low */
     vm_real h_done;        /* size of the last accepted step */
-    vm_real inverse_error; /* 1 over its error, in tolerances */
-    long attempts;         /* steps that may still be tried; negative: no limit */
-    int k1;                /* where k_1 of the next step is: VMI_K1_MISSING ... */
+    vm_real inverse_error; /* tolerance of the last accepted step divided by its error */
+    long attempts;         /* number of steps that may still be tried; negative means no limit */
+    int k1;                /* where k_1 of the next step is: VMI_K1_MISSING, VMI_K1_READY or VMI_K1_IS_LAST */
     int extended;          /* nonzero if the continuous extension of the last step is ready */
-    int failure;           /* what became of the attempt before: VMI_NONE_FAILED ... */
-    long next_miss;        /* a step of the smallest size may miss the tolerance again when `steps` is this large */
-    int stiff_wait;        /* steps until the next look for stiffness */
-    int stiff_hits;        /* looks that found stiffness, in succession but for a few */
-    int stiff_misses;      /* looks since the last of them */
+    int failure;           /* result of the last attempt: VMI_NONE_FAILED, VMI_REJECTED or VMI_NOT_FINITE */
+    long next_miss;        /* value of `steps` from which on a step of the smallest size may miss the tolerance again */
+    int stiff_wait;        /* number of steps until the next test of stiffness */
+    int stiff_hits;        /* number of tests that found stiffness since VMI_STIFF_MISSES tests in a row found none */
+    int stiff_misses;      /* number of tests since the last one that found stiffness */
 } rk45;
 
-enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
-enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of an attempt */
-enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
+enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the previous step's last k */
+enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* results of an attempt */
+enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one test of stiffness to the next */
 
-/* A part of work, such as VMI_Y */
+/* The array of n numbers in work with the index `part`, such as VMI_Y */
 VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
 
 /* Sets the fields of a new run that do not depend on the options or the pair */
@@ -953,7 +963,7 @@ VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm
     s->stiff_misses = 0;
 }
 
-/* rk45_init for any pair */
+/* Does the work of rk45_init for any pair */
 VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                        const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -978,8 +988,8 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     return ODE_OK;
 }
 
-/* y = y_old + h (b[0] k_1 + b[1] k_2 + ...), count terms. The weights add up to x, so those of the differences to k_1
-   do as well, with less rounding. */
+/* Computes y = y_old + h (b[0] k_1 + b[1] k_2 + ...), a sum of `count` terms. The weights b add up to x, so that the
+   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have less rounding. */
 VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
 {
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
@@ -1008,7 +1018,7 @@ VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 #ifndef VARMASS_INTEGRATORS_DENSE_H
 #define VARMASS_INTEGRATORS_DENSE_H
 
-/* Makes the continuous extension of the last step ready, once for each step */
+/* Makes the continuous extension of the last step ready, if it is not. Returns a status. */
 VM_API int vmi_extend(rk45 *s)
 {
     int status = ODE_OK;
@@ -1017,16 +1027,16 @@ VM_API int vmi_extend(rk45 *s)
     return status;
 }
 
-/* y at the fraction x of the last step, 0 <= x <= 1, whose continuous extension is ready */
+/* Computes the state y at the fraction x of the last step, 0 <= x <= 1. The continuous extension must be ready. */
 VM_API void vmi_inside(const rk45 *s, vm_real x, vm_real *y) { s->pair.inside(s, x, y); }
 
-/* Whether t is within the last step, its ends included */
+/* Whether the time t is within the last step, its ends included */
 VM_API int vmi_is_in_last_step(const rk45 *s, vm_real t)
 {
     return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);
 }
 
-/* The place of t, which is within the last step: 0 at the beginning of the step, 1 at its end */
+/* The fraction of the last step at which the time t lies: 0 at the beginning of the step, 1 at its end */
 VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
 {
     const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
@@ -1034,7 +1044,8 @@ VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
     return VMI_SMALLER(x, VM_C(1.0));
 }
 
-/* y(t) for t within the last step of a run by the pair of number `method`, whose continuous extension is ready */
+/* Computes the state y at a time t within the last step of a run by the pair `method`. The continuous extension must be
+   ready. Returns a status. */
 VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *y)
 {
     if (!s || !y || s->pair.method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
@@ -1043,7 +1054,8 @@ VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *
     return ODE_OK;
 }
 
-/* y(t) for t within the last step of a run by any pair. At the end of the step nothing is evaluated. */
+/* Computes the state y at a time t within the last step of a run by any pair. If t is s->t, f is not evaluated. Returns
+   a status. */
 VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 {
     if (!s || !y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
@@ -1071,15 +1083,15 @@ VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* bits of the mantissa that are stored */
-#define VMI_BIAS 1023     /* the stored exponent of the number 1 */
+#define VMI_STORED_DIG 52 /* number of bits of the mantissa that are stored */
+#define VMI_BIAS 1023     /* stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
 #define VMI_BIAS 127
 #endif
 
-/* The bits of x as an integer */
+/* Returns the bits of x as an integer. */
 VM_API vmi_bits vmi_to_bits(vm_real x)
 {
     vmi_bits bits;
@@ -1087,7 +1099,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
-/* The number that has these bits */
+/* Returns the number that has these bits. */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -1095,8 +1107,8 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* x 2^k, rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. The product
-   is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
+/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a
+   normal number. The product is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -1109,11 +1121,11 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* (y + y_lo) 2^k for y between 1/2 and 2, rounded only once, also where the result is subnormal */
+/* Returns (y + y_lo) 2^k for y between 1/2 and 2. The result is rounded only once, also where it is subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits. Adding a power of two to y removes the same digits with one rounding. */
+        /* A subnormal result has fewer digits. Adding and subtracting a power of two removes them with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -1123,7 +1135,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* The bits of a number as a signed integer, and the bits of the number 1 */
+/* The integer type for the bits of a number with a sign, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
@@ -1135,7 +1147,7 @@ typedef int32_t vmi_signed_bits;
 #endif
 /* integrators/steps.h - steps of an adaptive run and the control of their size
    vmi_advance is the loop over the steps. It is specialised at compile time for a pair and, where the compiler knows
-   that n is small, for n and f too. The rules of step size control stand in the manual of integrators.h.
+   that n is small, for n and f too. The manual of integrators.h has the rules of step size control.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_STEPS_H
@@ -1143,8 +1155,9 @@ typedef int32_t vmi_signed_bits;
 
 #include <string.h>
 
-/* x^p to about 3 %, for x > 0 and results that neither overflow nor underflow: the bits of x, taken as an integer, are
-   a piecewise linear logarithm, `middle` is half its largest error, and the exponential is (1 + v + v^2/2)^16. */
+/* x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and the
+   result must neither overflow nor underflow. The bits of x, taken as an integer, are a piecewise linear logarithm,
+   `middle` is half its largest error, and the exponential function is (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -1160,9 +1173,9 @@ VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
     return v;
 }
 
-#define VMI_LARGEST_RATIO VM_C(1e10) /* of a component or a derivative to its tolerance, for the first step */
+#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios from which the first step is chosen */
 
-/* The largest |v_i| over the tolerance of component i, at most VMI_LARGEST_RATIO */
+/* The largest ratio of |v_i| to the tolerance of component i, at most VMI_LARGEST_RATIO */
 VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
 {
     vm_real largest = 0;
@@ -1174,8 +1187,9 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
     return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
 }
 
-/* Sets s->h to the first step, from the sizes of y, y' and y'' [2, II.4]: 100 h0 at the most, where h0 moves y by 1 %
-   of itself, and such that the error of the method should be 1 % of the tolerance. Uses k_2 and z. */
+/* Chooses the size s->h of the first step from the sizes of y, y' and y'' [2, II.4], so that its error should be 1 % of
+   the tolerance. It is at most 100 times the step that changes y by 1 %, and at most `longest`. `direction`, 1 or -1,
+   is its sign. Overwrites the parts k_2 and VMI_Z of work. Returns a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -1189,7 +1203,7 @@ VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
     if (status) return status;
     for (i = 0; i < s->n; i++) {
         vm_real ratio = VM_FABS((k2[i] - k1[i]) / h0) / vmi_tolerance(&s->options, i, s->y[i]);
-        if (!(ratio < VMI_LARGEST_RATIO)) ratio = VMI_LARGEST_RATIO; /* also where f does not reach so far */
+        if (!(ratio < VMI_LARGEST_RATIO)) ratio = VMI_LARGEST_RATIO; /* also where f is NaN */
         if (ratio > fastest) fastest = ratio;
     }
     if (speed > fastest) fastest = speed;
@@ -1200,21 +1214,23 @@ VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
     return ODE_OK;
 }
 
-/* The shortest step that is tried. It is not 0 at t = 0, where steps that fail would become shorter without end. */
+/* The length of the shortest step that is tried at the time t. It is positive at t = 0 too, since otherwise failing
+   steps could become shorter without end. */
 VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
 {
     const vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
     return VMI_LARGER(least, o->h_min);
 }
 
-/* The time from where y is to t_end */
+/* The time from the state y to t_end, negative if the run goes backward */
 VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
 
-/* The direction to t_end: 1 or -1 */
+/* The direction of the run to t_end: 1 forward, -1 backward */
 VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
 
-/* PI control [2, IV.2]: after an accepted step the next is 0.9 error^(-4/(5 order)) error_before^(1/(5 order)) times
-   as long, at most 10 times */
+/* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is at most 10, and else
+     0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
+   where error is the error of this step divided by its tolerance, and error_before that of the step before. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
     const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
@@ -1222,8 +1238,8 @@ VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_bef
     return VMI_SMALLER(factor, VM_C(10.0));
 }
 
-/* After a rejected step the next is 0.9 error^(-1/order) times as long, at least 1/5; 1/10 where something was not
-   finite */
+/* The factor by which the step size changes after a rejected step: 0.9 error^(-1/order), at least 1/5, where error is
+   the error of the step divided by its tolerance. It is 1/10 if error is NaN. */
 VM_INLINE vm_real vmi_shrink(int order, vm_real error)
 {
     vm_real factor;
@@ -1232,23 +1248,24 @@ VM_INLINE vm_real vmi_shrink(int order, vm_real error)
     return VMI_LARGER(factor, VM_C(0.2));
 }
 
-/* Where a run is. While vmi_advance makes steps, it keeps this apart from the rk45, so that it can be in registers. */
+/* The fields of an rk45 that change from step to step. vmi_advance keeps them in a local variable while it makes steps,
+   so that they can be in registers. */
 typedef struct VM_TAG(vmi_progress) {
-    vm_real direction;              /* 1 or -1, towards t_end */
-    vm_real t, t_low;               /* y belongs to t + t_low */
-    vm_real t_old, t_old_low;       /* where the last step began */
-    vm_real h_next;                 /* the next step */
-    vm_real h_done;                 /* the last accepted step */
-    vm_real inverse_error;          /* 1 over its error, in tolerances */
-    vm_real t_missed, t_missed_low; /* where the last step that missed the tolerance began */
-    long steps, rejected, missed;   /* counted from the beginning of this loop */
-    long next_miss;                 /* a step may miss the tolerance again when `steps` is this large */
-    long attempts;                  /* steps that may still be tried; negative: no limit */
-    int k1, failure, stiff_wait;    /* as in rk45 */
-    int stopped;                    /* what f returned last */
+    vm_real direction;              /* direction to t_end: 1 forward, -1 backward */
+    vm_real t, t_low;               /* y belongs to the time t + t_low */
+    vm_real t_old, t_old_low;       /* the last step began at the time t_old + t_old_low */
+    vm_real h_next;                 /* size of the next step */
+    vm_real h_done;                 /* size of the last accepted step */
+    vm_real inverse_error;          /* tolerance of the last accepted step divided by its error */
+    vm_real t_missed, t_missed_low; /* the last step that missed the tolerance began at their sum */
+    long steps, rejected, missed;   /* numbers of steps since the beginning of this loop */
+    long next_miss;                 /* value of `steps` from which on a step may miss the tolerance again */
+    long attempts;                  /* number of steps that may still be tried; negative means no limit */
+    int k1, failure, stiff_wait;    /* the fields of rk45 with these names */
+    int stopped;                    /* number that f returned last */
 } vmi_progress;
 
-/* Where the run is before the loop */
+/* The fields that change from step to step, as they are before the loop */
 VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
 {
     vmi_progress p;
@@ -1274,7 +1291,7 @@ VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
     return p;
 }
 
-/* Stores where the run is after the loop */
+/* After the loop, stores in s the fields that change from step to step */
 VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
 {
     s->t = p->t;
@@ -1298,18 +1315,20 @@ VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
 
 /* A step that is tried */
 typedef struct VM_TAG(vmi_trial) {
-    vm_real h, t_new, t_new_low; /* it leads to t_new + t_new_low */
-    int last;                    /* it leads to t_end */
-    int shortest;                /* no shorter step can be tried */
+    vm_real h, t_new, t_new_low; /* size of the step, and its end, the time t_new + t_new_low */
+    int last;                    /* 1 if the step ends at t_end */
+    int shortest;                /* 1 if no shorter step can be tried */
 } vmi_trial;
 
-/* The length of a step is changed by up to this fraction, so that it ends at a time that the type can hold and y
-   belongs to t exactly. Shorter steps leave the rest in t_low. So t does not drift away from the motion. */
+/* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that the type can hold.
+   A step for which the change would be larger is so short that it ends between two such times, and t_low is then not 0.
+   So t does not drift away from the motion. */
 #define VMI_LANDING VM_C(0.015625)
-#define VMI_NEARLY VM_C(0.999999) /* a step that is this part of the way to t_end goes all the way */
+#define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
 
-/* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns the
-   status that keeps it from being tried, if any. */
+/* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns ODE_OK,
+   or the status with which the run ends: ODE_STEP_TOO_SMALL if h_max is too small, ODE_MAX_STEPS if no attempt is
+   left. */
 VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress *p, vmi_trial *trial)
 {
     const vm_real left = (t_end - p->t) - p->t_low, least = vmi_least_step(o, p->t);
@@ -1335,11 +1354,11 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* So many steps must keep the tolerance between two steps that may miss it. Behind a jump these steps are 1, 10 and
-   100 times as long as the smallest step; next to a singularity there are none. */
+/* The number of steps that must keep the tolerance between two steps that may miss it. Behind a jump of f there are
+   such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
-/* Goes back to where the last accepted step began, which missed the tolerance */
+/* Takes back the last accepted step, which missed the tolerance */
 VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 {
     vmi_copy(sys.n, sys.w + VMI_Y_OLD * sys.m, sys.w + VMI_Y * sys.m);
@@ -1353,8 +1372,9 @@ VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
     p->rejected++;
 }
 
-/* Rejects a step, because its error is above the tolerance, or NaN. Returns the status with which the run ends if no
-   shorter step can be tried; then a step before that missed the tolerance is dropped as well. */
+/* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
+   a shorter step can be tried. Otherwise returns the status with which the run ends, after taking back the step before
+   if that step missed the tolerance too. */
 VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
@@ -1367,9 +1387,9 @@ VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_
     return not_a_number ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
 }
 
-/* The state after a step of the smallest size in which f jumps. The weights of the stages are of both signs, so that
-   the step's own state may be thrown back from the jump, and far. Instead each component goes on with the middle of
-   the least and the largest derivative that the stages have met: that is wrong by half the jump times h at most. */
+/* Replaces the state after a step of the smallest size in which f jumps. The weights of the stages have both signs, so
+   that their sum may lead far away from the jump. Therefore each component is continued with the mean of the smallest
+   and the largest of its derivatives in the stages, whose error is at most half the jump. */
 VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -1387,11 +1407,12 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
     }
 }
 
-#define VMI_KEEP_TO VM_C(0.75)     /* after a step whose error is below this part of the tolerance the size may stay */
-#define VMI_LEAST_ERROR VM_C(1e-8) /* smaller errors, in tolerances, count as this one */
+#define VMI_KEEP_TO VM_C(0.75)     /* the step size may stay after an error below this fraction of the tolerance */
+#define VMI_LEAST_ERROR VM_C(1e-8) /* a smaller ratio of an error to its tolerance counts as this one */
 
-/* Sets the size of the step after an accepted one. If the error is within keep_from .. VMI_KEEP_TO, the size stays:
-   the processor can guess this branch, and go on with the next step before the error is known. */
+/* Chooses the size of the step after an accepted one. It stays the same if the error is between keep_from and
+   VMI_KEEP_TO times the tolerance. The processor can predict this branch and begin the next step before the error is
+   known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;
@@ -1400,20 +1421,20 @@ VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *t
     if (p->failure && factor > 1) factor = 1;
     if (!trial->last) {
         p->h_next = trial->h * factor;
-    } else { /* a step that is short because it ends at t_end does not make the next one short */
+    } else { /* a step may be short only because it ends at t_end; the next step need not be short */
         p->h_next = p->direction * VMI_LARGER(VM_FABS(p->h_next), VM_FABS(trial->h * factor));
     }
 }
 
-/* Steps towards t_end, not past it, until it is reached, or only one if `single`, or until a look for stiffness is
-   due. Returns a status. */
+/* Makes steps until t_end is reached or a test of stiffness is due, or one accepted step if `single` is not 0. Returns
+   a status. */
 VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
 {
     const rk45_options o = s->options;
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* a variable of its own, so that the address of p is not taken */
+    long evals = 0; /* apart from p, so that make_stages does not get the address of p */
     int status;
     for (;;) {
         vmi_trial trial;
@@ -1465,11 +1486,11 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     return p.stopped ? (int)ODE_RHS_STOPPED : status;
 }
 
-/* vmi_advance in registers, where the compiler knows that n is small */
+/* Does the work of vmi_advance in a local array, which the compiler keeps in registers if it knows that n is small */
 VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
 {
     const vmi_rk_pair pair = stepper.pair;
-    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* all is copied back, used or not */
+    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* 0, because parts that were never written are copied too */
     const int n = sys.n;
     int part, status;
     vmi_copy(n, vmi_part(s, VMI_Y), w);
@@ -1489,9 +1510,11 @@ VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system 
 
 #endif
 /* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
-   After each step, g is followed along the continuous extension: it is looked at in a few points, and where it leaves
-   its side, the place is located to rounding. The first event that stops or restarts the run cuts the step there.
+   After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of them,
+   the place of the change is located to rounding. The first event that stops or restarts the run ends the step there.
    Events whose times rounding cannot tell apart happen together. Users set the events of the options: options.h.
+   The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this sign uncertain. A place x in a
+   step is a fraction of it, from 0 to 1.
 
        double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
        rk45 s;
@@ -1512,23 +1535,24 @@ VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system 
 
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
-/* Places in a step are fractions of it, 0 to 1. This one means that there is no such place. */
+/* The place of an event that does not happen in the step; all other places are from 0 to 1 */
 #define VMI_NONE VM_C(2.0)
 
-/* After an event, g is first looked at after the fraction VMI_FIRST_LOOK of a step, then at distances that grow by
-   the factor VMI_WIDER. Its side is decided after the fraction VMI_QUIET at the latest. */
+/* After an event, g is evaluated at places close to it, so that a short excursion of g is seen: first after the
+   fraction VMI_FIRST_LOOK of the step, then at distances that grow by the factor VMI_WIDER. The side of the event may
+   stay 0 for at most the fraction VMI_QUIET of the step. */
 #if VM_MANT_DIG > 24
-#define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 */
-#define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 */
+#define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
+#define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 of a step, the longest time for which a sign is uncertain */
 #define VMI_WIDER 64
 #else
-#define VMI_FIRST_LOOK VM_C(2.44140625e-4) /* 2^-12 */
-#define VMI_QUIET VM_C(0.0009765625)       /* 2^-10 */
+#define VMI_FIRST_LOOK VM_C(2.44140625e-4) /* 2^-12 of a step, about the square root of VM_EPSILON */
+#define VMI_QUIET VM_C(0.0009765625)       /* 2^-10 of a step, the longest time for which a sign is uncertain */
 #define VMI_WIDER 8
 #endif
 
-/* Sets the side of each event in a state that no step led to, at a start or a restart. The side is 0 where g is 0, and
-   where the event has just happened and rounding could decide the sign of g. Returns a status. */
+/* Sets the side of each event at the start or the restart of a run. The side is 0 if g is 0, or if the event has just
+   happened and g is so small that rounding could decide its sign. Returns a status. */
 VM_API int vmi_watch_events(rk45 *s)
 {
     int i;
@@ -1543,21 +1567,21 @@ VM_API int vmi_watch_events(rk45 *s)
     return ODE_OK;
 }
 
-/* The time at the fraction x of the step */
+/* The time at the fraction x of the last step */
 VM_API vm_real vmi_time_inside(const rk45 *s, vm_real x)
 {
     if (x == 1) return s->t;
     return s->t_old + (s->t_old_low + x * s->h_done);
 }
 
-/* y at the fraction x of the step; at its end to the bit */
+/* Computes the state y at the fraction x of the last step. At x = 1 this is exactly s->y. */
 VM_API void vmi_state_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     if (x == 1) vmi_copy(s->n, s->y, y);
     else vmi_inside(s, x, y);
 }
 
-/* g at the fraction x of the step. Uses z. */
+/* The value of g at the fraction x of the last step. Overwrites the part VMI_Z of work. */
 VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
@@ -1566,18 +1590,18 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
     return e->g(vmi_time_inside(s, x), z, e->ctx);
 }
 
-/* What rounding may have done to a state, relative to it, in the steps of a run so far, as far as events that should
-   coincide are concerned */
+/* The relative change of a state that rounding may have caused in the steps of a run so far. This bound serves only to
+   decide whether events coincide. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
-/* g at x in a state moved by what rounding may have done to it: in this step up to x, or, if `earlier`, in the steps
-   before it as well. The sign of the move is `direction`. Each component is moved by another amount, so that a
-   difference of components moves too. */
+/* The value of g at the fraction x of the last step, in a state that is changed by as much as rounding may have changed
+   it: within this step, or, if `earlier` is not 0, since the run began. `direction`, -1 or 1, is the sign of the
+   change. Each component changes by another amount, so that a difference of two components changes too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
     const vm_real relative = earlier ? VMI_EARLIER_ROUNDING : vmi_least_rtol(&s->pair);
-    const vm_real end = earlier ? 1 : x; /* the share of the state at the end of the step */
+    const vm_real end = earlier ? 1 : x; /* weight of s->y in the size of a component */
     const vm_real rounding = (vm_real)direction * relative, golden = VM_C(0.6180339887498949);
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
     vm_real *z = vmi_part(s, VMI_Z), phase = 0;
@@ -1593,7 +1617,8 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real 
     return e->g(vmi_time_inside(s, x) * (1 + (vm_real)direction * VM_EPSILON), z, e->ctx);
 }
 
-/* Sets e->slack: the largest |g| that rounding can make at x. Returns whether rounding leaves g the sign `side`. */
+/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; `earlier` is that of
+   vmi_event_value_moved. Returns 1 if g has the sign `side` there whatever rounding does, else 0. */
 VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlier, int side)
 {
     int direction, certain = 1;
@@ -1608,22 +1633,23 @@ VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlie
     return certain;
 }
 
-/* Whether the event counts when g leaves `side` */
+/* Whether the event happens, by its field `direction`, when g leaves the side `side` */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
 }
 
-/* Sets *at to the place in [a, b] at which g leaves the side that it has at a: the right end of [a, b] after it is
-   shrunk to what x resolves. ga and gb are g at a and b. The method is false position in the Illinois form, with
-   bisection every third time and where g is 0 over a distance. If g is 0 at b, and t cannot resolve how long before b
-   it became 0, the place is b. Returns a status. */
+/* Sets *at to a place in [a, b] at which g leaves the sign that it has at a. a and b are fractions of the last step, ga
+   and gb the values of g there. The interval is shrunk to the resolution of such fractions; the place is its right end.
+   The method is false position in the Illinois form, with bisection every third time and where g is 0 over a distance.
+   If g is 0 at the initial b, and the time there equals the time of the place, then *at becomes the initial b. Returns
+   a status. */
 VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
                       vm_real *at)
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept: > 0 if the last point replaced a, < 0 if it replaced b */
+    int count, kept = 0; /* kept: 1 if the last point replaced a, -1 if it replaced b */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
         vm_real x = b - gb * ((b - a) / (gb - ga)), g;
@@ -1650,8 +1676,9 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 
 enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
 
-/* The place of the next look at g after e->from. First come points at growing distances *gap from `start`, so that
-   an excursion of g much shorter than the step is seen; then the points that divide the step evenly, and `to`. */
+/* The place, at most `to`, at which g is evaluated next after e->from. It is the nearest of three: a point at the
+   distance *gap from `start`, the next of the points that divide the step evenly, and `to`. *gap grows with each call;
+   the points at short distances show an excursion of g that is much shorter than the step. */
 VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
 {
     const int wanted = e->checks == 0 ? (int)VMI_CHECKS : e->checks;
@@ -1660,15 +1687,16 @@ VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm
     const int before = (int)(e->from * parts);
     const vm_real even = (vm_real)(before + 1) / parts;
     vm_real next = even;
-    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* a quotient is rounded */
+    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* rounding has made `even` the place e->from */
     next = VMI_SMALLER(next, to);
     if (start + *gap < next) next = start + *gap;
     *gap *= VMI_WIDER;
     return next;
 }
 
-/* To be called when g has just reached 0 at x or passed it. The side of g is then unknown while rounding could
-   decide it, but only for the time e->quiet, since g may also have jumped. */
+/* Sets the side of the event to 0, because g has just reached or passed 0 at the place x. It stays 0 while rounding
+   could decide the sign of g, that is while |g| <= e->slack, but at most for the time e->quiet: if g has jumped,
+   e->slack is much too large. */
 VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
 {
     vmi_weigh_rounding(s, e, x, 0, 0);
@@ -1676,9 +1704,9 @@ VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
     e->quiet = VMI_QUIET * VM_FABS(s->h_done);
 }
 
-/* To be called when g has passed 0 before x in the direction that does not count; `side` is where g is now. If rounding
-   alone could have brought g there, the side stays unknown for a while, so that rounding does not make an event when it
-   takes g back, and the result is 1; else 0. */
+/* Handles a g that has passed 0 before the place x in a direction that does not count; `side` is the sign of g at x. If
+   rounding alone could have caused this sign, the side of the event becomes 0, so that g does not make an event when
+   rounding takes it back across 0, and the result is 1. Otherwise nothing changes and the result is 0. */
 VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
 {
     ode_event look = *e;
@@ -1687,8 +1715,9 @@ VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
     return 1;
 }
 
-/* Follows g from e->from to `to`, or to the first place at which the event happens. *at becomes that place, or
-   VMI_NONE if there is none; e->from and e->side are updated on the way. Returns a status. */
+/* Evaluates g along the step from e->from to the place `to`, or to the first place at which the event happens. *at
+   becomes this place, or VMI_NONE if the event does not happen. e->from, e->side and e->quiet become those of the last
+   place. Returns a status. */
 VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at)
 {
     const vm_real h = VM_FABS(s->h_done);
@@ -1715,12 +1744,12 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
             continue;
         }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
-        if (e->side && start > 0) gap = 1; /* nothing was changed in the middle of a step: no short excursion begins */
+        if (e->side && start > 0) gap = 1; /* short excursions of g begin only where the motion changes, at x = 0 */
     }
     return ODE_OK;
 }
 
-/* Counts the event at x, and writes its time and state where there is room */
+/* Counts an event that happens at the place x, and stores its time and its state if the caller's arrays have room */
 VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
 {
     e->t = vmi_time_inside(s, x);
@@ -1732,9 +1761,9 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
     vmi_quieten_event(s, e, x);
 }
 
-/* Finds the first event before *cut that ends the step: *cut becomes its place and *owner its index. The others
-   are then looked at there, too, which may show an earlier one, so the search goes on until there is none. Returns a
-   status. */
+/* Finds the first event that ends the step: *cut becomes its place and *owner its index. Both stay as they are if no
+   event ends the step. When an event is found, all remaining events are followed again up to *cut, because g at *cut
+   may show an earlier zero; the search ends when there is none. Returns a status. */
 VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
@@ -1760,7 +1789,8 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
     return ODE_OK;
 }
 
-/* Records all that an ODE_RECORD event asks for up to `to`. Returns a status. */
+/* Counts and stores each time that an event with the action ODE_RECORD happens up to the place `to`. Returns a
+   status. */
 VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 {
     for (;;) {
@@ -1771,9 +1801,10 @@ VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
     }
 }
 
-/* Sets e->happens: whether e happens at x, where the step is cut. It does if its g has changed sign before x, or if
-   g will change sign at once and is so small that rounding decides on which side of x. Events at one instant have
-   to happen together, since what one of them changes may keep the others from happening. Returns a status. */
+/* Sets e->happens to 1 if the event e happens at the place x, where the step ends, else to 0. It happens if its g has
+   changed sign up to x, or if g is so small at x that rounding decides its sign, and changes its sign just after x.
+   Events at one instant must happen together, because the change that one of them makes may keep the rest from
+   happening. Returns a status. */
 VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
 {
     ode_event look;
@@ -1787,13 +1818,13 @@ VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
         vmi_quieten_event(s, e, x);
         return ODE_OK;
     }
-    /* also beyond the end of the step, where the continuous extension goes on; g need not exist there */
+    /* x + VMI_QUIET may lie beyond the step, where the continuous extension goes on but g may be NaN */
     e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
     return ODE_OK;
 }
 
-/* Ends the step at x, where events happen: counts all of them, then calls their `change` functions. Returns ODE_EVENT
-   if one of them stops the run. */
+/* Ends the step at the place x: counts all events that happen there, then calls their `change` functions. Returns
+   ODE_EVENT if one of these events stops the run, else ODE_OK. */
 VM_API int vmi_cut_step(rk45 *s, vm_real x)
 {
     const int n_events = s->options.n_events;
@@ -1818,8 +1849,8 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
     return s->event < 0 ? (int)ODE_OK : (int)ODE_EVENT;
 }
 
-/* Goes back to the beginning of the step just made, inside which f is not finite, to try a quarter of it. Returns
-   ODE_NOT_FINITE if that is too short to be tried. */
+/* Takes back the last step, inside which f is not finite, and makes the next step a quarter as long. Returns
+   ODE_NOT_FINITE if a step so short must not be tried, else ODE_OK. */
 VM_API int vmi_take_back(rk45 *s)
 {
     vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
@@ -1832,12 +1863,13 @@ VM_API int vmi_take_back(rk45 *s)
     }
     s->steps--;
     s->rejected++;
-    s->k1 = VMI_K1_READY; /* the step was kept apart from the next */
+    s->k1 = VMI_K1_READY; /* vmi_advance has made only this step, so that its k_1 is still in work */
     s->failure = VMI_NOT_FINITE;
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }
 
-/* Decides for each event whether it happens at `cut`, where event `owner` does. Returns a status. */
+/* Decides for each event whether it happens at the place `cut`, where the event with the index `owner` happens. Returns
+   a status. */
 VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
 {
     int i, status = ODE_OK;
@@ -1849,7 +1881,7 @@ VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
     return status;
 }
 
-/* Takes the sides at the end of a step that no event cuts over into the next */
+/* Sets the side of each event to the sign of its g at the end of the step, if no event has ended the step earlier */
 VM_API void vmi_pass_on_sides(rk45 *s)
 {
     int i;
@@ -1862,7 +1894,7 @@ VM_API void vmi_pass_on_sides(rk45 *s)
     }
 }
 
-/* Handles the events of the step just made, up to the first instant with one that ends it. Returns a status. */
+/* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. */
 VM_API int vmi_events(rk45 *s)
 {
     const int n_events = s->options.n_events;
@@ -1891,8 +1923,8 @@ VM_API int vmi_events(rk45 *s)
 #ifndef VARMASS_INTEGRATORS_LOOP_H
 #define VARMASS_INTEGRATORS_LOOP_H
 
-/* rk45_init for any pair. f and n are set once more where the caller's compiler sees them, so that it can inline f in
-   the steps. */
+/* Does the work of rk45_init for any pair. Being inlined, it assigns f and n to s where the caller's compiler sees
+   their values and can inline f in the steps. */
 VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                            const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -1904,14 +1936,15 @@ VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int 
     return status;
 }
 
-/* Forgets which events have just happened. At another time the sign of g alone gives the side of each event. */
+/* Forgets which events have just happened, because the run continues at another time. There the sign of g alone gives
+   the side of each event. */
 VM_API void vmi_forget_events(rk45 *s)
 {
     int i;
     for (i = 0; i < s->options.n_events; i++) s->options.events[i].quiet = 0;
 }
 
-/* rk45_restart for any pair */
+/* Does the work of rk45_restart for any pair */
 VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
 {
     if (!s || !y || !VM_IS_FINITE(t) || !vmi_all_finite(s->n, y)) return ODE_BAD_ARGUMENT;
@@ -1929,7 +1962,8 @@ VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
     return ODE_OK;
 }
 
-/* Evaluates k_1 unless it is known, and makes s->h a step towards t_end that is not too short to be tried */
+/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless it is known, and gives the next step s->h the
+   direction to t_end and at least the shortest length. Returns a status. */
 VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
 {
     const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
@@ -1954,12 +1988,12 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
     return ODE_OK;
 }
 
-/* A run has become stiff when 15 looks have found it beyond the end of the stability region, without 6 looks in
-   succession that have found it within. */
+/* A run counts as stiff when VMI_STIFF_HITS tests have found steps at the end of the stability region. This count
+   begins anew when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
 enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
 
-/* Hairer's test of stiffness [2, IV.2]. A step evaluates f twice at its end, for states that differ by h dz; the
-   derivatives differ by dk, and |dk|/|dz| is about h times the largest eigenvalue. */
+/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. These states differ by h dz
+   and their derivatives by dk, and |dk|/|dz| is about h times the largest eigenvalue of the Jacobian matrix of f. */
 VM_API void vmi_look_for_stiffness(rk45 *s)
 {
     const int last = vmi_last_k(&s->pair), count = last - VMI_K;
@@ -1984,7 +2018,8 @@ VM_API void vmi_look_for_stiffness(rk45 *s)
     if (s->stiff_hits) s->stiff_wait = 1;
 }
 
-/* What an accepted step calls for: the look for stiffness, if it is due, and the events within the step */
+/* Does what follows an accepted step: tests for stiffness, if it is time, and handles the events within the step.
+   Returns a status. */
 VMI_APART int vmi_after_step(rk45 *s)
 {
     if (s->stiff_wait <= 0) vmi_look_for_stiffness(s);
@@ -1992,14 +2027,14 @@ VMI_APART int vmi_after_step(rk45 *s)
     return vmi_events(s);
 }
 
-/* Whether y is still before t_end, even if only by less than t resolves */
+/* Whether the time s->t + s->t_low of the state is still before t_end, in the direction of the run */
 VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end || -s->t_low * s->h > 0; }
 
-/* Steps to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+/* Makes steps to t_end, or one accepted step if `single` is not 0. f and n are those of s. Returns a status. */
 VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_real t_end, int single)
 {
     const int was_stiff = s->stiff;
-    const int apart = single || s->options.n_events; /* vmi_after_step has to see each step */
+    const int apart = single || s->options.n_events; /* 1: vmi_advance returns after each step, for vmi_after_step */
     vmi_rk_system sys;
     int status = ODE_OK;
     sys.f = f;
@@ -2019,7 +2054,7 @@ VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_rea
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* What rk45_step does before its step, for the pair whose number is `method`. *t_end becomes the last number in the
+/* Does what comes before the step in rk45_step, for the pair whose number is `method`. *t_end becomes the last number in the
    direction of s. Returns a status; s may go on if that is ODE_OK. */
 VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 {
@@ -2031,8 +2066,8 @@ VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
     return ODE_OK;
 }
 
-/* What rk45_solve_with does before its first step, for the pair whose number is `method`. Returns a status; s may go on
-   if that is ODE_OK. */
+/* Does what comes before the steps in rk45_solve_with, for the pair whose number is `method`. Returns a status; s may go
+   on if that is ODE_OK. */
 VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
     if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
@@ -2042,8 +2077,8 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
 
 #endif
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
-   Tsitouras' pair [1]: seven stages, of which the last is the next step's first, so that a step costs six evaluations
-   of f, and a continuous extension of order 4 that costs none. It is the pair to begin with, and the better one in
+   Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
+   evaluations of f. The continuous extension of order 4 takes none. It is the pair to begin with, and the better one in
    float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
@@ -2055,10 +2090,10 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
 #ifndef VARMASS_INTEGRATORS_RK45_H
 #define VARMASS_INTEGRATORS_RK45_H
 
-enum { VMI_RK45 = 45 }; /* the number of the pair */
+enum { VMI_RK45 = 45 }; /* the number of this pair */
 
-/* The stages of a step, 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order
-   conditions to 1.1e-14 */
+/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy
+   the order conditions to 2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2090,7 +2125,7 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest error of a component over its tolerance, by the difference of orders 5 and 4 */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 5 and 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2108,8 +2143,8 @@ VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: stages 6 and 7 are both at the end of the step. These are the coefficients of stage 7
-   minus those of stage 6. */
+/* For the test of stiffness: the weight of k_{j+1} in stage 7 minus its weight in stage 6. Both stages evaluate f at
+   the end of the step. */
 VM_API vm_real vmi_rk45_end_difference(int j)
 {
     VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
@@ -2117,7 +2152,8 @@ VM_API vm_real vmi_rk45_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* The weights of the continuous extension, of order 4 [1] */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 4 [1], at the fraction x of
+   the step */
 VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
 {
     const vm_real xx = x * x;
@@ -2131,7 +2167,8 @@ VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
     b[6] = VM_C(2.5) * xx * (x - 1) * (x - VM_C(0.6));
 }
 
-/* The continuous extension. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
 VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[7];
@@ -2169,32 +2206,32 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK45_WORK(n) (10 * (n)) /* how many numbers the work of an rk45 with n components has */
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
 
-/* The options with their defaults in place of zeros, as rk45_init takes them. rtol becomes at least 16 eps. NULL means
-   all defaults. */
+/* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
+   If options_or_NULL is NULL, all options have their defaults. */
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 {
     const vmi_rk_pair pair = vmi_rk45_pair();
     return vmi_defaults(vmi_least_rtol(&pair), options_or_NULL);
 }
 
-/* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers; f gets ctx. work has RK45_WORK(n)
-   numbers and must live as long as s. y0 is copied, and so are the options, but not what they point at. f is not
-   evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
+/* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers, f receives the pointer ctx, and work
+   has RK45_WORK(n) numbers and must exist as long as s. y0 and the options are copied, but not the arrays to which the
+   options point. f is not evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
 VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk45_options *options_or_NULL, vm_real *work)
 {
     return vmi_ode_init(s, vmi_rk45_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
-/* Goes on with rk45 from another time or state, such as after a jump. The step size and the counters are kept. y, n
-   numbers, may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
+/* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
+   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
    ODE_BAD_ARGUMENT. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* One accepted step of rk45, or less of it, up to an event that ends it. The direction is the sign of s->h, which at
-   first is that of the option h0: forward unless it is negative. Returns a status. */
+/* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
+   positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
 VM_INLINE int rk45_step(rk45 *s)
 {
     vm_real t_end;
@@ -2203,9 +2240,9 @@ VM_INLINE int rk45_step(rk45 *s)
     return vmi_rk45_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk45 to t_end with f and n given once more, so that f is inlined. That takes constants in the call, but s
-   may have been made anywhere. f and n have to be those of s, else the status is ODE_BAD_ARGUMENT. Everything else is
-   as in rk45_solve. */
+/* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
+   constants in this call; rk45_init may have been called anywhere. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
+   all else is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
@@ -2213,33 +2250,32 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_rk45_run(s, f, n, t_end, 0);
 }
 
-/* Steps of rk45 to t_end exactly, forward or backward, or to a terminal event. Nothing happens if s->t is t_end. After
-   an error s->t and s->y are those of the last accepted step. Returns a status: ODE_MAX_STEPS after options.max_steps
-   attempts, and another call goes on. */
+/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
+   t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
+   is after options.max_steps attempts, another call continues the run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;
     return rk45_solve_with(s, s->f, s->n, t_end);
 }
 
-/* The state y(t) at a time t within the last step of rk45, of order 4. y gets n numbers; f is not evaluated. A t that
-   is not from s->t_old to s->t is ODE_BAD_ARGUMENT. */
+/* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
+   Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
 
 #endif
 /* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
-   Verner's "most efficient" pair [4]: 13 stages, and a continuous extension of order 8 for seven more evaluations of f
-   in each step in which it is used. Its coefficients are up to 123, so that its roundings are larger than those of
-   rk45. It is the pair for a smooth f in double and small errors.
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
+   those of rk45. It is the pair for a smooth f in double and small errors.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_H
 #define VARMASS_INTEGRATORS_RK87_H
 
-enum { VMI_RK87 = 87 }; /* the number of the pair */
+enum { VMI_RK87 = 87 }; /* the number of this pair */
 
-/* Stages 2 to 7 of [4]. Large coefficients of opposite sign belong to nearly equal times: there, here and in the late
-   stages, differences of k, which are exact, keep the roundings small. */
+/* Computes stages 2 to 7 of a step [4]. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2270,7 +2306,9 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
     return 0;
 }
 
-/* Stages 8 to 13 of [4], and the new state, whose derivative is evaluated when the step is accepted */
+/* Computes stages 8 to 13 [4] and the new state, whose derivative is evaluated only after the step is accepted. Large
+   coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use the differences of such k,
+   which are exact, so that roundings remain small. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2332,7 +2370,7 @@ VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new,
     return 0;
 }
 
-/* The stages of a step */
+/* Computes stages 2 to 13 and the new state of a step */
 VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
@@ -2340,12 +2378,12 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return vmi_rk87_late_stages(sys, t, t_new, h, evals);
 }
 
-/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ...
-   k13. The estimate of orders 8 and 7 hardly sees a jump between the stages at c = 0 and 0.9: its weights on either
-   side of the jump add up to 4e-4 at most, while the error is a quarter of the jump. The weights here, of order 5,
-   add up to 0.1, -0.17 and 0.25 there. In a step in which f is smooth, their sum `seen` is much smaller than
-   `change`, the change of f along the step. So the result seen^2/(seen + change) is of order 9, and below the
-   estimate of orders 8 and 7 for all but loose tolerances. */
+/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
+   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: its weights before the jump add up
+   to 4e-4 at most, while the error is a quarter of the jump. The weights used here, of order 5, add up to 0.1, -0.17 or
+   0.25. If f is smooth, their sum `seen` is much smaller than `change`, the change of f along the step. The result
+   seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
+   loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
@@ -2355,8 +2393,8 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest error of a component over its tolerance, by the difference of orders 8 and 7, or by what a jump of f may
-   do, whichever is larger */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 8 and 7, or the
+   error that a jump of f may cause (vmi_rk87_jump), whichever is larger. */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2378,8 +2416,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: stage 13 and the new state are both at the end of the step. These are the weights of the
-   new state minus the coefficients of stage 13. */
+/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. For both states f is
+   evaluated at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -2398,11 +2436,11 @@ VM_API vm_real vmi_rk87_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* How many k_i a step itself makes, and how many the continuous extension adds */
+/* Numbers of k_i: those that a step itself makes, and those that the continuous extension adds */
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
-/* The coefficient of k_{j+1} in the stage of the continuous extension that comes after k_{14+stage} */
+/* The coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage} */
 VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 {
     VM_TABLE vm_real a[7][20] = {
@@ -2436,8 +2474,8 @@ VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
     return VM_READ(a[stage][j]);
 }
 
-/* The seven further stages that the continuous extension of order 8 needs. They may leave the domain of f where the
-   step's own did not: ODE_NOT_FINITE. */
+/* Evaluates the seven further stages that the continuous extension of order 8 needs. Returns a status: ODE_NOT_FINITE
+   if one of them leaves the domain of f, which may happen even if no stage of the step itself does. */
 VM_API int vmi_rk87_extend(rk45 *s)
 {
     VM_TABLE vm_real c[7] = {
@@ -2461,7 +2499,8 @@ VM_API int vmi_rk87_extend(rk45 *s)
     return ODE_OK;
 }
 
-/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7, which keep the coefficients small [4] */
+/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7; b_{j+1} is the weight of k_{j+1} in the
+   continuous extension. Coefficients of powers of x would be larger [4]. */
 VM_API vm_real vmi_rk87_bernstein(int i, int j)
 {
     VM_TABLE vm_real c[8][21] = {
@@ -2505,13 +2544,14 @@ VM_API vm_real vmi_rk87_bernstein(int i, int j)
     return VM_READ(c[i][j]);
 }
 
-/* The weights of the continuous extension, of order 8 [4] */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 8 [4], at the fraction x of
+   the step */
 VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 {
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
     const int count = VMI_RK87_OWN + VMI_RK87_EXTRA;
     const vm_real u = 1 - x;
-    vm_real powers[8], power = x; /* of u, and of x */
+    vm_real powers[8], power = x; /* powers[i] is u^i, and power is x^(i + 1) */
     int i, j;
     powers[0] = 1;
     for (i = 1; i < 8; i++) powers[i] = powers[i - 1] * u;
@@ -2523,7 +2563,8 @@ VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
     }
 }
 
-/* The continuous extension. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
 VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[VMI_RK87_OWN + VMI_RK87_EXTRA];
@@ -2561,23 +2602,24 @@ VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK87_WORK(n) (24 * (n)) /* how many numbers the work of an rk87 with n components has */
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
 
-/* All options and fields mean for rk87 what they mean for rk45. */
+/* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
 typedef rk45_options rk87_options;
 typedef rk45 rk87;
 
-/* Begins a run by rk87, as rk45_init does by rk45. work has RK87_WORK(n) numbers; rtol is at least 256 eps. */
+/* Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45. work has RK87_WORK(n) numbers, and rtol
+   becomes at least 256 VM_EPSILON. */
 VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk87_options *options_or_NULL, vm_real *work)
 {
     return vmi_ode_init(s, vmi_rk87_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
-/* Goes on with rk87 from another time or state, as rk45_restart does with rk45. */
+/* Continues a run of rk87 from another time or state, such as after a jump. All else is as in rk45_restart. */
 VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* One accepted step of rk87, as rk45_step makes one of rk45. */
+/* One accepted step of rk87, or the part of it before an event that ends the step. All else is as in rk45_step. */
 VM_INLINE int rk87_step(rk87 *s)
 {
     vm_real t_end;
@@ -2586,7 +2628,7 @@ VM_INLINE int rk87_step(rk87 *s)
     return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk87 to t_end with f and n given once more, so that f is inlined, as in rk45_solve_with. */
+/* Steps of rk87 to t_end, with f and n named again so that f is inlined. All else is as in rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
@@ -2594,16 +2636,18 @@ VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_rk87_run(s, f, n, t_end, 0);
 }
 
-/* Steps of rk87 to t_end exactly, as rk45_solve makes them of rk45. */
+/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
+   rk45_solve. */
 VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;
     return rk87_solve_with(s, s->f, s->n, t_end);
 }
 
-/* The state y(t) at a time t within the last step of rk87, of order 8. y gets n numbers. The first use in a step
-   evaluates f seven times, unless t is s->t. A t that is not from s->t_old to s->t is ODE_BAD_ARGUMENT. f may stop the
-   run there, ODE_RHS_STOPPED, or not be finite, ODE_NOT_FINITE, though the step itself has succeeded. */
+/* State y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The first call after
+   a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t.
+   These evaluations may also give ODE_RHS_STOPPED (f stops the run) or ODE_NOT_FINITE, although the step itself has
+   succeeded. */
 VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
     if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;

@@ -48,7 +48,7 @@ enum {
     VM_MASS_IS_NO_STATE = -15,   /* scenes: a stream acts on a body whose mass is not a state */
     VM_TOO_MANY_EVENTS = -16,    /* scenes: events follow each other without end */
     VM_BAD_OPTIONS = -17,        /* scenes: the integrator refuses its options */
-    VM_STEP_TOO_SMALL = -18,     /* scenes: the tolerance needs steps so short that t + h is t */
+    VM_STEP_TOO_SMALL = -18,     /* scenes: the tolerance needs steps too short to change the time */
     VM_MAX_STEPS = -19,          /* scenes: max_steps steps were tried before t_end was reached */
     VM_SHORT_ARRAY = -20,        /* scenes and flows: an array is shorter than what is written into it */
     VM_BAD_TIMES = -21,          /* scenes: the times of output do not rise, or t_end lies before the present time */
@@ -60,15 +60,16 @@ enum {
     VM_LINK_NOT_LAST = -27,      /* scenes: another effect on the body stands after its link */
     VM_STORED_STREAM = -28,      /* scenes and reactive loads: a stream comes from a store, which cannot be used here */
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
-    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) for which M + M'(v) (v - u) is not positive */
+    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: M + M'(v) (reactive v - u) is not positive for a mass law M(v) */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
     VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
 };
 
-/* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). It is wrong for a pointer. */
+/* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
 #define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
-/* The meaning of a status as a line of text, which says what to do where it can. Any number is allowed. */
+/* The meaning of a status as a line of text. For an error it also says, where it can, what to do. The status may be
+   any number. */
 VM_API const char *vm_strerror(int status)
 {
     switch (status) {
@@ -105,7 +106,8 @@ VM_API const char *vm_strerror(int status)
     case VM_LINK_NOT_LAST: return "another effect stands after the link of its body: list the link last";
     case VM_STORED_STREAM: return "a stream from a store cannot be used here: integrate vm_flow_rhs";
     case VM_DOES_NOT_GROW: return "the stream needs a growing body: vm_scene_body_growing_plane or _growing_free";
-    case VM_NO_EFFECTIVE_MASS: return "M + M'(v) (v - u) of the mass law M(v) is not positive: no force accelerates it";
+    case VM_NO_EFFECTIVE_MASS:
+        return "M + M'(v) (reactive v - u) of the mass law M(v) is not positive: no force accelerates it";
     case VM_NOT_STARTED: return "the scene was not started, or was changed after its start: call vm_scene_start";
     case VM_BAD_STIFFNESS: return "a stiffness is not positive";
     default: return "unknown status";

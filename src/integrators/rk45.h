@@ -1,6 +1,6 @@
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
-   Tsitouras' pair [1]: seven stages, of which the last is the next step's first, so that a step costs six evaluations
-   of f, and a continuous extension of order 4 that costs none. It is the pair to begin with, and the better one in
+   Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
+   evaluations of f. The continuous extension of order 4 takes none. It is the pair to begin with, and the better one in
    float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
@@ -21,10 +21,10 @@
 #include "pairs.h"
 #include "runs.h"
 
-enum { VMI_RK45 = 45 }; /* the number of the pair */
+enum { VMI_RK45 = 45 }; /* the number of this pair */
 
-/* The stages of a step, 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order
-   conditions to 1.1e-14 */
+/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy
+   the order conditions to 2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -56,7 +56,7 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest error of a component over its tolerance, by the difference of orders 5 and 4 */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 5 and 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -74,8 +74,8 @@ VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: stages 6 and 7 are both at the end of the step. These are the coefficients of stage 7
-   minus those of stage 6. */
+/* For the test of stiffness: the weight of k_{j+1} in stage 7 minus its weight in stage 6. Both stages evaluate f at
+   the end of the step. */
 VM_API vm_real vmi_rk45_end_difference(int j)
 {
     VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
@@ -83,7 +83,8 @@ VM_API vm_real vmi_rk45_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* The weights of the continuous extension, of order 4 [1] */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 4 [1], at the fraction x of
+   the step */
 VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
 {
     const vm_real xx = x * x;
@@ -97,7 +98,8 @@ VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
     b[6] = VM_C(2.5) * xx * (x - 1) * (x - VM_C(0.6));
 }
 
-/* The continuous extension. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
 VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[7];
@@ -135,32 +137,32 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK45_WORK(n) (10 * (n)) /* how many numbers the work of an rk45 with n components has */
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
 
-/* The options with their defaults in place of zeros, as rk45_init takes them. rtol becomes at least 16 eps. NULL means
-   all defaults. */
+/* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
+   If options_or_NULL is NULL, all options have their defaults. */
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 {
     const vmi_rk_pair pair = vmi_rk45_pair();
     return vmi_defaults(vmi_least_rtol(&pair), options_or_NULL);
 }
 
-/* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers; f gets ctx. work has RK45_WORK(n)
-   numbers and must live as long as s. y0 is copied, and so are the options, but not what they point at. f is not
-   evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
+/* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers, f receives the pointer ctx, and work
+   has RK45_WORK(n) numbers and must exist as long as s. y0 and the options are copied, but not the arrays to which the
+   options point. f is not evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
 VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk45_options *options_or_NULL, vm_real *work)
 {
     return vmi_ode_init(s, vmi_rk45_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
-/* Goes on with rk45 from another time or state, such as after a jump. The step size and the counters are kept. y, n
-   numbers, may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
+/* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
+   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
    ODE_BAD_ARGUMENT. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* One accepted step of rk45, or less of it, up to an event that ends it. The direction is the sign of s->h, which at
-   first is that of the option h0: forward unless it is negative. Returns a status. */
+/* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
+   positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
 VM_INLINE int rk45_step(rk45 *s)
 {
     vm_real t_end;
@@ -169,9 +171,9 @@ VM_INLINE int rk45_step(rk45 *s)
     return vmi_rk45_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk45 to t_end with f and n given once more, so that f is inlined. That takes constants in the call, but s
-   may have been made anywhere. f and n have to be those of s, else the status is ODE_BAD_ARGUMENT. Everything else is
-   as in rk45_solve. */
+/* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
+   constants in this call; rk45_init may have been called anywhere. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
+   all else is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
@@ -179,17 +181,17 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_rk45_run(s, f, n, t_end, 0);
 }
 
-/* Steps of rk45 to t_end exactly, forward or backward, or to a terminal event. Nothing happens if s->t is t_end. After
-   an error s->t and s->y are those of the last accepted step. Returns a status: ODE_MAX_STEPS after options.max_steps
-   attempts, and another call goes on. */
+/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
+   t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
+   is after options.max_steps attempts, another call continues the run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;
     return rk45_solve_with(s, s->f, s->n, t_end);
 }
 
-/* The state y(t) at a time t within the last step of rk45, of order 4. y gets n numbers; f is not evaluated. A t that
-   is not from s->t_old to s->t is ODE_BAD_ARGUMENT. */
+/* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
+   Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
 
 #endif
