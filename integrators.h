@@ -2054,8 +2054,8 @@ VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_rea
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Does what comes before the step in rk45_step, for the pair whose number is `method`. *t_end becomes the last number in the
-   direction of s. Returns a status; s may go on if that is ODE_OK. */
+/* Does what comes before the step in rk45_step, for the pair whose number is `method`. *t_end becomes the last number
+   in the direction of s. Returns a status; s may go on if that is ODE_OK. */
 VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 {
     if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
@@ -2066,8 +2066,8 @@ VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
     return ODE_OK;
 }
 
-/* Does what comes before the steps in rk45_solve_with, for the pair whose number is `method`. Returns a status; s may go
-   on if that is ODE_OK. */
+/* Does what comes before the steps in rk45_solve_with, for the pair whose number is `method`. Returns a status; s may
+   go on if that is ODE_OK. */
 VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
     if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
