@@ -9,8 +9,8 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 
-/* x|x|^(alpha-1) by the power, alpha >= 0: a spring's force over -k. Whoever calls it treats exponents that take no power
-   before, and x = 0. */
+/* x|x|^(alpha-1), alpha >= 0, computed by the power: the force of a spring over -k. The callers treat x = 0 and the
+   exponents that need no power. */
 VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
 {
     return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
