@@ -7640,27 +7640,40 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 
 /* -- Functions of the user -- */
 
+/* Writes the series of the rate f' between t and t + length. */
+VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_real *series)
+{
+    vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused;
+    int i;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real at = t + length * ((1 + vmi_gauss_node(i)) / 2);
+        if (law->function(at, &unused, &rates[i], law->ctx)) return VM_DOMAIN;
+    }
+    vmi_legendre_fit(rates, rates, series, same);
+    return VM_OK;
+}
+
 /* Writes the series of the rate f' between t and t + *length. The length is halved until the last terms of the series
-   are rounding errors; terms of that size are set to 0. */
+   are rounding errors, that is, until they do not become much smaller any more. Terms of their size are set to 0. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
-    const vm_real noise = 64 * VM_EPSILON;
     const int most_halvings = 24;
-    vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused, least = 0;
-    int i, halvings;
-    for (halvings = 0; halvings <= most_halvings; halvings++) {
-        for (i = 0; i < VMI_GAUSS; i++) {
-            const vm_real at = t + *length * ((1 + vmi_gauss_node(i)) / 2);
-            if (law->function(at, &unused, &rates[i], law->ctx)) return VM_DOMAIN;
-        }
-        vmi_legendre_fit(rates, rates, series, same);
-        least = noise * VM_SQRT(vmi_legendre_square(series));
-        if (!(vmi_legendre_tail(series) > least)) break;
+    vm_real tail, least = 0;
+    int i, halvings, status = vmi_law_user_fit(law, t, *length, series);
+    for (halvings = 0; !status && halvings < most_halvings; halvings++) {
+        vm_real shorter[VMI_GAUSS];
+        tail = vmi_legendre_tail(series);
+        least = 64 * VM_EPSILON * VM_SQRT(vmi_legendre_square(series));
+        if (!(tail > least)) break;
+        least = 4 * tail;
+        status = vmi_law_user_fit(law, t, *length / 2, shorter);
+        if (!(vmi_legendre_tail(shorter) < tail / 8)) break;
         *length /= 2;
+        for (i = 0; i < VMI_GAUSS; i++) series[i] = shorter[i];
     }
     for (i = 0; i < VMI_GAUSS; i++)
         if (VM_FABS(series[i]) <= least) series[i] = 0;
-    return VM_OK;
+    return status;
 }
 
 /* Writes f and f', which the user's function gives, and for length > 0 the derivatives of a series of f'. */
@@ -10049,6 +10062,7 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
     vm_real t_low;         /* what t as one number loses, s */
+    vm_real left;          /* sum over the steps of what their iterations left to change, of the phase */
     vm_real contraction;   /* by this factor each round of the iteration reduces its error */
     vm_real rate;          /* of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                        /* of the parts of a half period that starts at psi = -Pi/2 */
@@ -10185,22 +10199,25 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Rounds until the rates do not change any more, from the rates in s->rates */
+/* Rounds until what is left to change is below the limit of the course, from the rates in s->rates. One round leaves
+   the part `contraction` of the change that it made. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.02);
+    const vm_real least_contraction = VM_C(0.02); /* in case the next steps are harder than this one */
+    const vm_real rounding = 1024 * VM_EPSILON;   /* no round can make the change smaller than some part of this */
     const int most_rounds = 40;
     vm_real change, before = 0;
     int round, status;
     for (round = 0; round < most_rounds; round++) {
         status = vmi_osc_sweep(c, s, &change);
         if (status) return status;
-        if (round > 0 && before > 0) c->contraction = vmi_larger(change / before, least_contraction);
-        if (change * c->contraction <= c->sweep_limit) return VM_OK;
+        if (before > 0) c->contraction = vmi_smaller(vmi_larger(change / before, least_contraction), 1);
+        if (change * c->contraction <= c->sweep_limit) break;
         if (round > 2 && !(change < before)) break;
         before = change;
     }
-    return change <= 64 * VM_EPSILON ? VM_OK : VM_NOT_INTEGRATED;
+    c->left += change * c->contraction;
+    return change * c->contraction <= c->sweep_limit || change <= rounding ? VM_OK : VM_NOT_INTEGRATED;
 }
 
 /* Start values of a step: extrapolated from whole steps of the same part, or else the rates at the start */
@@ -10307,9 +10324,10 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
         if (status) return status;
         missing = (way - vmi_osc_whole_change(c, &s).t) /
                   s.rates.t[c->rule.n - 1];
-        if (VM_FABS(missing) <= c->sweep_limit / 4) break;
+        if (VM_FABS(missing) <= c->sweep_limit) break;
         s.length += missing;
     }
+    c->left += c->sweep_limit;
     vmi_osc_take(c, &s);
     c->t = c->stop;
     c->t_low = 0;
@@ -10390,6 +10408,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->ln_A = vmi_log(start->A / plan->A).hi;
     c->t = 0;
     c->t_low = 0;
+    c->left = 0;
     c->contraction = VM_C(0.1);
     c->rate = 0;
     for (part = 0; part < parts; part++) {
@@ -10495,7 +10514,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     while (!status && strict->t != t)
         status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
     strict->evals += loose.evals;
-    *error = factor * difference + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
+    *error = factor * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
     return status;
 }
 
@@ -10504,7 +10523,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
    change as fast as the phase, or after 2^23 periods; the statuses of the laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real sweep_limit = vmi_larger(tolerance / 16, 4 * VM_EPSILON);
+    const vm_real share = 4 * (2 + plan->Om * VM_FABS(t) / plan->ripple.pi); /* a step may take this part of the tolerance */
+    const vm_real sweep_limit = vmi_larger(tolerance / share, VM_EPSILON);
     const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
     vmi_osc_course c;
