@@ -5080,6 +5080,29 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 }
 
 #endif
+/* mechanics/attitude.h - how the attitude of a rotating body changes
+
+       vm_real rates[4]; // of w, x, y, z
+       vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
+
+   Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
+#ifndef VARMASS_MECHANICS_ATTITUDE_H
+#define VARMASS_MECHANICS_ATTITUDE_H
+
+/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length
+   back to 1 within some steps of any explicit method, at a rate below that of the rotation itself, so that a slow
+   rotation is not stiff. */
+VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
+{
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
+    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
+}
+
+#endif
 /* mechanics/flow.h - a free body in space with streams of mass
 
    Right-hand sides for rk45 and rk87 of a rigid body whose mass, mass centre and inertia change while it moves. Streams
@@ -5190,19 +5213,6 @@ VM_INLINE int vmi_flow_note_status(int *kept, int status)
     return status;
 }
 
-/* Sets dydt to the rate q omega/2 + |omega| (1 - |q|^2) q/8 of the attitude q, with omega in body axes and
-   square = |q|^2. The second term brings the length of q back to 1 within some steps of any explicit method, at a
-   rate below that of the rotation. */
-VM_INLINE void vmi_flow_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
-{
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    dydt[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    dydt[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    dydt[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    dydt[3] = back * q.z + q.w * z + q.x * y - q.y * x;
-}
-
 /* Mass, mass centre and inertia of a body at an instant */
 typedef struct VM_TAG(vmi_flow_mass) {
     vm_real mass;
@@ -5298,7 +5308,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     force = vmi_add(flow->force, vmi_add(sum.absolute, force));
     moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
     vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
-    vmi_flow_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
@@ -5369,7 +5379,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
     vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
-    vmi_flow_turning(q, square, omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
              vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
@@ -6712,6 +6722,30 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 }
 
 #endif
+/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
+
+   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
+       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
+   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c, tests/test_forces.c. */
+#ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
+#define VARMASS_OSCILLATORS_FORCE_TERMS_H
+
+/* x|x|^(alpha-1), alpha >= 0, computed by the power: the force of a spring over -k. The callers treat x = 0 and the
+   exponents that need no power. */
+VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
+{
+    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+}
+
+/* Van der Pol's term (404), feed - c x^2, N s/m: the force over the velocity at position x. feed > 0 (N s/m) feeds
+   the vibration, and c > 0 (N s/m^3) limits it. */
+VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
+
+/* The gyroscopic coupling 2 gyro, kg/s: the gyroscopic force is this times the velocity, turned by +90 degrees. gyro
+   is g of the remark after (516), kg/s. */
+VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
+
+#endif
 /* oscillators/waves.h - wave forms of a strongly nonlinear oscillator: ca, cos and cn
 
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
@@ -6921,7 +6955,7 @@ VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
     if (alpha == 3) return x * x * x;
-    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+    return vmi_elastic_power(x, alpha);
 }
 
 /* Energy per unit mass (259), v^2/2 + omega0^2 |x|^(alpha+1)/(alpha+1), m^2/s^2. */
@@ -7606,32 +7640,46 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 
 /* -- Functions of the user -- */
 
+/* Writes the series of the rate f' between t and t + length. */
+VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_real *series)
+{
+    vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused;
+    int i;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real at = t + length * ((1 + vmi_gauss_node(i)) / 2);
+        if (law->function(at, &unused, &rates[i], law->ctx)) return VM_DOMAIN;
+    }
+    vmi_legendre_fit(rates, rates, series, same);
+    return VM_OK;
+}
+
 /* Writes the series of the rate f' between t and t + *length. The length is halved until the last terms of the series
-   are rounding errors, and where the function fails, which may be known for a short time only; terms of the size of
-   rounding errors are set to 0. VM_DOMAIN where the function fails for every length. */
+   are rounding errors, that is, until they do not become much smaller any more. Terms of their size are set to 0. It
+   is halved, too, where the function fails, which may be known for a short time only. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
-    const vm_real noise = 64 * VM_EPSILON;
     const int most_halvings = 24;
-    vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused, least = 0;
-    int i, halvings, failed = 0;
-    for (halvings = 0; halvings <= most_halvings; halvings++) {
-        failed = 0;
-        for (i = 0; i < VMI_GAUSS && !failed; i++) {
-            const vm_real at = t + *length * ((1 + vmi_gauss_node(i)) / 2);
-            failed = law->function(at, &unused, &rates[i], law->ctx) != 0;
-        }
-        if (!failed) {
-            vmi_legendre_fit(rates, rates, series, same);
-            least = noise * VM_SQRT(vmi_legendre_square(series));
-            if (!(vmi_legendre_tail(series) > least)) break;
-        }
+    vm_real tail, least = 0;
+    int i, halvings = 0, status = vmi_law_user_fit(law, t, *length, series);
+    while (status && halvings < most_halvings) {
         *length /= 2;
+        status = vmi_law_user_fit(law, t, *length, series);
+        halvings++;
     }
-    if (failed) return VM_DOMAIN;
+    for (; !status && halvings < most_halvings; halvings++) {
+        vm_real shorter[VMI_GAUSS];
+        tail = vmi_legendre_tail(series);
+        least = 64 * VM_EPSILON * VM_SQRT(vmi_legendre_square(series));
+        if (!(tail > least)) break;
+        least = 4 * tail;
+        status = vmi_law_user_fit(law, t, *length / 2, shorter);
+        if (!(vmi_legendre_tail(shorter) < tail / 8)) break;
+        *length /= 2;
+        for (i = 0; i < VMI_GAUSS; i++) series[i] = shorter[i];
+    }
     for (i = 0; i < VMI_GAUSS; i++)
         if (VM_FABS(series[i]) <= least) series[i] = 0;
-    return VM_OK;
+    return status;
 }
 
 /* Writes f and f', which the user's function gives, and for length > 0 the derivatives of a series of f'. */
@@ -10038,10 +10086,10 @@ typedef struct VM_TAG(vmi_osc_course) {
     int parts;             /* steps of a half period, 1 or 2 */
     vm_real stop;          /* laws are not asked beyond this time, s: a point of a table or the end */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this, */
-    int more_rounds;       /* but goes on for so many rounds */
+    vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
     vm_real t_low;         /* what t as one number loses, s */
+    vm_real left;          /* sum over the steps of what their iterations left to change, of the phase */
     vm_real contraction;   /* by this factor each round of the iteration reduces its error */
     vm_real rate;          /* of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                        /* of the parts of a half period that starts at psi = -Pi/2 */
@@ -10178,26 +10226,25 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Rounds until the rates do not change any more, from the rates in s->rates */
+/* Rounds until what is left to change is below the limit of the course, from the rates in s->rates. One round leaves
+   the part `contraction` of the change that it made. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.02);
-    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* of p' in short steps; both runs differ by what it makes */
+    const vm_real least_contraction = VM_C(0.02); /* in case the next steps are harder than this one */
+    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has such errors, which no round mends */
     const int most_rounds = 40;
     vm_real change, before = 0;
-    int round, status, more = c->more_rounds;
+    int round, status;
     for (round = 0; round < most_rounds; round++) {
         status = vmi_osc_sweep(c, s, &change);
         if (status) return status;
-        if (round > 0 && before > 0) c->contraction = vmi_larger(change / before, least_contraction);
-        if (change * c->contraction <= c->sweep_limit) {
-            if (more == 0) return VM_OK;
-            more--;
-        }
+        if (before > 0) c->contraction = vmi_smaller(vmi_larger(change / before, least_contraction), 1);
+        if (change * c->contraction <= c->sweep_limit) break;
         if (round > 2 && !(change < before)) break;
         before = change;
     }
-    return change <= rounding ? VM_OK : VM_NOT_INTEGRATED;
+    c->left += change * c->contraction;
+    return change * c->contraction <= c->sweep_limit || change <= rounding ? VM_OK : VM_NOT_INTEGRATED;
 }
 
 /* Start values of a step: extrapolated from whole steps of the same part, or else the rates at the start */
@@ -10289,7 +10336,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
     vm_real series[VMI_GAUSS], part = vmi_osc_find_part(c, beyond, c->stop, series);
     vmi_step_waves waves;
     vmi_osc_step s;
-    int i, round, status, more = c->more_rounds;
+    int i, round, status;
     s.sign = 1;
     s.waves = &waves;
     s.length = part * beyond->length;
@@ -10303,12 +10350,10 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
         status = vmi_osc_iterate(c, &s);
         if (status) return status;
         missing = (way - vmi_osc_whole_change(c, &s).t) / s.rates.t[c->rule.n - 1];
-        if (VM_FABS(missing) <= c->sweep_limit / 4) {
-            if (more == 0) break;
-            more--;
-        }
+        if (VM_FABS(missing) <= c->sweep_limit) break;
         s.length += missing;
     }
+    c->left += c->sweep_limit;
     vmi_osc_take(c, &s);
     c->t = c->stop;
     c->t_low = 0;
@@ -10383,13 +10428,13 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->side = side;
     c->parts = parts;
     c->sweep_limit = sweep_limit;
-    c->more_rounds = 0;
     c->stop = 0;
     c->longest = VM_INFINITY;
     c->psi = start->psi;
     c->ln_A = vmi_log(start->A / plan->A).hi;
     c->t = 0;
     c->t_low = 0;
+    c->left = 0;
     c->contraction = VM_C(0.1);
     c->rate = 0;
     for (part = 0; part < parts; part++) {
@@ -10476,6 +10521,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 {
     const int side = vmi_time_side(t);
     const vm_real factor = VM_C(0.25); /* the error of the strict run is taken for this part of the difference */
+    const vm_real looser = 16;         /* so that errors of the iteration, too, make a difference */
     vmi_osc_rates now;
     vmi_osc_slow start;
     vmi_osc_reduced state;
@@ -10487,15 +10533,14 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     start.k = now.k;
     start.p = now.p;
     state = vmi_osc_reduce(&start, plan->problem.alpha, plan->problem.x, plan->problem.v);
-    vmi_osc_course_start(&loose, plan, &state, side, points.loose, points.parts, sweep_limit);
+    vmi_osc_course_start(&loose, plan, &state, side, points.loose, points.parts, looser * sweep_limit);
     vmi_osc_course_start(strict, plan, &state, side, points.strict, points.parts, sweep_limit);
     loose.longest = longest;
     strict->longest = longest;
-    strict->more_rounds = 1; /* or errors of the iteration, too, could be the same in both runs */
     while (!status && strict->t != t)
         status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
     strict->evals += loose.evals;
-    *error = factor * difference + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
+    *error = factor * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
     return status;
 }
 
@@ -10504,23 +10549,24 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
    change as fast as the phase, or after 2^23 periods; the statuses of the laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real least_sweep_limit = 4 * VM_EPSILON, most_half_periods = VM_C(1073741824.); /* 2^30 */
+    const vm_real share = 4 * (2 + plan->Om * VM_FABS(t) / plan->ripple.pi); /* a step may take this part of the tolerance */
+    const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
     const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
     vmi_osc_course c;
     vmi_osc_reduced state;
     vmi_osc_rates now;
-    vm_real error = VM_INFINITY, sweep_limit = tolerance, sa, ca;
+    vm_real error = VM_INFINITY, sweep_limit = vmi_larger(tolerance / share, VM_EPSILON), sa, ca;
     long evals = 0;
     vm_real longest;
     int i, status = vmi_osc_law_step(plan, t, &longest);
     if (status) return status;
     if (!(plan->Om * VM_FABS(t) <= most_half_periods * plan->ripple.pi)) return VM_NOT_INTEGRATED;
     for (i = first; i < VMI_OSC_PAIRS && !(error <= tolerance); i++) {
-        sweep_limit = vmi_larger(sweep_limit / 16, least_sweep_limit);
         status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(i), 2 * longest, sweep_limit, &c, &error);
         if (status) return status;
         evals += c.evals;
+        sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* perhaps the iterations left too much */
     }
     status = vmi_osc_rates_at(&plan->problem, t, -c.side, &now);
     if (status) return status;
@@ -10930,23 +10976,6 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 }
 
 #endif
-/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
-
-   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
-       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
-   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c. */
-#ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
-#define VARMASS_OSCILLATORS_FORCE_TERMS_H
-
-/* Van der Pol's term (404), feed - c x^2, N s/m: the force over the velocity at position x. feed > 0 (N s/m) feeds
-   the vibration, and c > 0 (N s/m^3) limits it. */
-VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
-
-/* The gyroscopic coupling 2 gyro, kg/s: the gyroscopic force is this times the velocity, turned by +90 degrees. gyro
-   is g of the remark after (516), kg/s. */
-VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
-
-#endif
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
    The equation is (404), with the mass m(t) and a spring of any exponent alpha:
@@ -10987,15 +11016,23 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 of averaging with cn. (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
-VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
+/* Writes the mean values a1, a2, a3 of each method. For cn (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
+VM_API void vmi_vdp_means(vm_vdp *v)
 {
-    const vm_real m = vm_osc_jacobi_parameter(v->alpha);
-    vm_real C2, C4, C6;
-    jacobi_cn_means(m, &C2, &C4, &C6);
-    v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
-    v->a1 = (v->alpha + 3) / 2 * v->a2;
-    v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+    v->a1 = 1;
+    v->a2 = 2 / (v->alpha + 3);
+    if (v->method == VM_VDP_ATEB) {
+        v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
+    } else if (v->method == VM_VDP_TRIGONOMETRIC) {
+        v->a3 = v->a2 / 4;
+    } else {
+        const vm_real m = vm_osc_jacobi_parameter(v->alpha);
+        vm_real C2, C4, C6;
+        jacobi_cn_means(m, &C2, &C4, &C6);
+        v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
+        v->a1 = (v->alpha + 3) / 2 * v->a2;
+        v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+    }
 }
 
 /* Checks that the numbers of a Van der Pol oscillator are in their domains. */
@@ -11018,11 +11055,7 @@ VM_API int vm_vdp_init(vm_vdp *v)
     if (!v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     status = vmi_vdp_check(v);
     if (status) return status;
-    v->a1 = 1;
-    v->a2 = 2 / (v->alpha + 3);
-    if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
-    else if (v->method == VM_VDP_TRIGONOMETRIC) v->a3 = v->a2 / 4;
-    else vmi_vdp_jacobi_means(v);
+    vmi_vdp_means(v);
     return VM_OK;
 }
 
@@ -11039,6 +11072,9 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
+/* Whether the closed forms hold: they know the terms feed and c, of an oscillator that is prepared */
+VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
+
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.
    first_A is the amplitude, m, at t = 0, of either sign. One formula stands for (422), (424), (427), (429),
    (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
@@ -11054,7 +11090,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     if (!v) return VM_NAN;
     vmi_linear_mass m;
     vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
-    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !(v->a1 > 0)) return VM_NAN;
+    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
     if (vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
         (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
@@ -11090,7 +11126,7 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
     const vm_real drive = vmi_vdp_drive(v, mass_rate);
     const int exists = (drive > 0 && v->c > 0) || (drive < 0 && v->c < 0);
     const int limited = v->c > 0, rest_is_stable = drive < 0 || (drive == 0 && limited);
-    if (!VM_IS_FINITE(drive) || !(v->a1 > 0)) return VM_NAN;
+    if (!VM_IS_FINITE(drive) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
     if (stable_or_NULL) *stable_or_NULL = exists ? limited : rest_is_stable;
     if (!exists) return 0;
     return VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3)));
@@ -12955,20 +12991,6 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* Computes q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8 for the attitude q, with omega in body axes. The second term
-   keeps the length of q at 1. It acts as fast as q turns, so that it does not make a slow rotation stiff.
-   mechanics/flow.h has the same law. */
-VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
-{
-    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
-}
-
 /* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
    includes the dummy moments of b->invertible; therefore the spin of a rod about its own axis stays, since no load
    turns a rod about it. */
@@ -12994,7 +13016,7 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     const vm_vec3 omega = vmi_get3(state + VMI_FREE_OMEGA);
     const vmi_mat3 axes = vmi_rotation(q);
     vmi_point_body_accelerate(b, state, rates);
-    vmi_free_turn(q, omega, rates + VMI_FREE_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), omega, rates + VMI_FREE_Q);
     return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
 }
 
@@ -13297,7 +13319,7 @@ VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
-    return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
+    return -k * vmi_elastic_power(x, alpha) * (x != 0);
 }
 
 /* The force of a linear damper, -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
@@ -13305,7 +13327,10 @@ VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping 
 
 /* The force of Van der Pol's damper, (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in
    N s/m^3 takes energy out at large amplitudes. */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c)
+{
+    return vmi_van_der_pol_feed(b, c, x) * v;
+}
 
 /* The torque of a motor, stall_torque - kappa omega. omega is the angular velocity in rad/s, stall_torque the torque at
    rest in N m, and kappa the slope of the straight characteristic in N m s. */
@@ -13365,8 +13390,8 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -2 * gyro * vy;
-    *fy = 2 * gyro * vx;
+    *fx = -vmi_gyroscopic_coupling(gyro) * vy;
+    *fy = vmi_gyroscopic_coupling(gyro) * vx;
 }
 
 #endif
@@ -15633,7 +15658,7 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
    body cannot be accelerated rather than the status of the integrator. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
-    const int ode_status = vmi_run(r, VMI_RK45, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
+    const int ode_status = vmi_rk45_run(r, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
     if (ode_status >= 0) return VM_OK;
     s->ode_status = ode_status;
     if (ode_status == ODE_MAX_STEPS) return VM_MAX_STEPS;

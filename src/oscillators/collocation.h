@@ -145,10 +145,10 @@ typedef struct VM_TAG(vmi_osc_course) {
     int parts;             /* steps of a half period, 1 or 2 */
     vm_real stop;          /* laws are not asked beyond this time, s: a point of a table or the end */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this, */
-    int more_rounds;       /* but goes on for so many rounds */
+    vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
     vm_real t_low;         /* what t as one number loses, s */
+    vm_real left;          /* sum over the steps of what their iterations left to change, of the phase */
     vm_real contraction;   /* by this factor each round of the iteration reduces its error */
     vm_real rate;          /* of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                        /* of the parts of a half period that starts at psi = -Pi/2 */
@@ -285,26 +285,25 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Rounds until the rates do not change any more, from the rates in s->rates */
+/* Rounds until what is left to change is below the limit of the course, from the rates in s->rates. One round leaves
+   the part `contraction` of the change that it made. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.02);
-    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* of p' in short steps; both runs differ by what it makes */
+    const vm_real least_contraction = VM_C(0.02); /* in case the next steps are harder than this one */
+    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has such errors, which no round mends */
     const int most_rounds = 40;
     vm_real change, before = 0;
-    int round, status, more = c->more_rounds;
+    int round, status;
     for (round = 0; round < most_rounds; round++) {
         status = vmi_osc_sweep(c, s, &change);
         if (status) return status;
-        if (round > 0 && before > 0) c->contraction = vmi_larger(change / before, least_contraction);
-        if (change * c->contraction <= c->sweep_limit) {
-            if (more == 0) return VM_OK;
-            more--;
-        }
+        if (before > 0) c->contraction = vmi_smaller(vmi_larger(change / before, least_contraction), 1);
+        if (change * c->contraction <= c->sweep_limit) break;
         if (round > 2 && !(change < before)) break;
         before = change;
     }
-    return change <= rounding ? VM_OK : VM_NOT_INTEGRATED;
+    c->left += change * c->contraction;
+    return change * c->contraction <= c->sweep_limit || change <= rounding ? VM_OK : VM_NOT_INTEGRATED;
 }
 
 /* Start values of a step: extrapolated from whole steps of the same part, or else the rates at the start */
@@ -396,7 +395,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
     vm_real series[VMI_GAUSS], part = vmi_osc_find_part(c, beyond, c->stop, series);
     vmi_step_waves waves;
     vmi_osc_step s;
-    int i, round, status, more = c->more_rounds;
+    int i, round, status;
     s.sign = 1;
     s.waves = &waves;
     s.length = part * beyond->length;
@@ -410,12 +409,10 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
         status = vmi_osc_iterate(c, &s);
         if (status) return status;
         missing = (way - vmi_osc_whole_change(c, &s).t) / s.rates.t[c->rule.n - 1];
-        if (VM_FABS(missing) <= c->sweep_limit / 4) {
-            if (more == 0) break;
-            more--;
-        }
+        if (VM_FABS(missing) <= c->sweep_limit) break;
         s.length += missing;
     }
+    c->left += c->sweep_limit;
     vmi_osc_take(c, &s);
     c->t = c->stop;
     c->t_low = 0;
@@ -490,13 +487,13 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->side = side;
     c->parts = parts;
     c->sweep_limit = sweep_limit;
-    c->more_rounds = 0;
     c->stop = 0;
     c->longest = VM_INFINITY;
     c->psi = start->psi;
     c->ln_A = vmi_log(start->A / plan->A).hi;
     c->t = 0;
     c->t_low = 0;
+    c->left = 0;
     c->contraction = VM_C(0.1);
     c->rate = 0;
     for (part = 0; part < parts; part++) {
@@ -583,6 +580,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 {
     const int side = vmi_time_side(t);
     const vm_real factor = VM_C(0.25); /* the error of the strict run is taken for this part of the difference */
+    const vm_real looser = 16;         /* so that errors of the iteration, too, make a difference */
     vmi_osc_rates now;
     vmi_osc_slow start;
     vmi_osc_reduced state;
@@ -594,15 +592,14 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     start.k = now.k;
     start.p = now.p;
     state = vmi_osc_reduce(&start, plan->problem.alpha, plan->problem.x, plan->problem.v);
-    vmi_osc_course_start(&loose, plan, &state, side, points.loose, points.parts, sweep_limit);
+    vmi_osc_course_start(&loose, plan, &state, side, points.loose, points.parts, looser * sweep_limit);
     vmi_osc_course_start(strict, plan, &state, side, points.strict, points.parts, sweep_limit);
     loose.longest = longest;
     strict->longest = longest;
-    strict->more_rounds = 1; /* or errors of the iteration, too, could be the same in both runs */
     while (!status && strict->t != t)
         status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
     strict->evals += loose.evals;
-    *error = factor * difference + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
+    *error = factor * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
     return status;
 }
 
@@ -611,23 +608,24 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
    change as fast as the phase, or after 2^23 periods; the statuses of the laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real least_sweep_limit = 4 * VM_EPSILON, most_half_periods = VM_C(1073741824.); /* 2^30 */
+    const vm_real share = 4 * (2 + plan->Om * VM_FABS(t) / plan->ripple.pi); /* a step may take this part of the tolerance */
+    const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
     const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
     vmi_osc_course c;
     vmi_osc_reduced state;
     vmi_osc_rates now;
-    vm_real error = VM_INFINITY, sweep_limit = tolerance, sa, ca;
+    vm_real error = VM_INFINITY, sweep_limit = vmi_larger(tolerance / share, VM_EPSILON), sa, ca;
     long evals = 0;
     vm_real longest;
     int i, status = vmi_osc_law_step(plan, t, &longest);
     if (status) return status;
     if (!(plan->Om * VM_FABS(t) <= most_half_periods * plan->ripple.pi)) return VM_NOT_INTEGRATED;
     for (i = first; i < VMI_OSC_PAIRS && !(error <= tolerance); i++) {
-        sweep_limit = vmi_larger(sweep_limit / 16, least_sweep_limit);
         status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(i), 2 * longest, sweep_limit, &c, &error);
         if (status) return status;
         evals += c.evals;
+        sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* perhaps the iterations left too much */
     }
     status = vmi_osc_rates_at(&plan->problem, t, -c.side, &now);
     if (status) return status;

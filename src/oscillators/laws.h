@@ -413,32 +413,46 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 
 /* -- Functions of the user -- */
 
+/* Writes the series of the rate f' between t and t + length. */
+VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_real *series)
+{
+    vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused;
+    int i;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real at = t + length * ((1 + vmi_gauss_node(i)) / 2);
+        if (law->function(at, &unused, &rates[i], law->ctx)) return VM_DOMAIN;
+    }
+    vmi_legendre_fit(rates, rates, series, same);
+    return VM_OK;
+}
+
 /* Writes the series of the rate f' between t and t + *length. The length is halved until the last terms of the series
-   are rounding errors, and where the function fails, which may be known for a short time only; terms of the size of
-   rounding errors are set to 0. VM_DOMAIN where the function fails for every length. */
+   are rounding errors, that is, until they do not become much smaller any more. Terms of their size are set to 0. It
+   is halved, too, where the function fails, which may be known for a short time only. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
-    const vm_real noise = 64 * VM_EPSILON;
     const int most_halvings = 24;
-    vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused, least = 0;
-    int i, halvings, failed = 0;
-    for (halvings = 0; halvings <= most_halvings; halvings++) {
-        failed = 0;
-        for (i = 0; i < VMI_GAUSS && !failed; i++) {
-            const vm_real at = t + *length * ((1 + vmi_gauss_node(i)) / 2);
-            failed = law->function(at, &unused, &rates[i], law->ctx) != 0;
-        }
-        if (!failed) {
-            vmi_legendre_fit(rates, rates, series, same);
-            least = noise * VM_SQRT(vmi_legendre_square(series));
-            if (!(vmi_legendre_tail(series) > least)) break;
-        }
+    vm_real tail, least = 0;
+    int i, halvings = 0, status = vmi_law_user_fit(law, t, *length, series);
+    while (status && halvings < most_halvings) {
         *length /= 2;
+        status = vmi_law_user_fit(law, t, *length, series);
+        halvings++;
     }
-    if (failed) return VM_DOMAIN;
+    for (; !status && halvings < most_halvings; halvings++) {
+        vm_real shorter[VMI_GAUSS];
+        tail = vmi_legendre_tail(series);
+        least = 64 * VM_EPSILON * VM_SQRT(vmi_legendre_square(series));
+        if (!(tail > least)) break;
+        least = 4 * tail;
+        status = vmi_law_user_fit(law, t, *length / 2, shorter);
+        if (!(vmi_legendre_tail(shorter) < tail / 8)) break;
+        *length /= 2;
+        for (i = 0; i < VMI_GAUSS; i++) series[i] = shorter[i];
+    }
     for (i = 0; i < VMI_GAUSS; i++)
         if (VM_FABS(series[i]) <= least) series[i] = 0;
-    return VM_OK;
+    return status;
 }
 
 /* Writes f and f', which the user's function gives, and for length > 0 the derivatives of a series of f'. */
