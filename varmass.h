@@ -9103,11 +9103,25 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     }
 }
 
+/* The mean motion at a time so close to 0 that the laws do not change until then */
+VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
+{
+    int status = VM_OK;
+    *mean = vmi_osc_mean_at_0(p);
+    if (t < 0) status = vmi_osc_start_backward(p, mean);
+    mean->inverse_mass = t / p->m0;
+    mean->phase = t;
+    mean->psi += p->mean.W * t;
+    return status;
+}
+
 /* The mean motion at t */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
+    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of the laws are rounding errors */
     int status = VM_OK;
-    if (p->closed) vmi_osc_mean_closed(p, t, mean);
+    if (!p->closed && p->Om * VM_FABS(t) < too_short) status = vmi_osc_mean_near_0(p, t, mean);
+    else if (p->closed) vmi_osc_mean_closed(p, t, mean);
     else status = vmi_osc_walk_to(p, t, mean);
     if (status) return status;
     if (!VM_IS_FINITE(mean->phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio)) return VM_NOT_FINITE;
@@ -10196,6 +10210,7 @@ VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, cons
 /* One round of the iteration. *change: largest change of the phase over the step that it finds */
 VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 {
+    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of p are rounding errors */
     const int n = c->rule.n;
     vmi_osc_rates now[VMI_NODES];
     vmi_step_rates missing;
@@ -10215,6 +10230,7 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
         vm_real p_rate = 0, new_ln_A, new_t;
         for (j = 0; j < n; j++) p_rate += c->rule.derivative[i][j] * now[j].p;
         p_rate /= s->length * old_t;
+        if (VM_FABS(s->length) < too_short) p_rate = 0;
         status = vmi_osc_course_rates(c, s, i, &now[i], p_rate, ln_A[i], t[i], &new_ln_A, &new_t);
         if (status) return status;
         missing.ln_A[i] = new_ln_A - old_ln_A;

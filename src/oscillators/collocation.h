@@ -255,6 +255,7 @@ VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, cons
 /* One round of the iteration. *change: largest change of the phase over the step that it finds */
 VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 {
+    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of p are rounding errors */
     const int n = c->rule.n;
     vmi_osc_rates now[VMI_NODES];
     vmi_step_rates missing;
@@ -274,6 +275,7 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
         vm_real p_rate = 0, new_ln_A, new_t;
         for (j = 0; j < n; j++) p_rate += c->rule.derivative[i][j] * now[j].p;
         p_rate /= s->length * old_t;
+        if (VM_FABS(s->length) < too_short) p_rate = 0;
         status = vmi_osc_course_rates(c, s, i, &now[i], p_rate, ln_A[i], t[i], &new_ln_A, &new_t);
         if (status) return status;
         missing.ln_A[i] = new_ln_A - old_ln_A;

@@ -60,11 +60,25 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     }
 }
 
+/* The mean motion at a time so close to 0 that the laws do not change until then */
+VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
+{
+    int status = VM_OK;
+    *mean = vmi_osc_mean_at_0(p);
+    if (t < 0) status = vmi_osc_start_backward(p, mean);
+    mean->inverse_mass = t / p->m0;
+    mean->phase = t;
+    mean->psi += p->mean.W * t;
+    return status;
+}
+
 /* The mean motion at t */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
+    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of the laws are rounding errors */
     int status = VM_OK;
-    if (p->closed) vmi_osc_mean_closed(p, t, mean);
+    if (!p->closed && p->Om * VM_FABS(t) < too_short) status = vmi_osc_mean_near_0(p, t, mean);
+    else if (p->closed) vmi_osc_mean_closed(p, t, mean);
     else status = vmi_osc_walk_to(p, t, mean);
     if (status) return status;
     if (!VM_IS_FINITE(mean->phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio)) return VM_NOT_FINITE;
