@@ -609,7 +609,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
    change as fast as the phase, or after 2^23 periods; the statuses of the laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real share = 4 * (2 + plan->Om * VM_FABS(t) / plan->ripple.pi); /* a step may take this part of the tolerance */
+    const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + (vm_real)(plan->problem.mass.n + plan->problem.stiffness.n);
+    const vm_real share = 4 * steps; /* the iterations of all steps may take a quarter of the tolerance */
     const vm_real sweep_limit = vmi_larger(tolerance / share, VM_EPSILON);
     const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
