@@ -44,7 +44,8 @@ enum {
     VM_BROKEN_ROTOR_STATES = 6
 };
 
-/* Indices of the states in polar form. The angle psi and its rate have the indices VM_BROKEN_ROTOR_ANGLE and _OMEGA. */
+/* Indices of the states in polar form. The angle psi and its rate have the indices VM_BROKEN_ROTOR_ANGLE and
+   VM_BROKEN_ROTOR_OMEGA. */
 enum {
     VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 of the mass centre from the rest position of the shaft, m */
     VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the direction to the mass centre, rad */

@@ -52,16 +52,16 @@ typedef struct VM_TAG(vm_drum_geometry) {
 
 /* Indices of the states of vm_drum_rhs and vm_drum_rhs_reduced in y, and the number of states */
 enum {
-    VM_DRUM_X = 0,     /* deflection of the shaft, 2 numbers x, y of S, m */
+    VM_DRUM_X = 0,     /* deflection of the shaft: position x, y of S, m */
     VM_DRUM_ANGLE = 2, /* angle phi, rad */
-    VM_DRUM_V = 3,     /* velocity of S, 2 numbers, m/s */
+    VM_DRUM_V = 3,     /* velocity x', y' of S, m/s */
     VM_DRUM_OMEGA = 5, /* angular velocity phi', rad/s */
     VM_DRUM_STATES = 6
 };
 
 /* Indices of the states of vm_drum_rhs_angle in y, and the number of states */
 enum {
-    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft, 2 numbers x, y of S, m */
+    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft: position x, y of S, m */
     VM_DRUM_SLOPE = 2,      /* derivatives dx/dphi, dy/dphi of the deflection, m/rad */
     VM_DRUM_ANGLE_STATES = 4
 };
@@ -89,9 +89,9 @@ VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm
 
 /* Mass and inertia of drum and band at the angle phi, for the equations of motion */
 typedef struct VM_TAG(vmi_drum_mass) {
-    vm_real M;       /* mass, kg */
-    vm_real J;       /* inertia about the axle, kg m^2 */
-    vm_real steiner; /* M (S S1)^2, kg m^2, so that J - steiner is the inertia about the mass centre S1 */
+    vm_real M;       /* mass of drum and band, kg */
+    vm_real J;       /* inertia of drum and band about the axle, kg m^2 */
+    vm_real steiner; /* M (S S1)^2, kg m^2; J - steiner is then the inertia about the mass centre S1 */
 } vmi_drum_mass;
 
 /* Sets *m for the angle phi, where s is sin(phi/2). A call with s = 0 neglects the distance S S1. Returns VM_OK,
@@ -369,7 +369,7 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
     if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1;
-    if (l > -1 && k1 > 0) l = -1; /* rounding has moved l beyond the branch point */
+    if (l > -1 && k1 > 0) l = -1; /* only rounding can move l beyond the branch point -1 */
     if (k1 < 0) w = vm_wright_omega(l);
     else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* e > 0 means k1 < 1, even if k1 has been rounded to 1 */
     else w = vm_lambert_w0_neg_exp(l);
@@ -406,9 +406,9 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
    With the fields k, delta, A of *s it is
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
    where `particular` is 0 for x and s->shift for y. a (m) is the amplitude and alpha (rad) the phase. They follow from
-   the start: at phi = 0 the deflection is a cos alpha + particular. The integral is (2k/3A)(1 - m^3) with
-   m^2 = 1 - A phi. It is computed as 2k/3 phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN if 1 - A
-   phi <= 0 and for a null pointer. */
+   the start: at phi = 0 the deflection is a cos alpha + particular. The integral is (2k/3A) (1 - m^3) with
+   m^2 = 1 - A phi. It is computed as 2k/3 phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null
+   pointer and if 1 - A phi <= 0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;
@@ -421,7 +421,7 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
 }
 
 /* Whether the shaft's frequency stays real for the whole first layer (226).
-   Returns 1 if A < 1/(2 pi), else 0, and 0 for a null pointer. */
+   Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
 #endif

@@ -61,7 +61,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
     void *ctx;             /* argument of the three functions */
     const vm_real *scales; /* for each coordinate the change over which T varies noticeably; NULL for 1 everywhere */
-    vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, kept by the caller */
+    vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
 /* Length of vm_lagrange_system.work */

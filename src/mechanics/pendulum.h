@@ -40,7 +40,7 @@ typedef struct VM_TAG(vm_pendulum_cut) {
     vm_real mass;     /* mass m of the part, kg */
     vm_real x, y;     /* position of S2 (123), m */
     vm_real vx, vy;   /* velocity of S2 (121), m/s */
-    vm_real rate;     /* angular velocity phi' + Omega of the part, positive as phi' is, rad/s */
+    vm_real rate;     /* angular velocity phi' + Omega of the part, positive for growing phi, rad/s */
     vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
     vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
@@ -105,7 +105,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     rho = pendulum->length - part / 2; /* distance from O to S2 */
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
-    across = ux * fx + uy * fy; /* rho across = s (x u_y - y u_x) */
+    across = ux * fx + uy * fy; /* velocity across the rod; rho * across is s (x u_y - y u_x) */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
