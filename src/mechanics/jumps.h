@@ -38,7 +38,7 @@ enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters name
 typedef struct VM_TAG(vmi_frame) {
     vm_quat q;           /* attitude of the first body; inertias are added along its axes */
     vmi_mat3 turn;       /* the rotation matrix of q */
-    vm_vec3 r, v, omega; /* position of its origin, its velocity and its angular velocity */
+    vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;
 
 /* A lump: the mass, motion and inertia of a body, or of several bodies joined, relative to the frame of a jump */
@@ -56,7 +56,7 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     const vmi_mat3 own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
     const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
-    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* columns: the frame's axes in body axes */
+    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
     if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes turn is exactly the identity */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
@@ -73,8 +73,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets *sizes to the sizes of the terms of its entries. The
-   vector d is a difference of positions. It has their rounding errors; reach is their size. */
+/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets *sizes to the sizes of the terms of its entries. d is a
+   difference of positions of the size `reach`, and has the rounding errors of these positions. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -93,7 +93,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
 }
 
 /* Returns how much the noise of a grows when b is joined to it: by the noise of b, and by that of the product of
-   `reduced` and d x slip. The vector d from a to b is a difference of positions; reach is their size. */
+   `reduced` and d x slip. The vector d leads from a to b and is a difference of positions of the size `reach`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -246,11 +246,11 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains of the whole. *part has left the whole and moves as given.
-   *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity (34), and
-   the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space: momentum
-   and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal
-   to whole or to part.
+/* Separation of a part from a body: *rest is what remains of the whole. *part is the part with its motion after the
+   separation. *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity
+   (34), and the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space:
+   momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
+   be equal to whole or to part.
 
    If the part moves on as before the separation, the rest keeps its motion, even if only little inertia is left. The
    computation adds only motions relative to the whole. Neither high speed nor a position far from the origin therefore

@@ -102,10 +102,10 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part is the part after
-   it has left the whole. The impulse, if there is one, acts during the separation. Momentum and angular momentum of
-   rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or to part.
-   The accuracy is that of vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part is the part with
+   its motion after the separation. The impulse, if there is one, acts during the separation. Momentum and angular
+   momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or
+   to part. The accuracy is that of vm_separate.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the balance
    leaves it angular momentum about itself, which it cannot have. Its omega is then that of the whole. The errors are

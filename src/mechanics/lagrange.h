@@ -59,7 +59,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
     /* NULL, or a function that adds the n generalized forces to Q, for example by vm_lagrange_add_force. It returns
        0; another number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
-    void *ctx;             /* argument of the three functions */
+    void *ctx;             /* the argument ctx of the three functions above */
     const vm_real *scales; /* for each coordinate the change over which T varies noticeably; NULL for 1 everywhere */
     vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
@@ -73,7 +73,7 @@ typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *b;      /* the linear terms of T in the rates, n numbers */
     vm_real *rates;  /* pi - b, and later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
-    vm_real *masses; /* the frozen masses, n_masses numbers */
+    vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
 } vmi_lagrange_parts;
 
 VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
@@ -179,8 +179,8 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
    An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns 0 or an error that
    ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite, VM_NOT_FINITE
    if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive definite if, for
-   example, a mass has become negative; use an event to stop the run before. The number of calls of system->energy grows
-   with n^2. */
+   example, a mass has become negative; use an event to stop the run before that. The number of calls of system->energy
+   grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
