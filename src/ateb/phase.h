@@ -71,11 +71,11 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
-/* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and
-   1e30. The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same
-   phase for every lambda > 0. Therefore -x' sqrt((alpha+1)/2)/omega and x of an oscillator can be given as sa and ca.
-   Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is returned with an error of at most 8 ulp
-   plus its change by 6 ulp of sa and of ca. Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
+/* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
+   The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
+   every lambda > 0. Therefore -x' sqrt((alpha+1)/2)/omega and x of an oscillator can be given as sa and ca. Returns 0
+   for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is returned with an error of at most 8 ulp plus the
+   change of s that 6 ulp of sa and of ca make. Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
