@@ -14,8 +14,8 @@
 #include "runs.h"
 #include "steps.h"
 
-/* Does the work of rk45_init for any pair. Being inlined, it assigns f and n to s where the caller's compiler sees
-   their values and can inline f in the steps. */
+/* Does the work of rk45_init for any pair. It is inlined, so that the compiler sees the values of f and n in the caller
+   and can inline f in the steps. */
 VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                            const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -27,8 +27,8 @@ VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int 
     return status;
 }
 
-/* Forgets which events have just happened, because the run continues at another time. There the sign of g alone gives
-   the side of each event. */
+/* Forgets which events have just happened, because the run continues at another time. The side of each event is then
+   the sign of its g at this time, even if g is small. */
 VM_API void vmi_forget_events(rk45 *s)
 {
     int i;
@@ -83,8 +83,8 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
    begins anew when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
 enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
 
-/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. These states differ by h dz
-   and their derivatives by dk, and |dk|/|dz| is about h times the largest eigenvalue of the Jacobian matrix of f. */
+/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by
+   h dz and their derivatives by dk. Then |dk|/|dz| is about h times the largest eigenvalue of the Jacobian of f. */
 VM_API void vmi_look_for_stiffness(rk45 *s)
 {
     const int last = vmi_last_k(&s->pair), count = last - VMI_K;

@@ -43,7 +43,7 @@ typedef struct VM_TAG(rk45) {
     long next_miss;        /* value of `steps` from which on a step of the smallest size may miss the tolerance again */
     int stiff_wait;        /* number of steps until the next test of stiffness */
     int stiff_hits;        /* number of tests that found stiffness since VMI_STIFF_MISSES tests in a row found none */
-    int stiff_misses;      /* number of tests since the last one that found stiffness */
+    int stiff_misses;      /* number of tests since the last test that found stiffness */
 } rk45;
 
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the previous step's last k */
