@@ -279,7 +279,7 @@ VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
    and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* the last step is shorter; its square is < eps */
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* a step shorter than this is the last one */
     const int most = 60;                                               /* largest number of steps; 20 are enough */
     const vm_two a2 = vmi_two(a, 0), b2 = vmi_two(b, 0);
     const vm_two start = vmi_two_plus(ln_p, vmi_two_plus(vmi_log(a), vmi_beta_ln(a2, b2)));
