@@ -104,10 +104,10 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
     return vmi_exp(l.hi, l.lo);
 }
 
-/* Returns I_x(a, b) B(a, b)/(x^a y^b) for a > 1 and x <= (a + 1)/(a + b + 2). This is 1/f_0 of the continued fraction
-   of Didonato and Morris, f_n = constant + ratio/f_(n+1), which is evaluated from its end. All terms are positive
-   except for the last ones. Where a and b are large, digits cancel in excess = a y - b x; therefore the excess is
-   computed in two words. */
+/* Returns I_x(a, b) B(a, b)/(x^a y^b) for y = 1 - x, a > 1 and x <= (a + 1)/(a + b + 2). This is 1/f_0 of the continued
+   fraction of Didonato and Morris, f_n = constant + ratio/f_(n+1), which is evaluated from its end. All terms are
+   positive except for the last ones. Where a and b are large, digits cancel in excess = a y - b x; therefore the excess
+   is computed in two words. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
@@ -257,8 +257,8 @@ VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
     return p;
 }
 
-/* Returns the point with x/y = e^t. The logarithms belong to the rounded value of e^-|t|, so that x + y = 1 in two
-   words. */
+/* Returns the point with x/y = e^t, where y = 1 - x. The logarithms belong to the rounded value of e^-|t|, so that
+   x + y = 1 in two words. */
 VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 {
     const vm_real size = VM_FABS(t), e = vmi_exp(-size, 0);

@@ -94,9 +94,10 @@ VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* sa and ca for 0 <= r <= VMI_ATEB_CHANGE_OVER. The guess v is the series of sa up to r^9, which is right to 1e-5 and
-   whose coefficients are polynomials in k = 1 - q. v is shortened to half of its digits, so that w = v^2 is exact. h is
-   r minus the r that belongs to v; a Taylor series in e = h/u gives sa and ca. */
+/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). The guess v
+   of sa is the series of sa up to r^9, which is right to 1e-5 and whose coefficients are polynomials in k = 1 - q. v is
+   shortened to half of its digits, so that w = v^2 is exact. h is r minus the r that belongs to v; a Taylor series in
+   e = h/u, where u is the ca that belongs to v, gives sa and ca. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
@@ -127,15 +128,16 @@ VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
                          (vmi_to_bits(shifted) << VMI_STORED_DIG));
 }
 
-/* The number y = 2 q d in two words, whose power y^n is X; ln y is vmi_ateb_ln_of(k, t). */
+/* The number y = 2 q d in two words, whose power y^(alpha + 1) is X; ln y is vmi_ateb_ln_of(k, t) */
 typedef struct VM_TAG(vmi_ateb_base) {
     vm_two y;
     vm_real k, t;
 } vmi_ateb_base;
 
-/* Returns the base y from r and d, where z = 2 r - (Pi_alpha - (alpha + 1)), so that y = 1 - q z. y is computed from
-   the smaller of r and d; for r < d y > 1/2. The low word of y matters: where alpha is large, a small change of y is
-   a large change of X = y^(alpha+1). For y < 1/2 X is so small that y.lo need not be scaled by 2^-k. */
+/* Returns the base y from the distances r and d of s from the zeros of sa and ca. Let z = 2 r - (Pi_alpha - (alpha + 1));
+   then y = 1 - q z. y is computed from the smaller of r and d; for r < d, y > 1/2. The low word of y matters: where
+   alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that y.lo need
+   not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
@@ -154,8 +156,9 @@ VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, v
     return base;
 }
 
-/* Returns p within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed by its (1, 1) Pade approximant
-   and a correction, which contains X4^3 q (1 - q) and a polynomial fitted by tests/gen/ateb_coefficients.py. */
+/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed by its (1, 1) Pade
+   approximant and a correction, which contains X4^3 q (1 - q) and a polynomial fitted by
+   tests/gen/ateb_coefficients.py. */
 VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 {
     const vm_real k = 1 - q, m = (1 + q) * (2 + q);
@@ -165,7 +168,8 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
            (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
 }
 
-/* sa and ca for r >= VMI_ATEB_CHANGE_OVER, in terms of y = 2 q d and ln X = (alpha + 1) ln y. The equation
+/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from that of ca. q is 1/(alpha + 1),
+   y = 2 q d, and ln X = (alpha + 1) ln y. The equation
      ln X = ln x + (alpha + 1) ln(1 + q T) is solved for p. Its derivatives, with E = 1 + q T, are
      dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
    rho is ln X minus the ln X that belongs to the guess; a Taylor series in rho gives sa and ca. */
@@ -178,7 +182,7 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
     vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and E = P/(P - B) */
     vm_real B, E, E_loss;     /* E_loss = 1 - 1/E, so that u/y of the guess is 1 - E_loss */
     vm_real rho, vE;          /* vE = v E */
-    vm_real sa_rate, ca_rate; /* -dv/d(ln X) and -d ln(u/y)/d(ln X) */
+    vm_real sa_rate, ca_rate; /* -d(sa)/d(ln X) and -d ln(ca/y)/d(ln X) */
     vm_real sa_change, ca_change;
     *sa = 1;
     *ca = y + base.y.lo;

@@ -381,7 +381,8 @@ typedef struct VM_TAG(vmi_ateb) {
     vm_two quarter; /* Pi_alpha/2, a quarter of the period */
 } vmi_ateb;
 
-/* Sets n and q, and sets g and quarter to 0. The remainder 1 - n q is exact, since n and q are split into halves. */
+/* Sets the fields n = alpha + 1 and q = 1/n, and sets g and quarter to 0. The remainder 1 - n q is exact, since n and q
+   are split into halves. */
 VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
 {
     vm_real n_head, n_tail, q_head;
@@ -395,8 +396,8 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets g and quarter, whose low words may be as large as 2^-13. The absolute error of Pi_alpha enters the phase. It is
-   small for a large alpha too, since Pi_alpha is the sum of n and g. */
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. The absolute error of Pi_alpha enters the
+   phase. It is small for a large alpha too, since Pi_alpha is the sum of n and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -428,8 +429,9 @@ VM_API vm_real ateb_pi(vm_real alpha)
 /* Returns 1 if alpha is so large that three terms of g(q) at q = 0 give the quarter period in two words, else 0. */
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
-/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). For a large alpha Pi_alpha is n + g(q), with
-   g(q) = 2 ln 2 + q g'(0) + q^2 g''(0)/2; for any other alpha it is n f(q). */
+/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
+   Pi_alpha is n + g(q), with g(q) = 2 ln 2 + q g'(0) + q^2 g''(0)/2; for any other alpha it is n f(q), where f is
+   vmi_ateb_gamma_ratio. */
 VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 {
     const vm_two one = {1, 0};

@@ -82,14 +82,14 @@ VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d
     return power * d + power * (p->n * d_lo);
 }
 
-/* Returns 2 q d in two words, from d + d_lo. */
+/* Returns 2 q d = 2 d/(alpha + 1) in two words, from d + d_lo. */
 VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* Returns X = (2 q d)^(alpha+1) and writes 2 q d to *y. Where X would be subnormal, about the least normal number is
-   returned. */
+/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1), and writes 2 q d to *y. Where X would be subnormal, about the
+   least normal number is returned. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vm_real least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -284,7 +284,8 @@ VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, con
 enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 
 /* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0 they are those of
-   sa/r (odd) and ca (even) in powers of r^2; for beyond = 1, those of ca/(2 q d) (odd) and sa (even) in powers of X. */
+   sa/r (odd) and ca (even) in powers of r^2; for beyond = 1 they are those of ca/(2 q d) (odd) and sa (even) in powers
+   of X = (2 q d)^(alpha+1). */
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */

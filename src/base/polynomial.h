@@ -15,9 +15,9 @@
 #include "hypot.h"
 #include "real.h"
 
-/* Returns the correction of the approximate root i. It is Newton's step for the polynomial divided by all factors z -
-   z_j, where z_j are the other approximate roots; this division keeps two approximations from converging to the same
-   root. The correction is 0 where the polynomial is 0 within its rounding errors. */
+/* Returns the correction of the approximate root i. It is Newton's step for the polynomial divided by z - z_j for each
+   other approximate root z_j; this division keeps two approximations from converging to the same root. The correction
+   is 0 where the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);

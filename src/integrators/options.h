@@ -1,6 +1,6 @@
 /* integrators/options.h - options and events of an adaptive run
-   A zeroed rk45_options means the defaults. An event is a change of sign of a function g(t, y) along a run, such as a
-   bounce, where g is a height.
+   An rk45_options whose fields are all 0 stands for the defaults. An event is a change of sign of a function g(t, y)
+   along a run, such as a bounce, where g is a height.
 
        ode_event touch;
        rk45_options options;

@@ -69,8 +69,8 @@ VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages
 /* The least rtol that a run by this pair accepts */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
-/* For the stages of a pair: VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h is
-   multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
+/* Macros for the stages of a pair. VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h
+   is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
    between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \

@@ -109,7 +109,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
 }
 
 /* Computes y = y_old + h (b[0] k_1 + b[1] k_2 + ...), a sum of `count` terms. The weights b add up to x, so that the
-   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have less rounding. */
+   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have smaller rounding errors. */
 VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
 {
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
