@@ -1381,10 +1381,10 @@ typedef struct VM_TAG(vmi_ateb_base) {
     vm_real k, t;
 } vmi_ateb_base;
 
-/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y is
-   1 - q z with z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; for r < d, y > 1/2. The low word of y matters: where
-   alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that y.lo need
-   not be scaled by 2^-k. */
+/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y is 1 - q z, where
+   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; for r < d, y > 1/2. The low word of
+   y matters: where alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so
+   small that y.lo need not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);

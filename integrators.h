@@ -132,7 +132,24 @@
      integrators/rk4: rk4: the classical Runge-Kutta method of order 4 with fixed steps
        rk4_step                       One step of size h, positive or negative, by the classical Runge-Kutta method
        rk4_solve                      Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method
-       rk4_solve_compensated          Equal steps with compensated summation [3], so that roundings do not add up */
+       rk4_solve_compensated          Equal steps with compensated summation [3], so that roundings do not add up
+
+     integrators/rk45: rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
+       rk45_defaults                  Options of rk45 with each zero replaced by its default, as rk45_init uses them
+       rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
+       rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
+       rk45_step                      One accepted step of rk45, or the part of it before an event that ends the step
+       rk45_solve_with                Steps of rk45 to t_end, with f and n named again so that f is inlined
+       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event
+       rk45_interpolate               State y(t) at a time t within the last step of rk45, accurate to order 4
+
+     integrators/rk87: rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
+       rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
+       rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
+       rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
+       rk87_solve_with                Steps of rk87 to t_end, with f and n named again so that f is inlined
+       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event
+       rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8 */
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
@@ -633,6 +650,2018 @@ VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_
 {
     if (!y_low) return ODE_BAD_ARGUMENT;
     return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, y_low, work);
+}
+
+#endif
+/* integrators/options.h - options and events of an adaptive run
+   An rk45_options whose fields are all 0 stands for the defaults. An event is a change of sign of a function g(t, y)
+   along a run, such as a bounce, where g is a height.
+
+       ode_event touch;
+       rk45_options options;
+       memset(&touch, 0, sizeof touch);
+       memset(&options, 0, sizeof options);
+       touch.g = height; // double height(double t, const double *y, void *ctx) returns y[0]
+       touch.action = ODE_STOP;
+       options.rtol = 1e-9;
+       options.events = &touch;
+       options.n_events = 1;
+
+   Tests: tests/test_adaptive.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_OPTIONS_H
+#define VARMASS_INTEGRATORS_OPTIONS_H
+
+/* A function of time and state whose zeros are events. */
+typedef vm_real (*ode_event_function)(vm_real t, const vm_real *y, void *ctx);
+
+/* What a run does at an event. */
+enum {
+    ODE_RECORD = 0, /* the run counts the event and goes on */
+    ODE_STOP = 1,   /* the run ends at the event with the status ODE_EVENT */
+    ODE_RESTART = 2 /* the run ends the step at the event, calls `change`, and begins a new step */
+};
+
+/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events to which the
+   options point. The caller sets the fields from g to states; the integrator sets the fields from count on. */
+typedef struct VM_TAG(ode_event) {
+    ode_event_function g; /* the function whose zeros are the event */
+    void *ctx;            /* pointer that g and change receive */
+    int direction; /* which changes of sign of g count, along the run: > 0 from - to +, < 0 from + to -, 0 both */
+    int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
+    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0 means 3, < 0 none */
+    /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
+       depends. */
+    void (*change)(vm_real t, vm_real *y, void *ctx);
+    long room;       /* number of events for which times and states have room; later events are only counted */
+    vm_real *times;  /* NULL, or an array that receives the times of the first `room` events */
+    vm_real *states; /* NULL, or an array that receives the states of the first `room` events, n numbers each */
+    long count;      /* number of events so far */
+    vm_real t;       /* time of the last event */
+    /* The fields from here on are internal. */
+    int side;       /* sign of g at the present time of the run, 0 while it is uncertain */
+    int side_ahead; /* sign of g at the end of the step, if no event ends the step earlier */
+    int happens;    /* nonzero if this event happens at the end of the step */
+    vm_real from;   /* g has been evaluated up to this fraction of the step */
+    vm_real slack;  /* after the event, the sign of g is uncertain while |g| <= slack */
+    vm_real quiet;  /* time after the event for which the sign of g may still be uncertain */
+} ode_event;
+
+/* Options of a run. A zero in any field means its default; rk45_defaults shows all defaults. */
+typedef struct VM_TAG(rk45_options) {
+    vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
+    vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
+    vm_real h0;               /* size of the first step; 0: chosen from f. Its sign is the direction of rk45_step. */
+    vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
+    vm_real h_max;            /* size of the longest step; the default is no limit */
+    long max_steps;           /* attempts in a call of rk45_solve; the default is 1000000, negative means no limit */
+    const vm_real *atol_each; /* NULL, or n absolute tolerances of the components, in place of atol; 0 means none */
+    ode_event *events;        /* array of n_events events, or NULL */
+    int n_events;             /* number of events */
+    long work_size; /* number of elements of work, e.g. sizeof work / sizeof *work; 0 means that it is not checked */
+} rk45_options;
+
+#if VM_MANT_DIG > 24
+#define VMI_DEFAULT_RTOL VM_C(1e-6)
+#else
+#define VMI_DEFAULT_RTOL VM_C(1e-4)
+#endif
+
+/* The options with each zero replaced by its default, and with rtol raised to least_rtol */
+VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options_or_NULL)
+{
+    rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
+    if (options_or_NULL) o = *options_or_NULL;
+    if (o.rtol == 0) o.rtol = VMI_DEFAULT_RTOL;
+    if (o.rtol > 0 && o.rtol < least_rtol) o.rtol = least_rtol;
+    if (o.atol == 0 && o.rtol > 0) o.atol = o.rtol * VM_C(1e-3);
+    if (o.rtol < 0) o.rtol = 0;
+    if (o.atol < 0) o.atol = 0;
+    if (o.h_max == 0) o.h_max = VM_MAX;
+    if (o.max_steps == 0) o.max_steps = 1000000L;
+    return o;
+}
+
+/* The absolute tolerance of component i */
+VM_INLINE vm_real vmi_atol(const rk45_options *o, int i) { return o->atol_each ? o->atol_each[i] : o->atol; }
+
+/* Whether every component has a tolerance, and no tolerance is negative or NaN */
+VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
+{
+    int i;
+    for (i = 0; i < n; i++) {
+        const vm_real atol = vmi_atol(o, i);
+        if (!(atol >= 0) || !(atol + o->rtol > 0)) return 0;
+    }
+    return 1;
+}
+
+/* Whether a run of n components can begin with these options, after vmi_defaults has replaced the zeros */
+VM_API int vmi_options_are_valid(const rk45_options *o, int n)
+{
+    int i;
+    if (!VM_IS_FINITE(o->rtol) || !VM_IS_FINITE(o->atol) || !vmi_tolerances_are_valid(o, n)) return 0;
+    if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min)) return 0;
+    if (o->n_events < 0 || (o->n_events > 0 && !o->events)) return 0;
+    for (i = 0; i < o->n_events; i++)
+        if (!o->events[i].g || o->events[i].room < 0) return 0;
+    return 1;
+}
+
+/* Tolerance of component i in a step, atol + rtol |y|. y is the value of the component. The result is always
+   positive. */
+VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
+{
+    return vmi_atol(o, i) + o->rtol * VM_FABS(y) + VM_MIN;
+}
+
+#endif
+/* integrators/pairs.h - what a Runge-Kutta pair is: a descriptor, and what the stages of all pairs share
+   A pair of orders p and p - 1 makes a step of size h from y at t in stages, each of which evaluates f once:
+
+       k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
+
+   and estimates the error by another sum of the k_i. For each pair there is a file with its public functions, its
+   coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a vmi_rk_pair, holds all that an adaptive run needs
+   to know of the pair. To add a pair, write such a file and include it in src/integrators.h.
+
+   Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
+#ifndef VARMASS_INTEGRATORS_PAIRS_H
+#define VARMASS_INTEGRATORS_PAIRS_H
+
+struct VM_TAG(rk45);
+
+/* The parts of a run's work, of n numbers each: the state y, the state at t_old, the state at which a stage evaluates f
+   (after the stages the new state), and from VMI_K on the derivatives k_1, k_2 ... */
+enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
+
+/* The equations y' = f(t, y) that a step solves, n of them, and the arrays of the step: part p, such as VMI_Y, begins
+   at w + p m, where m >= n. ctx is the pointer that f receives. */
+typedef struct VM_TAG(vmi_rk_system) {
+    ode_rhs f;
+    void *ctx;
+    int n;
+    vm_real *w;
+    ptrdiff_t m;
+} vmi_rk_system;
+
+/* What a run needs to know of its pair */
+typedef struct VM_TAG(vmi_rk_pair) {
+    int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
+    int order;            /* the order of the state after a step; the order of the error estimate is one less */
+    int stages;           /* number of evaluations of f for the new state and the error estimate */
+    int last_is_first;    /* 1: the last stage is f at the new state, k_1 of the next step; 0: the run evaluates k_1 */
+    int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
+    int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
+    vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
+    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of the Jacobian of f exceeds this */
+    /* Two stages, or the last stage and the new state, evaluate f at t + h. Returns the weight of k_{j+1} in the
+       difference of these two states, divided by h. */
+    vm_real (*end_difference)(int j);
+    /* Computes the state y at the fraction x of the step by the continuous extension, y_old + h (b_1 k_1 + ...), whose
+       weights b_j depend on x */
+    void (*inside)(const struct VM_TAG(rk45) * s, vm_real x, vm_real *y);
+    /* NULL, or the function that evaluates the k_i of the continuous extension alone. Returns a status. */
+    int (*extend)(struct VM_TAG(rk45) * s);
+} vmi_rk_pair;
+
+/* A pair as the loop over the steps takes it. It is a constant of the call, and so the compiler inlines both functions
+   into the loop. They are no part of vmi_rk_pair, which each run holds: there they would be compiled a second time. */
+typedef struct VM_TAG(vmi_rk_stepper) {
+    vmi_rk_pair pair;
+    /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
+       Adds the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
+    int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
+    /* The largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error or the
+       new state is not finite */
+    vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
+} vmi_rk_stepper;
+
+#define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
+
+/* Linkage of descriptors and of the parts of vmi_advance. Inlining turns the descriptors into constants, and each part
+   is called in one place only, so that inlining makes the code smaller. These functions are therefore inlined even
+   where VM_INLINE does not inline, in order to keep the code small. */
+#if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
+#define VMI_FOLDED static inline __attribute__((always_inline))
+#else
+#define VMI_FOLDED VM_INLINE
+#endif
+
+/* Linkage of the loop over the steps of one pair. It is inlined where it is to be fast, and never where it is to be
+   short: there one copy for any n is enough. */
+#ifdef __OPTIMIZE_SIZE__
+#define VMI_LOOP VMI_APART
+#else
+#define VMI_LOOP VM_INLINE
+#endif
+
+/* The index of the part of work that holds f at the end of a step */
+VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
+
+/* The least rtol that a run by this pair accepts */
+VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
+
+/* Macros for the stages of a pair. VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h
+   is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
+   between one evaluation of f and the next. */
+#define VMI_H(c) (h * VM_C(c))
+#define VMI_EVAL(t, y, k)                \
+    do {                                 \
+        int stop_;                       \
+        ++*evals;                        \
+        stop_ = sys.f(t, y, k, sys.ctx); \
+        if (stop_) return stop_;         \
+    } while (0)
+
+#define VMI_LARGER(a, b) ((a) > (b) ? (a) : (b))
+#define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
+#define VMI_WORST VM_C(1e4) /* a ratio of an error to its tolerance above this number counts as this number */
+
+/* Takes the error e of component i into account; the component is y before the step and z after it. *worst becomes the
+   largest ratio of an error to its tolerance so far. *bad becomes NaN if e or z is not finite, since infinity minus
+   infinity is NaN. */
+VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_real z, vm_real *worst, vm_real *bad)
+{
+    const vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y), VM_FABS(z)));
+    const vm_real sum = e + z;
+    *worst = VMI_LARGER(ratio, *worst);
+    *bad += sum - sum;
+}
+
+#endif
+/* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
+   An rk45 holds the state of a run by rk45 or by rk87. Its `work`, which the caller provides, holds the arrays of n
+   numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
+
+   Tests: tests/test_adaptive.c. */
+#ifndef VARMASS_INTEGRATORS_RUNS_H
+#define VARMASS_INTEGRATORS_RUNS_H
+
+/* An adaptive run. The caller may read the fields from t to options. */
+typedef struct VM_TAG(rk45) {
+    vm_real t;            /* current time */
+    vm_real *y;           /* current state, n numbers (in work) */
+    vm_real t_old;        /* rk45_interpolate covers t_old to t, the last accepted step; t_old is t after an error */
+    vm_real h;            /* size of the next step to be tried, with its sign; 0 before the first step */
+    long steps;           /* number of accepted steps */
+    long rejected;        /* number of rejected steps */
+    long evals;           /* number of evaluations of f */
+    long missed;          /* number of steps of the smallest size accepted with an error above the tolerance */
+    int rhs_status;       /* number that f returned last */
+    int event;            /* index of the ODE_STOP event that ended the last call, else -1 */
+    int stiff;            /* nonzero once the run has looked stiff */
+    ode_rhs f;            /* the right-hand side */
+    void *ctx;            /* pointer that f receives */
+    int n;                /* number of components */
+    rk45_options options; /* the options, with the defaults in place of zeros */
+    /* The fields from here on are internal. */
+    vmi_rk_pair pair;
+    vm_real *work;
+    vm_real t_low;         /* y belongs to the time t + t_low; |t_low| <= ulp(t)/2 */
+    vm_real t_old_low;     /* the last step began at the time t_old + t_old_low */
+    vm_real h_done;        /* size of the last accepted step */
+    vm_real inverse_error; /* tolerance of the last accepted step divided by its error */
+    long attempts;         /* number of steps that may still be tried; negative means no limit */
+    int k1;                /* where k_1 of the next step is: VMI_K1_MISSING, VMI_K1_READY or VMI_K1_IS_LAST */
+    int extended;          /* nonzero if the continuous extension of the last step is ready */
+    int failure;           /* result of the last attempt: VMI_NONE_FAILED, VMI_REJECTED or VMI_NOT_FINITE */
+    long next_miss;        /* value of `steps` from which on a step of the smallest size may miss the tolerance again */
+    int stiff_wait;        /* number of steps until the next test of stiffness */
+    int stiff_hits;        /* number of tests that found stiffness since VMI_STIFF_MISSES tests in a row found none */
+    int stiff_misses;      /* number of tests since the last test that found stiffness */
+} rk45;
+
+enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the previous step's last k */
+enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* results of an attempt */
+enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one test of stiffness to the next */
+
+/* The array of n numbers in work with the index `part`, such as VMI_Y */
+VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
+
+/* Sets the fields of a new run that do not depend on the options or the pair */
+VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm_real *work)
+{
+    s->f = f;
+    s->ctx = ctx;
+    s->n = n;
+    s->work = work;
+    s->y = work;
+    s->t = t0;
+    s->t_old = t0;
+    s->t_low = 0;
+    s->t_old_low = 0;
+    s->h_done = 0;
+    s->inverse_error = 1;
+    s->steps = 0;
+    s->rejected = 0;
+    s->evals = 0;
+    s->missed = 0;
+    s->next_miss = 0;
+    s->rhs_status = 0;
+    s->event = -1;
+    s->k1 = VMI_K1_MISSING;
+    s->extended = 0;
+    s->failure = VMI_NONE_FAILED;
+    s->stiff = 0;
+    s->stiff_wait = VMI_STIFF_WAIT;
+    s->stiff_hits = 0;
+    s->stiff_misses = 0;
+}
+
+/* Does the work of rk45_init for any pair */
+VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                       const rk45_options *options_or_NULL, vm_real *work)
+{
+    const rk45_options o = vmi_defaults(vmi_least_rtol(pair), options_or_NULL);
+    int i;
+    if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0) ||
+        !vmi_options_are_valid(&o, n))
+        return ODE_BAD_ARGUMENT;
+    if (o.work_size && o.work_size < (long)(VMI_K + pair->derivatives) * n) return ODE_WORK_TOO_SMALL;
+    for (i = 0; i < o.n_events; i++) {
+        o.events[i].count = 0;
+        o.events[i].quiet = 0;
+        o.events[i].slack = 0;
+    }
+    vmi_init_fields(s, f, ctx, n, t0, work);
+    s->pair = *pair;
+    s->options = o;
+    s->h = o.h0;
+    s->attempts = o.max_steps;
+    vmi_copy(n, y0, s->y);
+    if (options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol) return ODE_RTOL_RAISED;
+    return ODE_OK;
+}
+
+/* Computes y = y_old + h (b[0] k_1 + b[1] k_2 + ...), a sum of `count` terms. The weights b add up to x, so that the
+   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have smaller rounding errors. */
+VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
+{
+    const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
+    int i, j;
+    for (i = 0; i < s->n; i++) {
+        vm_real sum = 0;
+        for (j = 1; j < count; j++) sum += b[j] * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+        y[i] = y_old[i] + s->h_done * (x * k1[i] + sum);
+    }
+}
+
+/* Evaluates k = f(t, y) and counts it. Returns a status. */
+VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
+{
+    s->evals++;
+    s->rhs_status = s->f(t, y, k, s->ctx);
+    return s->rhs_status ? ODE_RHS_STOPPED : ODE_OK;
+}
+
+#endif
+/* integrators/dense.h - the solution inside the last step of an adaptive run
+   After each step of rk45 or rk87 its continuous extension, a polynomial in time, gives the state at any time within
+   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate.
+
+   Tests: tests/test_dense.c. */
+#ifndef VARMASS_INTEGRATORS_DENSE_H
+#define VARMASS_INTEGRATORS_DENSE_H
+
+/* Makes the continuous extension of the last step ready, if it is not ready yet. Returns a status. */
+VM_API int vmi_extend(rk45 *s)
+{
+    int status = ODE_OK;
+    if (!s->extended && s->pair.extend) status = s->pair.extend(s);
+    if (status == ODE_OK) s->extended = 1;
+    return status;
+}
+
+/* Computes the state y at the fraction x of the last step, 0 <= x <= 1. The continuous extension must be ready. */
+VM_API void vmi_inside(const rk45 *s, vm_real x, vm_real *y) { s->pair.inside(s, x, y); }
+
+/* Whether the time t is within the last step, its ends included */
+VM_API int vmi_is_in_last_step(const rk45 *s, vm_real t)
+{
+    return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);
+}
+
+/* The fraction of the last step at which the time t lies: 0 at the beginning of the step, 1 at its end */
+VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
+{
+    const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
+    if (x < 0) return 0;
+    return VMI_SMALLER(x, VM_C(1.0));
+}
+
+/* Computes the state y at a time t within the last step of a run by the pair `method`. The continuous extension must be
+   ready. Returns a status. */
+VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *y)
+{
+    if (!s || !y || s->pair.method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
+    if (t == s->t) vmi_copy(s->n, s->y, y);
+    else vmi_inside(s, vmi_place_of(s, t), y);
+    return ODE_OK;
+}
+
+/* Computes the state y at a time t within the last step of a run by any pair. If t is s->t, f is not evaluated. Returns
+   a status. */
+VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
+{
+    if (!s || !y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
+    if (t != s->t) {
+        const int status = vmi_extend(s);
+        if (status) return status;
+    }
+    return vmi_interpolate_ready(s, s->pair.method, t, y);
+}
+
+#endif
+/* base/bits.h - the bits of a number, and products with powers of two
+
+   A vm_real is stored as a sign, an exponent and a mantissa. The functions here read and write these bits as an
+   integer, and multiply by 2^k without a function of the C library, so that every machine gives the same bits.
+
+       vm_real y = vmi_ldexp(3, 4); // 3 * 2^4 = 48
+
+   Tests: tests/test_jacobi.c. */
+#ifndef VARMASS_BASE_BITS_H
+#define VARMASS_BASE_BITS_H
+
+#include <stdint.h>
+#include <string.h>
+
+#if VM_MANT_DIG > 24
+typedef uint64_t vmi_bits;
+#define VMI_STORED_DIG 52 /* number of bits of the mantissa that are stored */
+#define VMI_BIAS 1023     /* stored exponent of the number 1 */
+#else
+typedef uint32_t vmi_bits;
+#define VMI_STORED_DIG 23
+#define VMI_BIAS 127
+#endif
+
+/* Returns the bits of x as an integer. */
+VM_API vmi_bits vmi_to_bits(vm_real x)
+{
+    vmi_bits bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+/* Returns the number that has these bits. */
+VM_API vm_real vmi_from_bits(vmi_bits bits)
+{
+    vm_real x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
+   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
+VM_API vm_real vmi_ldexp(vm_real x, int k)
+{
+    const int limit = 2 * VMI_BIAS - 2;
+    int half, rest;
+    if (k > limit) k = limit;
+    if (k < -limit) k = -limit;
+    half = k / 2;
+    rest = k - half;
+    return x * vmi_from_bits((vmi_bits)(VMI_BIAS + half) << VMI_STORED_DIG) *
+           vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
+}
+
+/* Returns (y + y_lo) 2^k for y between 1/2 and 2. The result is rounded only once, also where it is subnormal. */
+VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
+{
+    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
+        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
+           superfluous digits with one rounding. */
+        const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
+        const vm_real large = vmi_ldexp(1, lost);
+        const vm_two sum = vmi_fast_two_sum(large, y);
+        y = (sum.hi + (sum.lo + y_lo)) - large;
+        y_lo = 0;
+    }
+    return vmi_ldexp(y + y_lo, k);
+}
+
+/* The signed integer type that holds the bits of a vm_real, and the bits of the number 1 */
+#if VM_MANT_DIG > 24
+typedef int64_t vmi_signed_bits;
+#define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
+#else
+typedef int32_t vmi_signed_bits;
+#define VMI_BITS_OF_1 ((vmi_signed_bits)127 << 23)
+#endif
+
+#endif
+/* integrators/steps.h - steps of an adaptive run and the control of their size
+   vmi_advance is the loop over the steps. The compiler specialises it for a pair and, where it knows that n is small,
+   for n and f too. The manual of integrators.h has the rules of step size control.
+
+   Tests: tests/test_adaptive.c. */
+#ifndef VARMASS_INTEGRATORS_STEPS_H
+#define VARMASS_INTEGRATORS_STEPS_H
+
+#include <string.h>
+
+/* x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and the
+   result must neither overflow nor underflow. The bits of x, taken as an integer, are a piecewise linear logarithm,
+   `middle` is half its largest error, and the exponential function is (1 + v + v^2/2)^16. */
+VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
+{
+    const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
+    vmi_signed_bits bits;
+    vm_real v;
+    memcpy(&bits, &x, sizeof x);
+    v = ((vm_real)(bits - VMI_BITS_OF_1) + middle / VM_EPSILON) * (p * (ln2 / 16 * VM_EPSILON));
+    v = 1 + v * (1 + v / 2);
+    v *= v;
+    v *= v;
+    v *= v;
+    v *= v;
+    return v;
+}
+
+#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios from which the first step is chosen */
+
+/* The largest ratio of |v_i| to the tolerance of component i, at most VMI_LARGEST_RATIO */
+VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
+{
+    vm_real largest = 0;
+    int i;
+    for (i = 0; i < s->n; i++) {
+        const vm_real ratio = VM_FABS(v[i]) / vmi_tolerance(&s->options, i, s->y[i]);
+        if (ratio > largest) largest = ratio;
+    }
+    return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
+}
+
+/* Chooses the size s->h of the first step from the sizes of y, y' and y'' [2, II.4], so that its error should be 1 % of
+   the tolerance. It is at most 100 times the step that changes y by 1 %, and at most `longest`. `direction`, 1 or -1,
+   is its sign. Overwrites the parts k_2 and VMI_Z of work. Returns a status. */
+VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
+{
+    vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
+    const vm_real size = vmi_norm_by_tolerance(s, s->y), speed = vmi_norm_by_tolerance(s, k1);
+    vm_real h0 = VM_C(1e-6), h1 = VM_C(1e-6), fastest = 0;
+    int i, status;
+    if (size >= VM_C(1e-5) && speed >= VM_C(1e-5)) h0 = VM_C(0.01) * size / speed;
+    if (h0 > longest) h0 = longest;
+    for (i = 0; i < s->n; i++) z[i] = s->y[i] + direction * h0 * k1[i];
+    status = vmi_eval(s, s->t + direction * h0, z, k2);
+    if (status) return status;
+    for (i = 0; i < s->n; i++) {
+        vm_real ratio = VM_FABS((k2[i] - k1[i]) / h0) / vmi_tolerance(&s->options, i, s->y[i]);
+        if (!(ratio < VMI_LARGEST_RATIO)) ratio = VMI_LARGEST_RATIO; /* also where f is NaN */
+        if (ratio > fastest) fastest = ratio;
+    }
+    if (speed > fastest) fastest = speed;
+    if (fastest > VM_C(1e-15)) h1 = vmi_pow_rough(VM_C(0.01) / fastest, 1 / (vm_real)s->pair.order);
+    if (h1 > 100 * h0) h1 = 100 * h0;
+    if (h1 < VM_C(1e-3) * h0) h1 = VM_C(1e-3) * h0;
+    s->h = direction * VMI_SMALLER(h1, longest);
+    return ODE_OK;
+}
+
+/* The length of the shortest step that is tried at the time t. It is positive at t = 0 too, since otherwise failing
+   steps could become shorter without end. */
+VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
+{
+    const vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
+    return VMI_LARGER(least, o->h_min);
+}
+
+/* The time from the state y to t_end, negative if the run goes backward */
+VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
+
+/* The direction of the run to t_end: 1 forward, -1 backward */
+VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
+
+/* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is the
+   smaller of 10 and
+     0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
+   where error is the error of this step divided by its tolerance, and error_before that of the previous step. */
+VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
+{
+    const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
+    const vm_real factor = VM_C(0.9) * vmi_pow_rough(square * square * inverse_error_before, power);
+    return VMI_SMALLER(factor, VM_C(10.0));
+}
+
+/* The factor by which the step size changes after a rejected step: 0.9 error^(-1/order), at least 1/5, where error is
+   the error of the step divided by its tolerance. It is 1/10 if error is NaN. */
+VM_INLINE vm_real vmi_shrink(int order, vm_real error)
+{
+    vm_real factor;
+    if (error != error) return VM_C(0.1);
+    factor = VM_C(0.9) * vmi_pow_rough(error, -1 / (vm_real)order);
+    return VMI_LARGER(factor, VM_C(0.2));
+}
+
+/* The fields of an rk45 that change from step to step. vmi_advance keeps them in a local variable while it makes steps,
+   so that they can be in registers. */
+typedef struct VM_TAG(vmi_progress) {
+    vm_real direction;              /* direction to t_end: 1 forward, -1 backward */
+    vm_real t, t_low;               /* y belongs to the time t + t_low */
+    vm_real t_old, t_old_low;       /* the last step began at the time t_old + t_old_low */
+    vm_real h_next;                 /* size of the next step */
+    vm_real h_done;                 /* size of the last accepted step */
+    vm_real inverse_error;          /* tolerance of the last accepted step divided by its error */
+    vm_real t_missed, t_missed_low; /* the last step that missed the tolerance began at their sum */
+    long steps, rejected, missed;   /* numbers of steps since the beginning of this loop */
+    long next_miss;                 /* value of `steps` from which on a step may miss the tolerance again */
+    long attempts;                  /* number of steps that may still be tried; negative means no limit */
+    int k1, failure, stiff_wait;    /* the fields of rk45 with these names */
+    int stopped;                    /* number that f returned last */
+} vmi_progress;
+
+/* The fields that change from step to step, as they are before the loop */
+VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
+{
+    vmi_progress p;
+    p.direction = vmi_direction(s, t_end);
+    p.t = s->t;
+    p.t_low = s->t_low;
+    p.t_old = s->t;
+    p.t_old_low = s->t_low;
+    p.h_next = s->h;
+    p.h_done = s->h_done;
+    p.inverse_error = s->inverse_error;
+    p.t_missed = s->t;
+    p.t_missed_low = s->t_low;
+    p.steps = 0;
+    p.rejected = 0;
+    p.missed = 0;
+    p.next_miss = s->next_miss - s->steps;
+    p.attempts = s->attempts;
+    p.k1 = VMI_K1_READY;
+    p.failure = s->failure;
+    p.stiff_wait = s->stiff_wait;
+    p.stopped = 0;
+    return p;
+}
+
+/* After the loop, stores in s the fields that change from step to step */
+VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
+{
+    s->t = p->t;
+    s->t_low = p->t_low;
+    s->t_old = p->t_old;
+    s->t_old_low = p->t_old_low;
+    s->h = p->h_next;
+    s->h_done = p->h_done;
+    s->inverse_error = p->inverse_error;
+    s->next_miss = s->steps + p->next_miss;
+    s->steps += p->steps;
+    s->rejected += p->rejected;
+    s->missed += p->missed;
+    s->attempts = p->attempts;
+    s->k1 = p->k1;
+    s->failure = p->failure;
+    s->stiff_wait = p->stiff_wait;
+    s->rhs_status = p->stopped;
+    s->extended = 0;
+}
+
+/* A step that is tried */
+typedef struct VM_TAG(vmi_trial) {
+    vm_real h, t_new, t_new_low; /* size of the step, and its end, the time t_new + t_new_low */
+    int last;                    /* 1 if the step ends at t_end */
+    int shortest;                /* 1 if no shorter step can be tried */
+} vmi_trial;
+
+/* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that the type can hold.
+   A step for which the change would be larger is so short that it ends between two such times, and t_low is then not 0.
+   In this way t does not drift away from the motion. */
+#define VMI_LANDING VM_C(0.015625)
+#define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
+
+/* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns ODE_OK,
+   or the status with which the run ends: ODE_STEP_TOO_SMALL if h_max is too small, ODE_MAX_STEPS if no attempt is
+   left. */
+VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress *p, vmi_trial *trial)
+{
+    const vm_real left = (t_end - p->t) - p->t_low, least = vmi_least_step(o, p->t);
+    vm_real h_to_t_new;
+    int status = ODE_OK, lands;
+    p->t_old = p->t;
+    p->t_old_low = p->t_low;
+    p->k1 = VMI_K1_READY;
+    if (VM_FABS(p->h_next) < least) p->h_next = p->direction * least;
+    if (VM_FABS(p->h_next) > o->h_max) {
+        p->h_next = p->direction * o->h_max;
+        if (o->h_max < least && o->h_max < VM_FABS(left)) status = ODE_STEP_TOO_SMALL;
+    }
+    trial->last = VM_FABS(p->h_next) >= VMI_NEARLY * VM_FABS(left);
+    trial->t_new = trial->last ? t_end : p->t + (p->t_low + p->h_next);
+    h_to_t_new = (trial->t_new - p->t) - p->t_low;
+    lands = trial->last || VM_FABS(h_to_t_new - p->h_next) <= VMI_LANDING * VM_FABS(p->h_next);
+    trial->h = lands ? h_to_t_new : p->h_next;
+    trial->t_new_low = lands ? 0 : p->h_next - h_to_t_new;
+    trial->shortest = VM_FABS(p->h_next) <= least || VM_FABS(trial->h) <= least;
+    if (p->attempts == 0) status = ODE_MAX_STEPS;
+    if (status == ODE_OK && p->attempts > 0) p->attempts--;
+    return status;
+}
+
+/* The number of steps that must keep the tolerance between two steps that may miss it. After a jump of f there are
+   three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
+enum { VMI_BETWEEN_MISSES = 3 };
+
+/* Takes back the last accepted step, which missed the tolerance */
+VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
+{
+    vmi_copy(sys.n, sys.w + VMI_Y_OLD * sys.m, sys.w + VMI_Y * sys.m);
+    p->t = p->t_missed;
+    p->t_old = p->t_missed;
+    p->t_low = p->t_missed_low;
+    p->t_old_low = p->t_missed_low;
+    p->k1 = VMI_K1_MISSING;
+    p->steps--;
+    p->missed--;
+    p->rejected++;
+}
+
+/* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
+   a shorter step can be tried. Otherwise returns the status with which the run ends. If the previous step missed the
+   tolerance too, it is taken back. */
+VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
+{
+    const int not_a_number = error != error;
+    p->rejected++;
+    p->failure = VMI_REJECTED;
+    if (not_a_number) p->failure = VMI_NOT_FINITE;
+    p->h_next = trial->h * vmi_shrink(order, error);
+    if (!trial->shortest) return ODE_OK;
+    if (p->missed > 0 && p->steps == p->next_miss - VMI_BETWEEN_MISSES) vmi_drop_missed_step(sys, p);
+    return not_a_number ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
+}
+
+/* Replaces the state after a step of the smallest size in which f jumps. The weights of the stages have both signs, so
+   that their sum may lead far away from the jump. Therefore each component is continued with the mean of the smallest
+   and the largest of its derivatives in the stages. The error of this mean is at most half the jump. */
+VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
+{
+    const ptrdiff_t m = sys.m;
+    vm_real *w = sys.w;
+    int i, part;
+    VMI_EACH(i, sys.n)
+    {
+        vm_real least = w[VMI_K * m + i], largest = least;
+        VMI_UNROLL for (part = VMI_K + 1; part < VMI_K + stages; part++)
+        {
+            least = VMI_SMALLER(least, w[part * m + i]);
+            largest = VMI_LARGER(largest, w[part * m + i]);
+        }
+        w[VMI_Z * m + i] = w[VMI_Y * m + i] + h * (least / 2 + largest / 2);
+    }
+}
+
+#define VMI_KEEP_TO VM_C(0.75)     /* the step size may stay after an error below this fraction of the tolerance */
+#define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
+
+/* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
+   VMI_KEEP_TO times the tolerance. The processor can predict this branch and begin the next step before the error is
+   known. */
+VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
+{
+    vm_real factor;
+    if (!(error < keep_from || error > VMI_KEEP_TO || p->failure || trial->last)) return;
+    factor = vmi_factor(order, error, p->inverse_error);
+    if (p->failure && factor > 1) factor = 1;
+    if (!trial->last) {
+        p->h_next = trial->h * factor;
+    } else { /* a step may be short only because it ends at t_end; the next step need not be short */
+        p->h_next = p->direction * VMI_LARGER(VM_FABS(p->h_next), VM_FABS(trial->h * factor));
+    }
+}
+
+/* Makes steps until t_end is reached or a test of stiffness is due, or one accepted step if `single` is not 0. Returns
+   a status. */
+VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
+{
+    const rk45_options o = s->options;
+    const vmi_rk_pair pair = stepper.pair;
+    vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
+    vmi_progress p = vmi_begin_progress(s, t_end);
+    long evals = 0; /* a variable of its own, so that make_stages does not get the address of p */
+    int status;
+    for (;;) {
+        vmi_trial trial;
+        vm_real error;
+        int misses = 0; /* whether the step is accepted though it misses the tolerance */
+        status = vmi_choose_step(&o, t_end, &p, &trial);
+        if (status) break;
+        p.stopped = stepper.make_stages(sys, p.t, trial.t_new, trial.h, &evals);
+        if (p.stopped) break;
+        error = stepper.step_error(&o, sys, trial.h);
+        if (!(error <= 1)) {
+            misses = error > 1 && trial.shortest && p.steps >= p.next_miss;
+            if (!misses) {
+                status = vmi_reject(pair.order, &trial, error, sys, &p);
+                if (status) break;
+                continue;
+            }
+            vmi_take_middle_slope(pair.stages, sys, trial.h);
+            error = 1;
+        }
+        if (misses || !pair.last_is_first) {
+            evals++;
+            p.stopped = sys.f(trial.t_new, z, last_k, sys.ctx);
+            if (p.stopped) break;
+        }
+        p.steps++;
+        if (misses) {
+            p.missed++;
+            p.next_miss = p.steps + VMI_BETWEEN_MISSES;
+            p.t_missed = p.t;
+            p.t_missed_low = p.t_low;
+        }
+        error = VMI_LARGER(error, VMI_LEAST_ERROR);
+        vmi_choose_size(pair.order, pair.keep_from, &trial, error, &p);
+        p.inverse_error = 1 / error;
+        vmi_copy(sys.n, y, sys.w + VMI_Y_OLD * sys.m);
+        vmi_copy(sys.n, z, y);
+        p.t = trial.t_new;
+        p.t_low = trial.t_new_low;
+        p.h_done = trial.h;
+        p.failure = VMI_NONE_FAILED;
+        p.k1 = VMI_K1_IS_LAST;
+        p.stiff_wait--;
+        if (p.stiff_wait <= 0 || single || trial.last) break;
+        vmi_copy(sys.n, last_k, sys.w + VMI_K * sys.m);
+    }
+    s->evals += evals;
+    vmi_store_progress(s, &p);
+    return p.stopped ? (int)ODE_RHS_STOPPED : status;
+}
+
+/* Does the work of vmi_advance in a local array, which the compiler keeps in registers if it knows that n is small */
+VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
+{
+    const vmi_rk_pair pair = stepper.pair;
+    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* 0, because parts that were never written are copied too */
+    const int n = sys.n;
+    int part, status;
+    vmi_copy(n, vmi_part(s, VMI_Y), w);
+    vmi_copy(n, vmi_part(s, VMI_K), w + VMI_K * n);
+    sys.w = w;
+    sys.m = n;
+    status = vmi_advance(s, stepper, sys, t_end, single);
+    vmi_copy(n, w, vmi_part(s, VMI_Y));
+    if (s->k1 == VMI_K1_IS_LAST) {
+        vmi_copy(n, w + VMI_Y_OLD * n, vmi_part(s, VMI_Y_OLD));
+        VMI_UNROLL for (part = VMI_K; part <= vmi_last_k(&pair); part++) vmi_copy(n, w + part * n, vmi_part(s, part));
+    } else {
+        vmi_copy(n, w + VMI_K * n, vmi_part(s, VMI_K));
+    }
+    return status;
+}
+
+#endif
+/* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
+   After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of these
+   points, the time of the change is found as exactly as rounding allows. The first event that stops or restarts the run
+   ends the step there. Events whose times rounding cannot tell apart happen together. Users set the events of the
+   options: options.h. The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this sign
+   uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
+
+       double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
+       rk45 s;
+       ode_event touch;
+       rk45_options options;
+       memset(&touch, 0, sizeof touch);
+       memset(&options, 0, sizeof options);
+       touch.g = height; // height and fall are functions of the user: an ode_event_function and an ode_rhs
+       touch.action = ODE_STOP;
+       options.events = &touch;
+       options.n_events = 1;
+       rk45_init(&s, fall, NULL, 2, 0.0, y0, &options, work);
+       if (rk45_solve(&s, 10.0) == ODE_EVENT) printf("on the ground at %g\n", s.t);
+
+   Tests: tests/test_events.c, tests/test_coincidences.c. */
+#ifndef VARMASS_INTEGRATORS_EVENTS_H
+#define VARMASS_INTEGRATORS_EVENTS_H
+
+VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
+
+/* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
+#define VMI_NONE VM_C(2.0)
+
+/* After an event, g is evaluated at short distances from it, so that a short excursion of g is seen. The first distance
+   is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor VMI_WIDER. For at most the fraction
+   VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
+#if VM_MANT_DIG > 24
+#define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
+#define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 of a step, the longest time for which a sign is uncertain */
+#define VMI_WIDER 64
+#else
+#define VMI_FIRST_LOOK VM_C(2.44140625e-4) /* 2^-12 of a step, about the square root of VM_EPSILON */
+#define VMI_QUIET VM_C(0.0009765625)       /* 2^-10 of a step, the longest time for which a sign is uncertain */
+#define VMI_WIDER 8
+#endif
+
+/* Sets the side of each event, the sign of its g, at the start or the restart of a run. The side is 0 if g is 0, or if
+   the event has just happened and g is so small that rounding could decide its sign. Returns a status. */
+VM_API int vmi_watch_events(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) {
+        ode_event *e = s->options.events + i;
+        const vm_real g = e->g(s->t, s->y, e->ctx);
+        if (g != g) return ODE_NOT_FINITE;
+        if (!(VM_FABS(g) <= e->slack)) e->quiet = 0;
+        e->side = 0;
+        if (!(e->quiet > 0)) e->side = vmi_sign(g);
+    }
+    return ODE_OK;
+}
+
+/* The time at the fraction x of the last step */
+VM_API vm_real vmi_time_inside(const rk45 *s, vm_real x)
+{
+    if (x == 1) return s->t;
+    return s->t_old + (s->t_old_low + x * s->h_done);
+}
+
+/* Computes the state y at the fraction x of the last step. At x = 1 this is exactly s->y. */
+VM_API void vmi_state_inside(const rk45 *s, vm_real x, vm_real *y)
+{
+    if (x == 1) vmi_copy(s->n, s->y, y);
+    else vmi_inside(s, x, y);
+}
+
+/* The value of g at the fraction x of the last step. Overwrites the part VMI_Z of work. */
+VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
+{
+    vm_real *z = vmi_part(s, VMI_Z);
+    if (x == 1) return e->g(s->t, s->y, e->ctx);
+    vmi_inside(s, x, z);
+    return e->g(vmi_time_inside(s, x), z, e->ctx);
+}
+
+/* The relative change of a state that rounding may have caused in the steps of a run so far. This bound serves only to
+   decide whether events coincide. */
+#define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
+
+/* The value of g at the fraction x of the last step, in a state that is changed by as much as rounding may have changed
+   it: within this step, or, if `earlier` is not 0, since the run began. `direction`, -1 or 1, is the sign of the
+   change. Each component changes by another amount, so that a difference of two components changes too. */
+VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
+                                     int direction)
+{
+    const vm_real relative = earlier ? VMI_EARLIER_ROUNDING : vmi_least_rtol(&s->pair);
+    const vm_real end = earlier ? 1 : x; /* weight of s->y in `size`, to which rounding is proportional */
+    const vm_real rounding = (vm_real)direction * relative, golden = VM_C(0.6180339887498949);
+    const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
+    vm_real *z = vmi_part(s, VMI_Z), phase = 0;
+    int i;
+    vmi_state_inside(s, x, z);
+    for (i = 0; i < s->n; i++) {
+        const vm_real size = VM_FABS(y_old[i]) + VM_FABS(z[i]) + end * VM_FABS(s->y[i]);
+        const vm_real share = phase - VM_C(0.5);
+        z[i] += rounding * size * (share + VM_COPYSIGN(VM_C(0.5), share));
+        phase += golden;
+        if (phase >= 1) phase -= 1;
+    }
+    return e->g(vmi_time_inside(s, x) * (1 + (vm_real)direction * VM_EPSILON), z, e->ctx);
+}
+
+/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; `earlier` has the
+   meaning that it has in vmi_event_value_moved. Returns 1 if g certainly has the sign `side` there, in spite of
+   rounding, else 0. */
+VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlier, int side)
+{
+    int direction, certain = 1;
+    e->slack = 0;
+    for (direction = -1; direction <= 1; direction++) {
+        vm_real g;
+        if (direction == 0) g = vmi_event_value(s, e, x);
+        else g = vmi_event_value_moved(s, e, x, earlier, direction);
+        if (VM_FABS(g) > e->slack) e->slack = VM_FABS(g);
+        if (vmi_sign(g) != side) certain = 0;
+    }
+    return certain;
+}
+
+/* Whether the event, according to its field `direction`, happens when g leaves the sign `side` */
+VM_API int vmi_counts_from(const ode_event *e, int side)
+{
+    return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
+}
+
+/* Sets *at to a fraction of the last step between a and b at which g leaves the sign that it has at a. ga and gb are
+   the values of g at the fractions a and b. The interval is shrunk to the resolution of such fractions, and *at becomes
+   its right end. The method is false position in the Illinois form, with bisection every third time and while g stays 0
+   at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the initial
+   b. Returns a status. */
+VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
+                      vm_real *at)
+{
+    const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
+    const int side = vmi_sign(ga);
+    int count, kept = 0; /* kept: 1 if the last point replaced a, -1 if it replaced b */
+    for (count = 1; b - a > resolution; count++) {
+        const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
+        vm_real x = b - gb * ((b - a) / (gb - ga)), g;
+        if (bisect) x = a + (b - a) / 2;
+        x = VMI_SMALLER(VMI_LARGER(x, a + resolution / 2), b - resolution / 2);
+        g = vmi_event_value(s, e, x);
+        if (g != g) return ODE_NOT_FINITE;
+        if (vmi_sign(g) == side) {
+            a = x;
+            ga = g;
+            if (kept > 0) gb /= 2;
+            kept = 1;
+        } else {
+            b = x;
+            gb = g;
+            if (kept < 0) ga /= 2;
+            kept = -1;
+        }
+    }
+    *at = b;
+    if (g_look == 0 && vmi_time_inside(s, b) == vmi_time_inside(s, look)) *at = look;
+    return ODE_OK;
+}
+
+enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
+
+/* The fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
+   start + *gap, the next of those that divide the step evenly, and `to`. *gap is short at first and grows with each
+   call, so that an excursion of g that is much shorter than the step is seen. */
+VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
+{
+    const int wanted = e->checks == 0 ? (int)VMI_CHECKS : e->checks;
+    const int checks = VMI_SMALLER(VMI_LARGER(wanted, 0), (int)VMI_MOST_CHECKS);
+    const vm_real parts = (vm_real)(checks + 1);
+    const int before = (int)(e->from * parts);
+    const vm_real even = (vm_real)(before + 1) / parts;
+    vm_real next = even;
+    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* rounding has made `even` equal to e->from */
+    next = VMI_SMALLER(next, to);
+    if (start + *gap < next) next = start + *gap;
+    *gap *= VMI_WIDER;
+    return next;
+}
+
+/* Sets the side of the event to 0 (uncertain), because g has just reached or passed 0 at the fraction x of the step.
+   The side stays 0 while rounding could decide the sign of g, that is while |g| <= e->slack. It stays 0 at most for the
+   time e->quiet, since e->slack is much too large if g has jumped. */
+VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
+{
+    vmi_weigh_rounding(s, e, x, 0, 0);
+    e->side = 0;
+    e->quiet = VMI_QUIET * VM_FABS(s->h_done);
+}
+
+/* Handles a g that has passed 0 before the fraction x of the step in a direction that does not count. `side` is the
+   sign of g at x. If rounding alone could have caused this sign, the side of the event becomes 0 and the result is 1: g
+   must not make an event if rounding takes it back across 0. Otherwise nothing changes and the result is 0. */
+VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
+{
+    ode_event look = *e;
+    if (vmi_weigh_rounding(s, &look, x, 0, side)) return 0;
+    vmi_quieten_event(s, e, x);
+    return 1;
+}
+
+/* Evaluates g along the step from the fraction e->from to the fraction `to`, or until the event happens. *at becomes
+   the fraction at which it happens, or VMI_NONE if it does not happen. e->from, e->side and e->quiet become those at
+   the last evaluation. Returns a status. */
+VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at)
+{
+    const vm_real h = VM_FABS(s->h_done);
+    vm_real start = e->from, gap = e->side ? VM_C(1.0) : VMI_FIRST_LOOK;
+    *at = VMI_NONE;
+    while (e->from < to) {
+        const vm_real before = e->from, x = vmi_next_look(e, start, &gap, to);
+        const vm_real g = vmi_event_value(s, e, x);
+        const int side = vmi_sign(g);
+        if (g != g) return ODE_NOT_FINITE;
+        if (side != e->side && vmi_counts_from(e, e->side)) {
+            const vm_real g_before = vmi_event_value(s, e, before);
+            int status = ODE_OK;
+            *at = x;
+            if (vmi_sign(g_before) == e->side) status = vmi_locate(s, e, before, g_before, x, g, at);
+            e->from = *at;
+            return status;
+        }
+        e->from = x;
+        e->quiet = VMI_LARGER(e->quiet - (x - before) * h, VM_C(0.0));
+        if (e->side && side != e->side && vmi_quieten_passing(s, e, x, side)) {
+            start = x;
+            gap = VMI_FIRST_LOOK;
+            continue;
+        }
+        if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
+        if (e->side && start > 0) gap = 1; /* short excursions of g begin only where the motion changes, at x = 0 */
+    }
+    return ODE_OK;
+}
+
+/* Counts an event that happens at the fraction x of the step. Stores its time and state if the caller's arrays have
+   room. */
+VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
+{
+    e->t = vmi_time_inside(s, x);
+    if (e->count < e->room) {
+        if (e->times) e->times[e->count] = e->t;
+        if (e->states) vmi_state_inside(s, x, e->states + e->count * s->n);
+    }
+    e->count++;
+    vmi_quieten_event(s, e, x);
+}
+
+/* Finds the first event that ends the step: *cut becomes the fraction of the step at which it happens, and *owner its
+   index. Both stay as they are if no event ends the step. When an event is found, the functions g of all remaining
+   events are followed again up to *cut, because their values at *cut may show an earlier zero. The search ends when
+   there is no earlier zero. Returns a status. */
+VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
+{
+    int i, pass, found = 1;
+    for (pass = 0; found; pass++) {
+        found = 0;
+        for (i = 0; i < s->options.n_events; i++) {
+            ode_event *e = s->options.events + i, look;
+            vm_real at;
+            int status;
+            if (e->action == ODE_RECORD || i == *owner) continue;
+            look = *e;
+            status = vmi_follow_event(s, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
+            if (status) return status;
+            e->side_ahead = look.side;
+            if (pass == 0 && !(at < *cut)) continue;
+            if (pass > 0 && !(at < *cut - VMI_FIRST_LOOK)) continue;
+            *cut = at;
+            *owner = i;
+            found = 1;
+        }
+        if (*cut == VMI_NONE) return ODE_OK;
+    }
+    return ODE_OK;
+}
+
+/* Counts and stores each time that an event with the action ODE_RECORD happens up to the fraction `to` of the step.
+   Returns a status. */
+VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
+{
+    for (;;) {
+        vm_real at;
+        const int status = vmi_follow_event(s, e, to, &at);
+        if (status || at == VMI_NONE) return status;
+        vmi_record(s, e, at);
+    }
+}
+
+/* Sets e->happens to 1 if the event e happens at the fraction x of the step, where the step ends, else to 0. It happens
+   if its g has changed sign up to x, or if g is so small at x that rounding decides its sign, and changes its sign just
+   after x. Events at one instant must happen together, because the change that one event makes may keep the others from
+   happening. Returns a status. */
+VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
+{
+    ode_event look;
+    vm_real at;
+    int status = vmi_follow_event(s, e, x, &at);
+    e->happens = at != VMI_NONE;
+    if (status || e->happens || e->side == 0) return status;
+    look = *e;
+    if (vmi_weigh_rounding(s, &look, x, 1, e->side)) return ODE_OK;
+    if (!vmi_counts_from(e, e->side)) {
+        vmi_quieten_event(s, e, x);
+        return ODE_OK;
+    }
+    /* x + VMI_QUIET may be above 1, where the step has ended: y is still defined there, but g may be NaN */
+    e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
+    return ODE_OK;
+}
+
+/* Ends the step at its fraction x: counts all events that happen there, then calls their `change` functions. Returns
+   ODE_EVENT if one of these events stops the run, else ODE_OK. */
+VM_API int vmi_cut_step(rk45 *s, vm_real x)
+{
+    const int n_events = s->options.n_events;
+    int i;
+    for (i = 0; i < n_events; i++) {
+        ode_event *e = s->options.events + i;
+        if (!e->happens) continue;
+        vmi_record(s, e, x);
+        if (e->action == ODE_STOP && s->event < 0) s->event = i;
+    }
+    if (x < 1) {
+        const vm_two t = vmi_two_sum(s->t_old, s->t_old_low + x * s->h_done);
+        vmi_inside(s, x, s->y);
+        s->t = t.hi;
+        s->t_low = t.lo;
+    }
+    s->k1 = VMI_K1_MISSING;
+    for (i = 0; i < n_events; i++) {
+        ode_event *e = s->options.events + i;
+        if (e->happens && e->action == ODE_RESTART && e->change) e->change(s->t, s->y, e->ctx);
+    }
+    return s->event < 0 ? (int)ODE_OK : (int)ODE_EVENT;
+}
+
+/* Takes back the last step, inside which f is not finite, and makes the next step a quarter as long. Returns
+   ODE_NOT_FINITE if such a short step must not be tried, else ODE_OK. */
+VM_API int vmi_take_back(rk45 *s)
+{
+    vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
+    s->t = s->t_old;
+    s->t_low = s->t_old_low;
+    s->h = s->h_done / 4;
+    if (s->missed > 0 && s->next_miss == s->steps + VMI_BETWEEN_MISSES) {
+        s->missed--;
+        s->next_miss = 0;
+    }
+    s->steps--;
+    s->rejected++;
+    s->k1 = VMI_K1_READY; /* vmi_advance has made only this step, so that its k_1 is still in work */
+    s->failure = VMI_NOT_FINITE;
+    return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
+}
+
+/* Decides for each event whether it happens at the fraction `cut` of the step, where the event with the index `owner`
+   happens. Returns a status. */
+VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
+{
+    int i, status = ODE_OK;
+    for (i = 0; i < s->options.n_events && status == ODE_OK; i++) {
+        ode_event *e = s->options.events + i;
+        e->happens = 1;
+        if (i != owner) status = vmi_happens_at_cut(s, e, cut);
+    }
+    return status;
+}
+
+/* Sets the side of each event to the sign of its g at the end of the step, if no event has ended the step earlier */
+VM_API void vmi_pass_on_sides(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) {
+        ode_event *e = s->options.events + i;
+        e->happens = 0;
+        if (e->action == ODE_RECORD) continue;
+        e->side = e->side_ahead;
+        e->quiet = VMI_LARGER(e->quiet - VM_FABS(s->h_done), VM_C(0.0));
+    }
+}
+
+/* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. */
+VM_API int vmi_events(rk45 *s)
+{
+    const int n_events = s->options.n_events;
+    ode_event *events = s->options.events;
+    vm_real cut = VMI_NONE;
+    int i, owner = -1, status = vmi_extend(s);
+    if (status == ODE_NOT_FINITE) return vmi_take_back(s);
+    for (i = 0; i < n_events; i++) events[i].from = 0;
+    if (status == ODE_OK) status = vmi_find_cut(s, &cut, &owner);
+    for (i = 0; i < n_events && status == ODE_OK; i++)
+        if (events[i].action == ODE_RECORD) status = vmi_record_until(s, events + i, VMI_SMALLER(cut, VM_C(1.0)));
+    if (status) return status;
+    if (cut == VMI_NONE) {
+        vmi_pass_on_sides(s);
+        return ODE_OK;
+    }
+    status = vmi_meet_at_cut(s, cut, owner);
+    return status ? status : vmi_cut_step(s, cut);
+}
+
+#endif
+/* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
+   Each pair has functions for users, which call these: rk45.h, rk87.h.
+
+   Tests: tests/test_adaptive.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_LOOP_H
+#define VARMASS_INTEGRATORS_LOOP_H
+
+/* Does the work of rk45_init for any pair. It is inlined, so that the compiler sees the values of f and n in the caller
+   and can inline f in the steps. */
+VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                           const rk45_options *options_or_NULL, vm_real *work)
+{
+    const int status = vmi_init(s, &pair, f, ctx, n, t0, y0, options_or_NULL, work);
+    if (status >= 0) {
+        s->f = f;
+        s->n = n;
+    }
+    return status;
+}
+
+/* Forgets which events have just happened, because the run continues at another time. The side of each event is then
+   the sign of its g at this time, even if g is small. */
+VM_API void vmi_forget_events(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) s->options.events[i].quiet = 0;
+}
+
+/* Does the work of rk45_restart for any pair */
+VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
+{
+    if (!s || !y || !VM_IS_FINITE(t) || !vmi_all_finite(s->n, y)) return ODE_BAD_ARGUMENT;
+    if (t != s->t) {
+        vmi_forget_events(s);
+        s->t_low = 0;
+    }
+    s->t = t;
+    s->t_old = t;
+    s->t_old_low = s->t_low;
+    if (y != s->y) vmi_copy(s->n, y, s->y);
+    s->k1 = VMI_K1_MISSING;
+    s->failure = VMI_NONE_FAILED;
+    s->next_miss = s->steps;
+    return ODE_OK;
+}
+
+/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless it is known, and gives the next step s->h the
+   direction to t_end and at least the shortest length. Returns a status. */
+VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
+{
+    const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
+    const vm_real direction = vmi_direction(s, t_end);
+    vm_real *k1 = vmi_part(s, VMI_K), least;
+    int status = ODE_OK;
+    if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(&s->pair)), k1);
+    if (s->k1 == VMI_K1_MISSING) {
+        status = vmi_eval(s, s->t, s->y, k1);
+        if (status) return status;
+        if (!vmi_all_finite(s->n, k1)) return ODE_NOT_FINITE;
+        status = vmi_watch_events(s);
+        if (status) return status;
+    }
+    s->k1 = VMI_K1_READY;
+    s->t_old = s->t;
+    s->t_old_low = s->t_low;
+    if (s->h == 0) status = vmi_first_step(s, direction, longest);
+    if (status) return status;
+    least = vmi_least_step(&s->options, s->t);
+    s->h = direction * VMI_LARGER(VM_FABS(s->h), least);
+    return ODE_OK;
+}
+
+/* A run counts as stiff when VMI_STIFF_HITS tests have found steps at the end of the stability region. This count
+   begins anew when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
+enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
+
+/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by
+   h dz and their derivatives by dk. Then |dk|/|dz| is about h times the largest eigenvalue of the Jacobian of f. */
+VM_API void vmi_look_for_stiffness(rk45 *s)
+{
+    const int last = vmi_last_k(&s->pair), count = last - VMI_K;
+    vm_real dk = 0, dz = 0;
+    int i, j;
+    for (i = 0; i < s->n; i++) {
+        const vm_real difference = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]);
+        vm_real sum = 0;
+        dk = VMI_LARGER(dk, difference);
+        for (j = 0; j < count; j++) sum += s->pair.end_difference(j) * vmi_part(s, VMI_K + j)[i];
+        dz = VMI_LARGER(dz, VM_FABS(sum));
+    }
+    if (dk > s->pair.stiff_beyond * dz) {
+        s->stiff_misses = 0;
+        if (s->stiff_hits < VMI_STIFF_HITS) s->stiff_hits++;
+        if (s->stiff_hits == VMI_STIFF_HITS) s->stiff = 1;
+    } else {
+        if (s->stiff_misses < VMI_STIFF_MISSES) s->stiff_misses++;
+        if (s->stiff_misses == VMI_STIFF_MISSES) s->stiff_hits = 0;
+    }
+    s->stiff_wait = VMI_STIFF_WAIT;
+    if (s->stiff_hits) s->stiff_wait = 1;
+}
+
+/* Does what follows an accepted step: tests for stiffness, if it is time, and handles the events within the step.
+   Returns a status. */
+VMI_APART int vmi_after_step(rk45 *s)
+{
+    if (s->stiff_wait <= 0) vmi_look_for_stiffness(s);
+    if (s->options.n_events == 0) return ODE_OK;
+    return vmi_events(s);
+}
+
+/* Whether the time s->t + s->t_low of the state is still before t_end, in the direction of the run */
+VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end || -s->t_low * s->h > 0; }
+
+/* Makes steps to t_end, or one accepted step if `single` is not 0. f and n are those of s. Returns a status. */
+VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_real t_end, int single)
+{
+    const int was_stiff = s->stiff;
+    const int apart = single || s->options.n_events; /* 1: vmi_advance returns after each step, for vmi_after_step */
+    vmi_rk_system sys;
+    int status = ODE_OK;
+    sys.f = f;
+    sys.ctx = s->ctx;
+    sys.n = n;
+    sys.w = s->work;
+    sys.m = n;
+    s->event = -1;
+    while (status == ODE_OK && vmi_is_before(s, t_end)) {
+        status = vmi_prepare(s, t_end);
+        if (status) break;
+        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, stepper, sys, t_end, apart);
+        else status = vmi_advance(s, stepper, sys, t_end, apart);
+        if (status == ODE_OK) status = vmi_after_step(s);
+        if (single && s->failure == VMI_NONE_FAILED) break;
+    }
+    return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
+}
+
+/* Does what comes before the step in rk45_step, for the pair whose number is `method`. *t_end becomes the last number
+   in the direction of s. Returns a status; s may go on if that is ODE_OK. */
+VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
+{
+    if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
+    *t_end = VM_MAX;
+    if (s->h < 0) *t_end = -VM_MAX;
+    if (s->t == *t_end) return ODE_STEP_TOO_SMALL;
+    s->attempts = -1;
+    return ODE_OK;
+}
+
+/* Does what comes before the steps in rk45_solve_with, for the pair whose number is `method`. Returns a status; s may
+   go on if that is ODE_OK. */
+VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
+{
+    if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    s->attempts = s->options.max_steps;
+    return ODE_OK;
+}
+
+#endif
+/* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
+   Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
+   evaluations of f. The continuous extension of order 4 takes none. It is the pair to begin with, and the better one in
+   float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
+
+       double y0[2] = {1, 0}, work[RK45_WORK(2)];
+       rk45 s;
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
+       if (rk45_solve(&s, 10.0) >= 0) printf("x(10) = %g\n", s.y[0]);
+
+   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_RK45_H
+#define VARMASS_INTEGRATORS_RK45_H
+
+enum { VMI_RK45 = 45 }; /* the number of this pair */
+
+/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy
+   the order conditions to 2e-14. */
+VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m;
+    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
+            *k6 = k5 + m, *k7 = k6 + m;
+    int i;
+    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.161) * k1[i];
+    VMI_EVAL(t + VMI_H(0.161), z, k2);
+    VMI_EACH(i, sys.n) z[i] = y[i] - VMI_H(0.008480655492356989) * k1[i] + VMI_H(0.335480655492357) * k2[i];
+    VMI_EVAL(t + VMI_H(0.327), z, k3);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + VMI_H(2.8971530571054935) * k1[i] - VMI_H(6.359448489975075) * k2[i] +
+           VMI_H(4.3622954328695815) * k3[i];
+    VMI_EVAL(t + VMI_H(0.9), z, k4);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + VMI_H(5.325864828439257) * k1[i] - VMI_H(11.748883564062828) * k2[i] +
+           VMI_H(7.4955393428898365) * k3[i] - VMI_H(0.09249506636175525) * k4[i];
+    VMI_EVAL(t + VMI_H(0.9800255409045097), z, k5);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + VMI_H(5.86145544294642) * k1[i] - VMI_H(12.92096931784711) * k2[i] +
+           VMI_H(8.159367898576159) * k3[i] - VMI_H(0.071584973281401) * k4[i] -
+           VMI_H(0.028269050394068383) * k5[i];
+    VMI_EVAL(t_new, z, k6);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + VMI_H(0.09646076681806523) * k1[i] + VMI_H(0.01) * k2[i] + VMI_H(0.4798896504144996) * k3[i] +
+           VMI_H(1.379008574103742) * k4[i] - VMI_H(3.290069515436081) * k5[i] + VMI_H(2.324710524099774) * k6[i];
+    VMI_EVAL(t_new, z, k7);
+    return 0;
+}
+
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 5 and 4. */
+VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m,
+                  *k4 = k3 + m, *k5 = k4 + m, *k6 = k5 + m, *k7 = k6 + m;
+    vm_real worst = 0, bad = 0;
+    int i;
+    VMI_EACH(i, sys.n)
+    vmi_weigh(o, i,
+              h * (VM_C(-0.00178001105222577714) * k1[i] - VM_C(0.0008164344596567469) * k2[i] +
+                   VM_C(0.007880878010261995) * k3[i] - VM_C(0.1447110071732629) * k4[i] +
+                   VM_C(0.5823571654525552) * k5[i] - VM_C(0.45808210592918697) * k6[i] +
+                   VM_C(0.01515151515151515152) * k7[i]),
+              y[i], z[i], &worst, &bad);
+    return VMI_SMALLER(worst, VMI_WORST) + bad;
+}
+
+/* For the test of stiffness: the weight of k_{j+1} in stage 7 minus its weight in stage 6. Both stages evaluate f at
+   the end of the step. */
+VM_API vm_real vmi_rk45_end_difference(int j)
+{
+    VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
+                                   VM_C(1.4505935473851428), VM_C(-3.2618004650420125), VM_C(2.324710524099774)};
+    return VM_READ(weights[j]);
+}
+
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 4 [1], at the fraction x of
+   the step */
+VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
+{
+    const vm_real xx = x * x;
+    b[0] = VM_C(-1.0530884977290216) * x * (x - VM_C(1.3299890189751412)) *
+           ((x - VM_C(1.4364028541716351)) * x + VM_C(0.7139816917074209));
+    b[1] = VM_C(0.1017) * xx * ((x - VM_C(2.1966568338249754)) * x + VM_C(1.2949852507374631));
+    b[2] = VM_C(2.490627285651252793) * xx * ((x - VM_C(2.38535645472061657)) * x + VM_C(1.57803468208092486));
+    b[3] = VM_C(-16.54810288924490272) * xx * (x - VM_C(1.21712927295533244)) * (x - VM_C(0.61620406037800089));
+    b[4] = VM_C(47.37952196281928122) * xx * (x - VM_C(1.203071208372362603)) * (x - VM_C(0.658047292653547382));
+    b[5] = VM_C(-34.87065786149660974) * xx * (x - VM_C(1.2)) * (x - VM_C(0.666666666666666667));
+    b[6] = VM_C(2.5) * xx * (x - 1) * (x - VM_C(0.6));
+}
+
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
+VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
+{
+    vm_real b[7];
+    vmi_rk45_weights(x, b);
+    vmi_weigh_inside(s, 7, b, x, y);
+}
+
+/* The descriptor of rk45 */
+VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
+{
+    vmi_rk_pair pair;
+    pair.method = VMI_RK45;
+    pair.order = 5;
+    pair.stages = 7;
+    pair.last_is_first = 1;
+    pair.derivatives = 7;
+    pair.rounding = 16;
+    pair.keep_from = VM_C(0.25);
+    pair.stiff_beyond = VM_C(3.4);
+    pair.end_difference = vmi_rk45_end_difference;
+    pair.inside = vmi_rk45_inside;
+    pair.extend = NULL;
+    return pair;
+}
+
+/* Steps of rk45 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+{
+    vmi_rk_stepper stepper;
+    stepper.pair = vmi_rk45_pair();
+    stepper.make_stages = vmi_rk45_stages;
+    stepper.step_error = vmi_rk45_error;
+    return vmi_run(s, stepper, f, n, t_end, single);
+}
+
+/* -- Functions for users -- */
+
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
+
+/* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
+   If options_or_NULL is NULL, all options have their defaults. */
+VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
+{
+    const vmi_rk_pair pair = vmi_rk45_pair();
+    return vmi_defaults(vmi_least_rtol(&pair), options_or_NULL);
+}
+
+/* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers, f receives the pointer ctx, and work
+   has RK45_WORK(n) numbers and must exist as long as s. y0 and the options are copied, but not the arrays to which the
+   options point. f is not evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
+VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk45_options *options_or_NULL, vm_real *work)
+{
+    return vmi_ode_init(s, vmi_rk45_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
+}
+
+/* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
+   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
+   ODE_BAD_ARGUMENT. */
+VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
+
+/* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
+   positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
+VM_INLINE int rk45_step(rk45 *s)
+{
+    vm_real t_end;
+    const int status = vmi_begin_step(s, VMI_RK45, &t_end);
+    if (status) return status;
+    return vmi_rk45_run(s, s->f, s->n, t_end, 1);
+}
+
+/* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
+   constants in this call; rk45_init may have been called anywhere. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
+   all else is as in rk45_solve. */
+VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
+{
+    const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
+    if (status) return status;
+    return vmi_rk45_run(s, f, n, t_end, 0);
+}
+
+/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
+   t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
+   is after options.max_steps attempts, another call continues the run. */
+VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return rk45_solve_with(s, s->f, s->n, t_end);
+}
+
+/* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
+   Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
+VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
+
+#endif
+/* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
+   those of rk45. It is the pair for a smooth f in double and small errors.
+
+   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
+#ifndef VARMASS_INTEGRATORS_RK87_H
+#define VARMASS_INTEGRATORS_RK87_H
+
+enum { VMI_RK87 = 87 }; /* the number of this pair */
+
+/* Computes stages 2 to 7 of a step [4]. Returns 0, or the number with which f has stopped the run. */
+VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m;
+    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
+            *k6 = k5 + m, *k7 = k6 + m;
+    int i;
+    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.05) * k1[i];
+    VMI_EVAL(t + VMI_H(0.05), z, k2);
+    VMI_EACH(i, sys.n) z[i] = y[i] - VMI_H(0.0069931640625) * k1[i] + VMI_H(0.1135556640625) * k2[i];
+    VMI_EVAL(t + VMI_H(0.1065625), z, k3);
+    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.0399609375) * k1[i] + VMI_H(0.1198828125) * k3[i];
+    VMI_EVAL(t + VMI_H(0.15984375), z, k4);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + h * (VM_C(0.36139756280045751241) * k1[i] - VM_C(1.3415240667004927718) * k3[i]) +
+           VMI_H(1.3701265039000352594) * k4[i];
+    VMI_EVAL(t + VMI_H(0.39), z, k5);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + h * (VM_C(0.049047202797202797203) * k1[i] + VM_C(0.23509720422144047399) * k4[i]) +
+           VMI_H(0.18085559298135672881) * k5[i];
+    VMI_EVAL(t + VMI_H(0.465), z, k6);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(0.06169289044289044289) * k1[i] + VM_C(0.11236568314640276623) * k4[i] -
+                VM_C(0.03885046071451366767) * k5[i]) +
+           VMI_H(0.019791887125220458554) * k6[i];
+    VMI_EVAL(t + VMI_H(0.155), z, k7);
+    return 0;
+}
+
+/* Computes stages 8 to 13 [4] and the new state, whose derivative is evaluated only after the step is accepted. Large
+   coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use the differences of such k,
+   which are exact, so that roundings remain small. Returns 0, or the number with which f has stopped the run. */
+VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m;
+    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k4 = k1 + 3 * m, *k5 = k4 + m, *k6 = k5 + m, *k7 = k6 + m,
+            *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m, *k13 = k12 + m;
+    int i;
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.7676302402223268757) * k1[i] - VM_C(6.0618893773766691008) * k5[i] +
+                VM_C(5.6508231982227631386) * k6[i] + VM_C(3.121696419376232838) * k7[i]) -
+           VMI_H(62.5) * (k4[i] - k7[i]);
+    VMI_EVAL(t + VMI_H(0.943), z, k8);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.1809450665549707998) * k1[i] - VM_C(4.4344383191037250112) * k5[i] +
+                VM_C(4.2604081885861330248) * k6[i] + VM_C(2.2489058133185074338) * k7[i] -
+                VM_C(41.504734411143208416) * (k4[i] - k7[i])) +
+           VMI_H(0.0078714254899123106874) * k8[i];
+    VMI_EVAL(t + VMI_H(0.90180204173585695826), z, k9);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.2814059994414884055) * k1[i] - VM_C(4.7313620694495764773) * k5[i] +
+                VM_C(4.5149670165938078412) * k6[i] + VM_C(2.4019556115899850465) * k7[i] -
+                VM_C(45.047139960139866302) * (k4[i] - k7[i]) + VM_C(0.010592282971116611357) * k8[i]) -
+           VMI_H(0.0057468422638446162544) * k9[i];
+    VMI_EVAL(t + VMI_H(0.909), z, k10);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.7244701342624851918) * k1[i] - VM_C(5.9515183762223924552) * k5[i] +
+                VM_C(5.556523730698456236) * k6[i] + VM_C(3.0595218955025132032) * k7[i] -
+                VM_C(60.923490084830540165) * (k4[i] - k7[i]) + VM_C(0.014642028250414961593) * k8[i] +
+                VM_C(0.064604087723582036036) * k9[i]) -
+           VMI_H(0.07930323169008878984) * k10[i];
+    VMI_EVAL(t + VMI_H(0.94), z, k11);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-3.3016226677470790164) * k1[i] - VM_C(10.141422388456112486) * k5[i] +
+                VM_C(9.1393113322320579235) * k6[i] + VM_C(5.3646704686517598018) * k7[i] -
+                VM_C(118.01127235975250857) * (k4[i] - k7[i]) + VM_C(4.6232443788745804748) * k8[i] -
+                VM_C(3.3832777380682019237) * k9[i] + VM_C(4.5275921003246181895) * k10[i]) -
+           VMI_H(5.8284954858116229632) * k11[i];
+    VMI_EVAL(t_new, z, k12);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-3.03951503376630903) * k1[i] - VM_C(9.2906424974002934497) * k5[i] +
+                VM_C(8.4305049817649111421) * k6[i] + VM_C(4.9401329484155058871) * k7[i] -
+                VM_C(109.26086808941762547) * (k4[i] - k7[i]) - VM_C(0.96372713421454793582) * k8[i] -
+                VM_C(5.0348840888021897912) * k9[i]) +
+           VMI_H(5.9581308240029231775) * k10[i];
+    VMI_EVAL(t_new, z, k13);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(0.044279894190079510747) * k1[i] + VM_C(0.35410493917244487448) * k6[i] +
+                VM_C(0.24796921549564378287) * k7[i] - VM_C(6.6543028207017138549) * k10[i] +
+                VM_C(25.084064965558562613) * (k9[i] - k10[i]) + VM_C(7.2440812351506999013) * k11[i] -
+                VM_C(15.694202038838084051) * (k8[i] - k11[i])) -
+           VMI_H(0.23613246330715421453) * k12[i];
+    return 0;
+}
+
+/* Computes stages 2 to 13 and the new state of a step */
+VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+{
+    const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
+    if (stopped) return stopped;
+    return vmi_rk87_late_stages(sys, t, t_new, h, evals);
+}
+
+/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
+   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: its weights before the jump add up
+   to 4e-4 at most, while the error is a quarter of the jump. The weights used here, of order 5, add up to 0.1, -0.17 or
+   0.25. If f is smooth, the weighted sum `seen` of the k is much smaller than `change`, the change of f along the step.
+   The result seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance
+   is loose. */
+VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
+{
+    const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
+                                 VM_C(1.2953622033829957737) * (k10 - k6) + VM_C(1.5453622033829957737) * (k13 - k6) +
+                                 VM_C(30.024202087387960709) * (k9 - k10));
+    const vm_real change = VM_FABS(k1 - k6) + VM_FABS(k13 - k6);
+    return seen * (seen / (seen + change + VM_MIN));
+}
+
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 8 and 7, or the
+   error that a jump of f may cause (vmi_rk87_jump), whichever is larger. */
+VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m;
+    const vm_real *k6 = k1 + 5 * m, *k7 = k6 + m, *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m,
+                  *k12 = k11 + m, *k13 = k12 + m;
+    vm_real worst = 0, bad = 0;
+    int i;
+    VMI_EACH(i, sys.n)
+    {
+        const vm_real smooth = VM_C(-0.000032721039010281377697) * k1[i] - VM_C(0.00050462506187777030476) * k6[i] +
+                               VM_C(0.00012117235897847590476) * k7[i] - VM_C(20.142336771313868544) * k8[i] +
+                               VM_C(5.2371785994398289141) * k9[i] - VM_C(8.1567444087946580486) * k10[i] +
+                               VM_C(22.938283273988783952) * k11[i] - VM_C(0.23613246330715421453) * k12[i] +
+                               VM_C(0.36016794372897751621) * k13[i];
+        const vm_real jump = vmi_rk87_jump(k1[i], k6[i], k7[i], k9[i], k10[i], k13[i]);
+        vmi_weigh(o, i, h * (jump > VM_FABS(smooth) ? jump : smooth), y[i], z[i], &worst, &bad);
+    }
+    return VMI_SMALLER(worst, VMI_WORST) + bad;
+}
+
+/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. The run evaluates f
+   for both states at the end of the step. */
+VM_API vm_real vmi_rk87_end_difference(int j)
+{
+    VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
+                                    0,
+                                    0,
+                                    VM_C(109.26086808941762547),
+                                    VM_C(9.2906424974002934497),
+                                    VM_C(-8.0764000425924662677),
+                                    VM_C(-113.95303182233748757),
+                                    VM_C(-14.730474904623536115),
+                                    VM_C(30.118949054360752405),
+                                    VM_C(-37.696498610263199646),
+                                    VM_C(22.938283273988783952),
+                                    VM_C(-0.23613246330715421453),
+                                    0};
+    return VM_READ(weights[j]);
+}
+
+/* Numbers of k_i: those that a step itself makes, and those that the continuous extension adds */
+#define VMI_RK87_OWN 14
+#define VMI_RK87_EXTRA 7
+
+/* The coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage} */
+VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
+{
+    VM_TABLE vm_real a[7][20] = {
+        {VM_C(0.046207006467549631017), 0, 0, 0, 0, VM_C(0.045039041608424808668), VM_C(0.23368166977134244108),
+         VM_C(37.839013684210674108), VM_C(-15.949113289454246103), VM_C(23.028368351816102851),
+         VM_C(-44.855785077694125248), VM_C(-0.063798587686474440095), 0, VM_C(-0.012595035543861662682)},
+        {VM_C(0.050379468554820409931), 0, 0, 0, 0, VM_C(0.041098361310460793399), VM_C(0.17180541533481957833),
+         VM_C(4.6141053199815188697), VM_C(-1.7916678830853964497), VM_C(2.5316589304850414085),
+         VM_C(-5.3249778602057307193), VM_C(-0.030655325953856347349), 0, VM_C(-0.0052544799794296135705),
+         VM_C(-0.083991946442247929975)},
+        {VM_C(0.040828971329970796202), 0, 0, 0, 0, VM_C(0.42444795142476322189), VM_C(0.23260915312752345395),
+         VM_C(2.6779825207118060628), VM_C(0.74208266573389452165), VM_C(0.14603778479414611939),
+         VM_C(-3.579344509890565218), VM_C(0.11388443896001737045), 0, VM_C(0.012677906510331900474),
+         VM_C(-0.074434363499466744298), VM_C(0.047827480797578515546)},
+        {VM_C(0.052126823936684136299), 0, 0, 0, 0, VM_C(0.053925083967447977182), VM_C(0.016607580974346408285),
+         VM_C(-4.4544857579267796554), VM_C(6.8352182786321463817), VM_C(-8.7113348221819937398),
+         VM_C(6.4916358392329170537), VM_C(-0.070725518098443464221), 0, VM_C(-0.018540314919932164291),
+         VM_C(0.023504021054353846451), VM_C(0.23447951034078220906), VM_C(-0.082410725011528988858)},
+        {VM_C(0.050201028703557135987), 0, 0, 0, 0, VM_C(0.15522090347954981149), VM_C(0.12642684240892349147),
+         VM_C(-5.149206303539847017), VM_C(8.4683409990369292661), VM_C(-10.662130681081495275),
+         VM_C(7.5418332249597283629), VM_C(-0.074369681138321424394), 0, VM_C(-0.020558876866183826193),
+         VM_C(0.077537952647102980726), VM_C(0.10462592203525442963), VM_C(-0.11792133064519793521)},
+        {VM_C(0.037373414464578256928), 0, 0, 0, 0, VM_C(0.35049307053383164068), VM_C(0.49226528193730254333),
+         VM_C(8.5536954393593122423), VM_C(-10.353172990305913485), VM_C(13.833204272529149904),
+         VM_C(-12.280924330784618637), VM_C(0.17191515956565097627), 0, VM_C(0.036415831143144963801),
+         VM_C(0.029619205802887630549), VM_C(-0.26517939386270670026), VM_C(0.094295039617380665532)},
+        {VM_C(0.039390583455282509434), 0, 0, 0, 0, VM_C(0.35585161412344241831), VM_C(0.41973822259526100294),
+         VM_C(0.87204497780719416629), VM_C(0.89895208348765948613), VM_C(-0.63058061610598835902),
+         VM_C(-1.1218872205954835507), VM_C(0.04298219512400197177), 0, VM_C(0.01332557566873915707),
+         VM_C(0.018762270539641480344), VM_C(-0.18594111329221055705), VM_C(0.17736142719246027452)}};
+    return VM_READ(a[stage][j]);
+}
+
+/* Evaluates the seven further stages that the continuous extension of order 8 needs. Returns a status: ODE_NOT_FINITE
+   if one of them leaves the domain of f, which may happen even if no stage of the step itself does. */
+VM_API int vmi_rk87_extend(rk45 *s)
+{
+    VM_TABLE vm_real c[7] = {
+        VM_C(0.31101776349538638639), VM_C(0.1725), VM_C(0.7846), VM_C(0.37), VM_C(0.5), VM_C(0.7), VM_C(0.9)};
+    const vm_real *k1 = vmi_part(s, VMI_K), *y_old = vmi_part(s, VMI_Y_OLD);
+    vm_real *z = vmi_part(s, VMI_Z);
+    int i, j, stage;
+    for (stage = 0; stage < VMI_RK87_EXTRA; stage++) {
+        vm_real *k = vmi_part(s, VMI_K + VMI_RK87_OWN + stage);
+        int status;
+        for (i = 0; i < s->n; i++) {
+            vm_real sum = 0;
+            for (j = 1; j < VMI_RK87_OWN + stage; j++)
+                sum += vmi_rk87_extra_coefficient(stage, j) * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+            z[i] = y_old[i] + s->h_done * (VM_READ(c[stage]) * k1[i] + sum);
+        }
+        status = vmi_eval(s, s->t_old + VM_READ(c[stage]) * s->h_done, z, k);
+        if (status) return status;
+        if (!vmi_all_finite(s->n, k)) return ODE_NOT_FINITE;
+    }
+    return ODE_OK;
+}
+
+/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7; b_{j+1} is the weight of k_{j+1} in the
+   continuous extension. Coefficients of powers of x would be larger [4]. */
+VM_API vm_real vmi_rk87_bernstein(int i, int j)
+{
+    VM_TABLE vm_real c[8][21] = {
+        {VM_C(1.0)},
+        {VM_C(-0.43416495007921699754), 0, 0, 0, 0, VM_C(22.599667701739659115), VM_C(15.825878858282545737),
+         VM_C(-1001.6345768873305842), VM_C(1600.9139385497353343), VM_C(-2025.6045200650977012),
+         VM_C(1463.9659668459635268), VM_C(-15.07043425264423982), 0, VM_C(-2.1233733390382044607),
+         VM_C(2.0499551075579231761), VM_C(-14.649321001586286937), VM_C(-5.4474375904092477119),
+         VM_C(-9.4832565472422686612), VM_C(-12.916982247390083982), VM_C(-8.5341205186269588664),
+         VM_C(-8.4572196638341962641)},
+        {VM_C(0.69319890739505714536), 0, 0, 0, 0, VM_C(-28.322636845067825264), VM_C(-19.833504880369087028),
+         VM_C(1255.2809513415663983), VM_C(-2006.3172919246540112), VM_C(2538.5533084238865914),
+         VM_C(-1834.6896502962782204), VM_C(18.886757189012005795), 0, VM_C(2.6943768290163844672),
+         VM_C(-3.0569914252730377376), VM_C(21.845770438002692514), VM_C(8.1234803348592602041),
+         VM_C(9.4063330192350021072), VM_C(18.54462542925865921), VM_C(8.8787596622304847795),
+         VM_C(10.312513797179645635)},
+        {VM_C(-0.3338485911070980487), 0, 0, 0, 0, VM_C(25.558764868971263012), VM_C(17.898047082901598187),
+         VM_C(-1132.7840290910181075), VM_C(1810.5302905715595678), VM_C(-2290.8279152212470487),
+         VM_C(1655.6509775545015219), VM_C(-17.043688014358484614), 0, VM_C(-2.3369125341274148978),
+         VM_C(2.6643387606508049922), VM_C(-19.039809026959079785), VM_C(-7.0800668096793834609),
+         VM_C(-5.8665758746530908169), VM_C(-18.840844904715375167), VM_C(-7.4879415981794647994),
+         VM_C(-9.6607871725402081249)},
+        {VM_C(0.28379400641185437856), 0, 0, 0, 0, VM_C(-12.759481686923881245), VM_C(-8.9350876365402469061),
+         VM_C(565.50999817576301139), VM_C(-903.85541729421673952), VM_C(1143.6302568613132692),
+         VM_C(-826.5363540196210053), VM_C(8.5085733294123855395), 0, VM_C(1.0603712833693789051),
+         VM_C(-1.4442533272143088419), VM_C(10.320875086467535406), VM_C(3.837879100734673622),
+         VM_C(2.5580949193757614888), VM_C(11.224293673899100669), VM_C(2.4797359224550151757),
+         VM_C(5.1167216053141960113)},
+        {VM_C(0.0072914402964293461022), 0, 0, 0, 0, VM_C(3.7687355910342448606), VM_C(2.6391340660294149651),
+         VM_C(-167.03324707890411572), VM_C(266.9694713223930137), VM_C(-337.79115467001014473),
+         VM_C(244.13193663420704719), VM_C(-2.5131556220142955157), 0, VM_C(-0.17281686321712024563),
+         VM_C(0.3583670958947128915), VM_C(-2.5609510202503622271), VM_C(-0.95230494665234715357),
+         VM_C(-0.5896647722763897408), VM_C(-2.8631165722737584704), VM_C(-0.47177361047292321216),
+         VM_C(-1.9267509937834059465)},
+        {VM_C(0.050605593360090869425), 0, 0, 0, 0, VM_C(0.40469135905422271369), VM_C(0.28339338913787860899),
+         VM_C(-17.936230901529238915), VM_C(28.667502817781214415), VM_C(-36.272420327154601678),
+         VM_C(26.215180884558610231), VM_C(-0.26986567235103338803), 0, VM_C(-0.14285714285714285714)},
+        {VM_C(0.044279894190079510747), 0, 0, 0, 0, VM_C(0.35410493917244487448), VM_C(0.24796921549564378287),
+         VM_C(-15.694202038838084051), VM_C(25.084064965558562613), VM_C(-31.738367786260276468),
+         VM_C(22.938283273988783952), VM_C(-0.23613246330715421453)}};
+    return VM_READ(c[i][j]);
+}
+
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 8 [4], at the fraction x of
+   the step */
+VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
+{
+    VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
+    const int count = VMI_RK87_OWN + VMI_RK87_EXTRA;
+    const vm_real u = 1 - x;
+    vm_real powers[8], power = x; /* powers[i] is (1 - x)^i, and power is x^(i + 1) */
+    int i, j;
+    powers[0] = 1;
+    for (i = 1; i < 8; i++) powers[i] = powers[i - 1] * u;
+    for (j = 0; j < count; j++) b[j] = 0;
+    for (i = 0; i < 8; i++) {
+        const vm_real bernstein = VM_READ(binomial[i]) * power * powers[7 - i];
+        for (j = 0; j < count; j++) b[j] += bernstein * vmi_rk87_bernstein(i, j);
+        power *= x;
+    }
+}
+
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
+VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
+{
+    vm_real b[VMI_RK87_OWN + VMI_RK87_EXTRA];
+    vmi_rk87_weights(x, b);
+    vmi_weigh_inside(s, VMI_RK87_OWN + VMI_RK87_EXTRA, b, x, y);
+}
+
+/* The descriptor of rk87 */
+VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
+{
+    vmi_rk_pair pair;
+    pair.method = VMI_RK87;
+    pair.order = 8;
+    pair.stages = 13;
+    pair.last_is_first = 0;
+    pair.derivatives = VMI_RK87_OWN + VMI_RK87_EXTRA;
+    pair.rounding = 256;
+    pair.keep_from = VM_C(0.1);
+    pair.stiff_beyond = VM_C(5.69);
+    pair.end_difference = vmi_rk87_end_difference;
+    pair.inside = vmi_rk87_inside;
+    pair.extend = vmi_rk87_extend;
+    return pair;
+}
+
+/* Steps of rk87 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+{
+    vmi_rk_stepper stepper;
+    stepper.pair = vmi_rk87_pair();
+    stepper.make_stages = vmi_rk87_stages;
+    stepper.step_error = vmi_rk87_error;
+    return vmi_run(s, stepper, f, n, t_end, single);
+}
+
+/* -- Functions for users -- */
+
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
+
+/* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
+typedef rk45_options rk87_options;
+typedef rk45 rk87;
+
+/* Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45. work has RK87_WORK(n) numbers, and rtol
+   becomes at least 256 VM_EPSILON. */
+VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk87_options *options_or_NULL, vm_real *work)
+{
+    return vmi_ode_init(s, vmi_rk87_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
+}
+
+/* Continues a run of rk87 from another time or state, such as after a jump. All else is as in rk45_restart. */
+VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
+
+/* One accepted step of rk87, or the part of it before an event that ends the step. All else is as in rk45_step. */
+VM_INLINE int rk87_step(rk87 *s)
+{
+    vm_real t_end;
+    const int status = vmi_begin_step(s, VMI_RK87, &t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, s->f, s->n, t_end, 1);
+}
+
+/* Steps of rk87 to t_end, with f and n named again so that f is inlined. All else is as in rk45_solve_with. */
+VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
+{
+    const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, f, n, t_end, 0);
+}
+
+/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
+   rk45_solve. */
+VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return rk87_solve_with(s, s->f, s->n, t_end);
+}
+
+/* State y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The first call after
+   a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t.
+   These evaluations may also give ODE_RHS_STOPPED (f stops the run) or ODE_NOT_FINITE, although the step itself has
+   succeeded. */
+VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
+{
+    if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
+    return vmi_interpolate(s, t, y);
 }
 
 #endif

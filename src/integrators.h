@@ -129,6 +129,7 @@
 
 #include "base/self_check.h"
 #include "integrators/rk4.h"
-#include "integrators/adaptive.h"
+#include "integrators/rk45.h"
+#include "integrators/rk87.h"
 
 #endif
