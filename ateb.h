@@ -2013,7 +2013,7 @@ VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 }
 
 #endif
-/* base/chebyshev.h - shorter polynomials by Chebyshev's: the step that economises a power series
+/* base/chebyshev.h - the step that makes a polynomial shorter by means of Chebyshev's polynomials
 
        vm_real c[3] = {1, 1, VM_C(0.5)};
        vmi_remove_highest(c, 2, 0); // 1 + t + t^2/2 is about c[0] + c[1] t for 0 <= t <= 1
@@ -2022,9 +2022,9 @@ VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 #ifndef VARMASS_BASE_CHEBYSHEV_H
 #define VARMASS_BASE_CHEBYSHEV_H
 
-/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n, 0 <= t <= 1, by subtracting a multiple of Chebyshev's
-   polynomial of degree n, which changes the values by at most |c_n| 2^(1-2n). The coefficients below c_lowest stay as
-   they are. */
+/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's polynomial of
+   degree n. For 0 <= t <= 1 this changes the values by at most |c_n| 2^(1-2n). The coefficients with an index below
+   `lowest` stay as they are. */
 VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 {
     vm_real term = c[n];
@@ -2298,8 +2298,8 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
     }
 }
 
-/* Returns the coefficient w_j of the series w = b^alpha, where b_0 = 1, from w_0 ... w_(j-1) and b_1 ... b_j (by
-   Euler). */
+/* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. It is computed
+   from w_0 ... w_(j-1) and b_1 ... b_j (by Euler). */
 VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
 {
     vm_real sum = 0;
@@ -2352,7 +2352,7 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), what removing c[k] changes for each unit of it */
+    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), the change for c[k] = 1 */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
         vmi_remove_highest(c, k, 0);

@@ -824,8 +824,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* A pair as the loop over the steps takes it. It is a constant of the call, and so the compiler inlines both functions
-   into the loop. They are no part of vmi_rk_pair, which each run holds: there they would be compiled a second time. */
+/* What the loop over the steps needs to know of a pair. The call of the loop gets it as a constant, so that the
+   compiler inlines both functions into the loop. The functions are no part of vmi_rk_pair, which each run holds,
+   because they would then be compiled a second time. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -847,8 +848,8 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* Linkage of the loop over the steps of one pair. It is inlined where it is to be fast, and never where it is to be
-   short: there one copy for any n is enough. */
+/* Linkage of the loop over the steps of one pair. The loop is inlined, in order to be fast, but not if the compiler
+   optimises for size: then one copy for any n is enough. */
 #ifdef __OPTIMIZE_SIZE__
 #define VMI_LOOP VMI_APART
 #else
@@ -1927,7 +1928,7 @@ VM_API int vmi_events(rk45 *s)
 
 #endif
 /* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
-   Each pair has functions for users, which call these: rk45.h, rk87.h.
+   Users call the functions of rk45.h and rk87.h, which call the functions of this file.
 
    Tests: tests/test_adaptive.c, tests/test_events.c. */
 #ifndef VARMASS_INTEGRATORS_LOOP_H
@@ -2064,8 +2065,8 @@ VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_rea
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Does what comes before the step in rk45_step, for the pair whose number is `method`. *t_end becomes the last number
-   in the direction of s. Returns a status; s may go on if that is ODE_OK. */
+/* Prepares the one step of rk45_step, for the pair whose number is `method`. *t_end becomes VM_MAX, or -VM_MAX if the
+   run goes backward. Returns a status; the step may be made if it is ODE_OK. */
 VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 {
     if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
@@ -2076,8 +2077,8 @@ VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
     return ODE_OK;
 }
 
-/* Does what comes before the steps in rk45_solve_with, for the pair whose number is `method`. Returns a status; s may
-   go on if that is ODE_OK. */
+/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. Returns a status; the steps may be made
+   if it is ODE_OK. */
 VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
     if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
@@ -2088,8 +2089,8 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
 #endif
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
    Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4 takes none. It is the pair to begin with, and the better one in
-   float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
+   evaluations of f. The continuous extension of order 4 takes no further evaluation. rk45 is the pair to begin with,
+   and the better one in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -2102,8 +2103,8 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
 
 enum { VMI_RK45 = 45 }; /* the number of this pair */
 
-/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy
-   the order conditions to 2e-14. */
+/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy the order conditions to
+   2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2204,7 +2205,7 @@ VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
     return pair;
 }
 
-/* Steps of rk45 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+/* Makes steps of rk45 to t_end, or only one if `single` is not 0. f and n are those of s. Returns a status. */
 VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 {
     vmi_rk_stepper stepper;
@@ -2276,8 +2277,8 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_i
 #endif
 /* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
    Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
-   f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
-   those of rk45. It is the pair for a smooth f in double and small errors.
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
+   larger than those of rk45. rk87 is the pair for a smooth f in double and small errors.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_H
@@ -2600,7 +2601,7 @@ VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
     return pair;
 }
 
-/* Steps of rk87 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+/* Makes steps of rk87 to t_end, or only one if `single` is not 0. f and n are those of s. Returns a status. */
 VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 {
     vmi_rk_stepper stepper;

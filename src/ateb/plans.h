@@ -271,8 +271,8 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
     }
 }
 
-/* Returns the coefficient w_j of the series w = b^alpha, where b_0 = 1, from w_0 ... w_(j-1) and b_1 ... b_j (by
-   Euler). */
+/* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. It is computed
+   from w_0 ... w_(j-1) and b_1 ... b_j (by Euler). */
 VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
 {
     vm_real sum = 0;
@@ -325,7 +325,7 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), what removing c[k] changes for each unit of it */
+    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), the change for c[k] = 1 */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
         vmi_remove_highest(c, k, 0);

@@ -1,5 +1,5 @@
 /* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
-   Each pair has functions for users, which call these: rk45.h, rk87.h.
+   Users call the functions of rk45.h and rk87.h, which call the functions of this file.
 
    Tests: tests/test_adaptive.c, tests/test_events.c. */
 #ifndef VARMASS_INTEGRATORS_LOOP_H
@@ -144,8 +144,8 @@ VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_rea
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Does what comes before the step in rk45_step, for the pair whose number is `method`. *t_end becomes the last number
-   in the direction of s. Returns a status; s may go on if that is ODE_OK. */
+/* Prepares the one step of rk45_step, for the pair whose number is `method`. *t_end becomes VM_MAX, or -VM_MAX if the
+   run goes backward. Returns a status; the step may be made if it is ODE_OK. */
 VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 {
     if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
@@ -156,8 +156,8 @@ VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
     return ODE_OK;
 }
 
-/* Does what comes before the steps in rk45_solve_with, for the pair whose number is `method`. Returns a status; s may
-   go on if that is ODE_OK. */
+/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. Returns a status; the steps may be made
+   if it is ODE_OK. */
 VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
     if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;

@@ -52,8 +52,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* A pair as the loop over the steps takes it. It is a constant of the call, and so the compiler inlines both functions
-   into the loop. They are no part of vmi_rk_pair, which each run holds: there they would be compiled a second time. */
+/* What the loop over the steps needs to know of a pair. The call of the loop gets it as a constant, so that the
+   compiler inlines both functions into the loop. The functions are no part of vmi_rk_pair, which each run holds,
+   because they would then be compiled a second time. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -75,8 +76,8 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* Linkage of the loop over the steps of one pair. It is inlined where it is to be fast, and never where it is to be
-   short: there one copy for any n is enough. */
+/* Linkage of the loop over the steps of one pair. The loop is inlined, in order to be fast, but not if the compiler
+   optimises for size: then one copy for any n is enough. */
 #ifdef __OPTIMIZE_SIZE__
 #define VMI_LOOP VMI_APART
 #else

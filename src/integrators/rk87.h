@@ -1,7 +1,7 @@
 /* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
    Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
-   f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
-   those of rk45. It is the pair for a smooth f in double and small errors.
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
+   larger than those of rk45. rk87 is the pair for a smooth f in double and small errors.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_H
@@ -333,7 +333,7 @@ VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
     return pair;
 }
 
-/* Steps of rk87 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+/* Makes steps of rk87 to t_end, or only one if `single` is not 0. f and n are those of s. Returns a status. */
 VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 {
     vmi_rk_stepper stepper;
