@@ -1,7 +1,7 @@
 /* varmass.h - dynamics of bodies whose mass varies
 
    Part of varmass (MIT licence): copy varmass.h, ateb.h, jacobi.h and integrators.h side by side, include varmass.h,
-   link with -lm. No allocation, no state, no other library.
+   link with -lm. varmass.h allocates no memory, keeps no state and needs no other library.
 
        #include <stdio.h>
        #include "varmass.h"
@@ -19,10 +19,11 @@
 
    CHAPTERS
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
-     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how
-                    a part must leave; energy of a jump; a rotor that breaks; Lagrange's equations across a jump and
-                    with variable mass; a pendulum that is cut; torque-free rotation; streams of mass: reactive force
-                    and torque; rockets; a band that winds up on a drum
+     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
+                    part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
+                    Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
+                    rotation; streams of mass with their reactive force and torque; rockets; a band that winds up on a
+                    drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping; Van
                     der Pol's oscillator, Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation,
                     resonance, turning points
@@ -70,7 +71,7 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
 
    ACCURACY, as promised and tested (make test); docs/measurements.md has the measured errors
      Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
@@ -467,23 +468,23 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body without inertia about an axis (a rod, a point) keeps its spin about
-                                    this axis, and the angular momentum that was left for it is lost */
+    VM_NULL_AXIS = 1,            /* done, but a body (a rod, a point) has no inertia about an axis: it keeps its spin
+                                    about this axis, and the angular momentum that the spin should take up is lost */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
-    VM_NOT_FINITE = -2,          /* a number that was given, or that arises, is infinite or NaN */
-    VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the mass of the rest */
-    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation it may be that of the rest */
+    VM_NOT_FINITE = -2,          /* an argument, or a number computed from the arguments, is infinite or NaN */
+    VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the remaining body's mass */
+    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation this may be the remaining body's */
     VM_SINGULAR = -5,            /* a system of linear equations has no unique solution */
     VM_DOMAIN = -6,              /* a parameter lies outside its domain */
-    VM_NO_LAW = -7,              /* no such route or closed form exists for this problem */
+    VM_NO_LAW = -7,              /* this problem has no such route (method of solution) or closed form */
     VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator did not reach the end */
-    VM_BAD_MOTION = -9,          /* scenes: a motion that does not exist, or on which an effect or event cannot act */
+    VM_BAD_MOTION = -9,          /* scenes: a kind of motion does not exist, or no such effect or event can act on it */
     VM_NO_SUCH_BODY = -10,       /* scenes: no body has this index */
     VM_NO_SUCH_COORDINATE = -11, /* scenes: the body has no such coordinate */
     VM_NO_SUCH_EFFECT = -12,     /* scenes: no effect has this index */
-    VM_TWO_MASS_LAWS = -13,      /* scenes: a mass has two laws, or has a law and is a state as well */
+    VM_TWO_MASS_LAWS = -13,      /* scenes: a mass has two laws, or it has a law and is a component of the state too */
     VM_BAD_ORDER = -14,          /* scenes: the law of a body's mass stands after another effect on this body */
     VM_MASS_IS_NO_STATE = -15,   /* scenes: a stream acts on a body whose mass is not a state */
     VM_TOO_MANY_EVENTS = -16,    /* scenes: events follow each other without end */
@@ -500,7 +501,7 @@ enum {
     VM_LINK_NOT_LAST = -27,      /* scenes: another effect on the body stands after its link */
     VM_STORED_STREAM = -28,      /* scenes and reactive loads: a stream comes from a store, which cannot be used here */
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
-    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: M + M'(v) (reactive v - u) is not positive for a mass law M(v) */
+    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) makes the effective mass M + M'(v) (reactive v - u) <= 0 */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
     VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
 };
@@ -508,8 +509,8 @@ enum {
 /* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
 #define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
-/* The meaning of a status as a line of text. For an error it also says, where it can, what to do. The status may be
-   any number. */
+/* The meaning of a status as a line of text. For an error the text also says, where possible, what to do. The status
+   may be any number. */
 VM_API const char *vm_strerror(int status)
 {
     switch (status) {
@@ -554,15 +555,15 @@ VM_API const char *vm_strerror(int status)
     }
 }
 
-/* Where an error stands in the order at the top of this file: a smaller number comes first. Errors that are not there
-   have the order of their numbers. */
+/* Returns the rank of an error: the error with the smaller rank is reported. The ranks follow the order at the top of
+   this file; errors that are not named there follow in the order of their numbers. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
     return 2 * -status;
 }
 
-/* Of two statuses, VM_OK or errors, the one that is returned if both apply */
+/* Returns the one of two statuses, VM_OK or errors, that a function returns if both apply. */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;
@@ -590,7 +591,7 @@ VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 #ifndef VARMASS_BASE_LINEAR_H
 #define VARMASS_BASE_LINEAR_H
 
-/* Eliminates the entries of column k below the diagonal from a x = b. */
+/* Eliminates the unknown x[k] from the equations k + 1 to n - 1 of the system a x = b. */
 VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
 {
     int i, j;
@@ -670,9 +671,9 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #ifndef VARMASS_BASE_ZERO_H
 #define VARMASS_BASE_ZERO_H
 
-/* Returns the zero of f between a and b, as exact as x can be, where fa = f(a) and fb = f(b) have opposite signs.
-   Method (Illinois): the next x lies on the secant through the ends of the interval; when one end has stayed for two
-   steps, the value there is halved. Every fourth step bisects the interval if the last four have not made it eight
+/* Returns a zero of f between a and b, as accurate as the type allows, where fa = f(a) and fb = f(b) have opposite
+   signs. Method (Illinois): the next x lies on the secant through the ends of the interval; when one end has stayed for
+   two steps, its value of f is halved. Every fourth step bisects the interval if the last four have not made it eight
    times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
@@ -803,9 +804,9 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 #ifndef VARMASS_BASE_POLYNOMIAL_H
 #define VARMASS_BASE_POLYNOMIAL_H
 
-/* Returns the correction of the approximate root i. It is Newton's step for the polynomial divided by the factors
-   z - z_j of all other approximate roots z_j; this division keeps two approximations from meeting. The correction is
-   0 where the polynomial is 0 within its rounding errors. */
+/* Returns the correction of the approximate root i. It is Newton's step for the polynomial divided by z - z_j for each
+   other approximate root z_j; this division keeps two approximations from converging to the same root. The correction
+   is 0 where the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -856,11 +857,11 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
 }
 
 /* Sorts the roots: first the real roots from the largest to the smallest, then the conjugate pairs by rising |im|, in
-   each pair the root with im > 0 first. Imaginary parts that only rounding has left become 0, and the two roots of a
+   each pair the root with im > 0 first. Imaginary parts that are only rounding errors become 0, and the two roots of a
    pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* the distance by which rounding splits a double root */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this distance */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -893,7 +894,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* a start symmetric about the real axis would stay symmetric */
+    for (i = 0; i < m; i++) /* the start is not symmetric about the real axis: symmetry would persist */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
@@ -1003,8 +1004,8 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 /* base/lambert.h - Lambert's function W
 
    w = W(x) solves w e^w = x. The equation has one solution for x >= 0 and two for -1/e <= x < 0: the branch W_0 >= -1
-   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The forms that take the logarithm of the argument work
-   where the argument itself would overflow or underflow.
+   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The functions that take the logarithm of the argument
+   work where the argument itself would overflow or underflow.
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
@@ -1034,8 +1035,8 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x
-   close to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. An s between
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
+   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
    -eps/2 and 0 is caused by rounding and means x = -1/e. The start for W_-1 is by Barry, Culligan-Hensley and Barry
    (ACM TOMS 21, 1995); the start for W_0 is a series in sqrt(2s), which is good for s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
@@ -1109,13 +1110,13 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
     return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_minus(ln)), 1);
 }
 
-#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* where ln|x| is less than this, W_0(x) = x */
+#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* if ln|x| is less than this number, W_0(x) rounds to x */
 
 /* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
    overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
-    const vm_real direct_from = 40; /* from l = 40 on ln(1 + e^l) rounds to l */
+    const vm_real direct_from = 40; /* for l >= 40, ln(1 + e^l) rounds to l */
     vm_real start;
     if (!VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
@@ -5120,16 +5121,19 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 #endif
 /* mechanics/attitude.h - how the attitude of a rotating body changes
 
-       vm_real rates[4]; // of w, x, y, z
+       vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
+       vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
+       vm_real rates[4];          // of w, x, y, z
        vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
 
    Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
 
-/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length
-   back to 1 within some steps of any explicit method, at a rate below that of the rotation itself, so that a slow
-   rotation is not stiff. */
+/* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
+   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term brings the length of q back to 1 within
+   some steps of any explicit method. Its rate is below that of the rotation itself, so that a slow rotation is not
+   stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
