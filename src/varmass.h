@@ -1,7 +1,7 @@
 /* varmass.h - dynamics of bodies whose mass varies
 
    Part of varmass (MIT licence): copy varmass.h, ateb.h, jacobi.h and integrators.h side by side, include varmass.h,
-   link with -lm. No allocation, no state, no other library.
+   link with -lm. varmass.h allocates no memory, keeps no state and needs no other library.
 
        #include <stdio.h>
        #include "varmass.h"
@@ -19,10 +19,11 @@
 
    CHAPTERS
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
-     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how
-                    a part must leave; energy of a jump; a rotor that breaks; Lagrange's equations across a jump and
-                    with variable mass; a pendulum that is cut; torque-free rotation; streams of mass: reactive force
-                    and torque; rockets; a band that winds up on a drum
+     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
+                    part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
+                    Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
+                    rotation; streams of mass with their reactive force and torque; rockets; a band that winds up on a
+                    drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping; Van
                     der Pol's oscillator, Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation,
                     resonance, turning points
@@ -70,7 +71,7 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
 
    ACCURACY, as promised and tested (make test); docs/measurements.md has what was measured
      Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
