@@ -1,7 +1,7 @@
 /* varmass.h - dynamics of bodies whose mass varies
 
    Part of varmass (MIT licence): copy varmass.h, ateb.h, jacobi.h and integrators.h side by side, include varmass.h,
-   link with -lm. No allocation, no state, no other library.
+   link with -lm. varmass.h allocates no memory, keeps no state and needs no other library.
 
        #include <stdio.h>
        #include "varmass.h"
@@ -19,10 +19,11 @@
 
    CHAPTERS
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
-     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how
-                    a part must leave; energy of a jump; a rotor that breaks; Lagrange's equations across a jump and
-                    with variable mass; a pendulum that is cut; torque-free rotation; streams of mass: reactive force
-                    and torque; rockets; a band that winds up on a drum
+     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
+                    part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
+                    Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
+                    rotation; streams of mass with their reactive force and torque; rockets; a band that winds up on a
+                    drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping; Van
                     der Pol's oscillator, Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation,
                     resonance, turning points
@@ -37,24 +38,24 @@
      Axes         r, v and omega are in inertial axes. The inertia tensor is about the body's own mass centre, in body
                   axes; its entries xy, xz, yz are those of the tensor, minus the integral of x y dm and so on. v is
                   momentum/mass.
-     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1; all zero means
-                  identity.
+     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1. A q of four zeros
+                  means that body axes and inertial axes coincide.
      Arguments    Functions of numbers take the variable first, then the parameters, results last. Functions of an
                   object take the object first, then the variable. A parameter that may be NULL is called ..._or_NULL.
      Laws         A mass, stiffness or damping that depends on time is a vm_law.
      Damping      damping > 0 takes energy out.
-     Streams      reactive = 1: mass that joins or leaves has an absolute velocity of its own (at rest if it is 0),
-                  and the full reactive force acts; reactive = 0: it has the body's velocity, and there is no reactive
-                  force.
+     Streams      reactive = 1: mass that joins or leaves has an absolute velocity of its own (0 means at rest), and
+                  the full reactive force acts. reactive = 0: this mass has the body's velocity, and no reactive
+                  force acts.
      Names        X_to_Y and X_from_Y convert. X_rhs is the right-hand side of the differential equations of X,
-                  X_averaged_rhs that of the averaged ones. A suffix 2 means the plane, 1 means one dimension. Names
-                  that begin with vmi_ or VMI_ are internal.
+                  X_averaged_rhs that of the averaged equations. A suffix 2 means the plane, 1 means one dimension.
+                  Names that begin with vmi_ or VMI_ are internal.
 
    ERRORS
      Functions that can fail return a status: 0 (VM_OK), a positive number (done, with a remark) or a negative one
-     (outputs are untouched). vm_strerror() explains it. The same mistake has the same status in every function;
-     base/status lists them. Functions that return a number return NaN outside their domain, for infinite arguments
-     too. Outputs may be the inputs.
+     (the outputs are untouched). vm_strerror() explains a status. The same mistake has the same status in every
+     function; base/status lists all statuses. Functions that return a number return NaN outside their domain and for
+     infinite arguments. Outputs may be the inputs.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -63,30 +64,30 @@
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where nothing is promised
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although no result is promised to be right then
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
 
-   ACCURACY, as promised and tested (make test); docs/measurements.md has what was measured
+   ACCURACY, as promised and tested (make test); docs/measurements.md has the measured errors
      Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
-                  sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that moves on as before leaves omega as
-                  it was.
+                  sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
+                  body does not change omega.
      Rotation     torque-free: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs taken as
                   exact.
      Streams      closed forms within a few eps; a body and everything it has shed keep momentum, angular momentum and
                   energy to the integrator's tolerance.
      Lambert's W  within 1 ulp. The drum on a rigid shaft: within 4 ulp.
-     Oscillators  every route returns an estimate of its whole error in the field error, or infinity where it knows
-                  nothing.
+     Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
+                  estimate is possible.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation.
-     Others stand where they are used.
+     Other sources are named in the chapters that use them.
 
    INDEX
      base/status: the statuses that functions return, and what each of them means
@@ -180,7 +181,7 @@
        vm_lagrange_impact             Velocities after an impact that changes no mass
 
      mechanics/pendulum: a pendulum from which a part is cut
-       vm_pendulum_separate           Motion of a pendulum and of the part that is cut off it, (119)-(132)
+       vm_pendulum_separate           Motion of a pendulum and of the part that is cut off from it, (119)-(132)
 
      mechanics/torque_free: exact rotation of a body on which no torque acts
        vm_torque_free_init            Preparation of the exact torque-free motion of a body
@@ -239,8 +240,8 @@
 
      mechanics/euler_angles: Euler's angles
        vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
-       vm_euler_313_axes              Axes about which Euler's angles turn the body, in inertial axes
-       vm_euler_313_body_axes         Axes about which Euler's angles turn the body, in body axes
+       vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
+       vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
        vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      oscillators/constant_mass: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
@@ -467,23 +468,23 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body without inertia about an axis (a rod, a point) keeps its spin about
-                                    this axis, and the angular momentum that was left for it is lost */
+    VM_NULL_AXIS = 1,            /* done, but a body (a rod, a point) has no inertia about an axis: it keeps its spin
+                                    about this axis, and the angular momentum that the spin should take up is lost */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
-    VM_NOT_FINITE = -2,          /* a number that was given, or that arises, is infinite or NaN */
-    VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the mass of the rest */
-    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation it may be that of the rest */
+    VM_NOT_FINITE = -2,          /* an argument, or a number computed from the arguments, is infinite or NaN */
+    VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the remaining body's mass */
+    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation this may be the remaining body's */
     VM_SINGULAR = -5,            /* a system of linear equations has no unique solution */
     VM_DOMAIN = -6,              /* a parameter lies outside its domain */
-    VM_NO_LAW = -7,              /* no such route or closed form exists for this problem */
+    VM_NO_LAW = -7,              /* this problem has no such route (method of solution) or closed form */
     VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator did not reach the end */
-    VM_BAD_MOTION = -9,          /* scenes: a motion that does not exist, or on which an effect or event cannot act */
+    VM_BAD_MOTION = -9,          /* scenes: a kind of motion does not exist, or no such effect or event can act on it */
     VM_NO_SUCH_BODY = -10,       /* scenes: no body has this index */
     VM_NO_SUCH_COORDINATE = -11, /* scenes: the body has no such coordinate */
     VM_NO_SUCH_EFFECT = -12,     /* scenes: no effect has this index */
-    VM_TWO_MASS_LAWS = -13,      /* scenes: a mass has two laws, or has a law and is a state as well */
+    VM_TWO_MASS_LAWS = -13,      /* scenes: a mass has two laws, or it has a law and is a component of the state too */
     VM_BAD_ORDER = -14,          /* scenes: the law of a body's mass stands after another effect on this body */
     VM_MASS_IS_NO_STATE = -15,   /* scenes: a stream acts on a body whose mass is not a state */
     VM_TOO_MANY_EVENTS = -16,    /* scenes: events follow each other without end */
@@ -500,7 +501,7 @@ enum {
     VM_LINK_NOT_LAST = -27,      /* scenes: another effect on the body stands after its link */
     VM_STORED_STREAM = -28,      /* scenes and reactive loads: a stream comes from a store, which cannot be used here */
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
-    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: M + M'(v) (reactive v - u) is not positive for a mass law M(v) */
+    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) makes the effective mass M + M'(v) (reactive v - u) <= 0 */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
     VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
 };
@@ -508,8 +509,8 @@ enum {
 /* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
 #define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
-/* The meaning of a status as a line of text. For an error it also says, where it can, what to do. The status may be
-   any number. */
+/* The meaning of a status as a line of text. For an error the text also says, where possible, what to do. The status
+   may be any number. */
 VM_API const char *vm_strerror(int status)
 {
     switch (status) {
@@ -554,15 +555,15 @@ VM_API const char *vm_strerror(int status)
     }
 }
 
-/* Where an error stands in the order at the top of this file: a smaller number comes first. Errors that are not there
-   have the order of their numbers. */
+/* Returns the rank of an error: the error with the smaller rank is reported. The ranks follow the order at the top of
+   this file; errors that are not named there follow in the order of their numbers. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
     return 2 * -status;
 }
 
-/* Of two statuses, VM_OK or errors, the one that is returned if both apply */
+/* Returns the one of two statuses, VM_OK or errors, that a function returns if both apply. */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;
@@ -590,7 +591,7 @@ VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 #ifndef VARMASS_BASE_LINEAR_H
 #define VARMASS_BASE_LINEAR_H
 
-/* Eliminates the entries of column k below the diagonal from a x = b. */
+/* Eliminates the unknown x[k] from the equations k + 1 to n - 1 of the system a x = b. */
 VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
 {
     int i, j;
@@ -670,9 +671,9 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #ifndef VARMASS_BASE_ZERO_H
 #define VARMASS_BASE_ZERO_H
 
-/* Returns the zero of f between a and b, as exact as x can be, where fa = f(a) and fb = f(b) have opposite signs.
-   Method (Illinois): the next x lies on the secant through the ends of the interval; when one end has stayed for two
-   steps, the value there is halved. Every fourth step bisects the interval if the last four have not made it eight
+/* Returns a zero of f between a and b, as accurate as the type allows, where fa = f(a) and fb = f(b) have opposite
+   signs. Method (Illinois): the next x lies on the secant through the ends of the interval; when one end has stayed for
+   two steps, its value of f is halved. Every fourth step bisects the interval if the last four have not made it eight
    times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
@@ -803,9 +804,9 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 #ifndef VARMASS_BASE_POLYNOMIAL_H
 #define VARMASS_BASE_POLYNOMIAL_H
 
-/* Returns the correction of the approximate root i. It is Newton's step for the polynomial divided by the factors
-   z - z_j of all other approximate roots z_j; this division keeps two approximations from meeting. The correction is
-   0 where the polynomial is 0 within its rounding errors. */
+/* Returns the correction of the approximate root i. It is Newton's step for the polynomial divided by z - z_j for each
+   other approximate root z_j; this division keeps two approximations from converging to the same root. The correction
+   is 0 where the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -856,11 +857,11 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
 }
 
 /* Sorts the roots: first the real roots from the largest to the smallest, then the conjugate pairs by rising |im|, in
-   each pair the root with im > 0 first. Imaginary parts that only rounding has left become 0, and the two roots of a
+   each pair the root with im > 0 first. Imaginary parts that are only rounding errors become 0, and the two roots of a
    pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* the distance by which rounding splits a double root */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this distance */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -893,7 +894,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* a start symmetric about the real axis would stay symmetric */
+    for (i = 0; i < m; i++) /* the start is not symmetric about the real axis: symmetry would persist */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
@@ -1003,8 +1004,8 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 /* base/lambert.h - Lambert's function W
 
    w = W(x) solves w e^w = x. The equation has one solution for x >= 0 and two for -1/e <= x < 0: the branch W_0 >= -1
-   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The forms that take the logarithm of the argument work
-   where the argument itself would overflow or underflow.
+   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The functions that take the logarithm of the argument
+   work where the argument itself would overflow or underflow.
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
@@ -1034,8 +1035,8 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x
-   close to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. An s between
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
+   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
    -eps/2 and 0 is caused by rounding and means x = -1/e. The start for W_-1 is by Barry, Culligan-Hensley and Barry
    (ACM TOMS 21, 1995); the start for W_0 is a series in sqrt(2s), which is good for s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
@@ -1109,13 +1110,13 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
     return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_minus(ln)), 1);
 }
 
-#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* where ln|x| is less than this, W_0(x) = x */
+#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* if ln|x| is less than this number, W_0(x) rounds to x */
 
 /* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
    overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
-    const vm_real direct_from = 40; /* from l = 40 on ln(1 + e^l) rounds to l */
+    const vm_real direct_from = 40; /* for l >= 40, ln(1 + e^l) rounds to l */
     vm_real start;
     if (!VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
@@ -1213,13 +1214,13 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
 
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
-/* The product m a of a matrix and a vector */
+/* The product m a of the matrix m and the vector a */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-/* The product m^T a. For a rotation matrix m it turns a vector back by that rotation. */
+/* The product of the transposed matrix m^T and the vector a. For a rotation matrix m it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
@@ -1281,14 +1282,14 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
     return vmi_quat_over(q, largest);
 }
 
-/* The quaternion of length 1 that turns as q does. Four zeros give the identity. */
+/* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
 VM_API vm_quat vmi_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of q. The parameter `square` is the square of q's length and must be a normal number. */
+/* The rotation matrix of q. `square` is the square of q's length: a normal number, not 0, subnormal or infinite. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -1309,7 +1310,7 @@ VM_API vmi_mat3 vmi_rotation(vm_quat q)
     return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
 
-/* Reads three numbers of a state y as a vector. vmi_set3 writes them. */
+/* Reads three numbers of a state as a vector. vmi_set3 writes a vector to a state. */
 VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 
 VM_API void vmi_set3(vm_real *y, vm_vec3 a)
@@ -1319,7 +1320,7 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Reads four numbers w, x, y, z of a state y as a quaternion */
+/* Reads the four numbers w, x, y, z of a quaternion from a state */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
 #endif
@@ -1336,7 +1337,7 @@ VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y
 #ifndef VARMASS_MECHANICS_INERTIA_H
 #define VARMASS_MECHANICS_INERTIA_H
 
-/* A tensor of inertia by its entries, in kg m^2. The products of inertia have the sign of the tensor's entries:
+/* A tensor of inertia, given by its entries, in kg m^2. The products of inertia have the sign of the tensor's entries:
    xy = -integral of x y dm. */
 typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
@@ -1366,7 +1367,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T, with the unit matrix E: the inertia about the origin of a unit mass at d */
+/* P(d) = |d|^2 E - d d^T, with the unit matrix E. It is the inertia of a unit mass at d about the origin. */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -1379,7 +1380,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-/* The tensor m^T i m, which has the entries of i along the axes in the columns of m */
+/* The tensor m^T i m: the entries of the tensor i along new axes, which are the columns of the matrix m */
 VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
@@ -1393,7 +1394,8 @@ VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
     return t;
 }
 
-/* The sizes of the terms whose sums are the entries of m^T i m. An entry's rounding error is some eps of its terms. */
+/* For each entry of the tensor m^T i m, the sum of the absolute values of its terms. The rounding error of the entry is
+   a few eps times this sum. */
 VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -1413,7 +1415,7 @@ VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 /* The sum |xx| + |yy| + |zz|, which is the trace if i is the inertia of a body */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Reads six numbers of a state y as an inertia. vmi_set_inertia writes them. */
+/* Reads six numbers of a state as an inertia tensor. vmi_set_inertia writes a tensor to a state. */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -1436,16 +1438,17 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* The error (kg m^2) that roundings may make in an inertia whose entries are sums of terms of the size of i */
+/* The tolerance, in kg m^2, for the rounding errors of an inertia tensor. `i` is this tensor itself, or has as entries
+   the sizes of the terms that were added up to this tensor. */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
-/* Returns 1 if a body can have the inertia i to within slack (kg m^2). The second moments tr(i)/2 E - i, which are
-   the integral of r r^T dm, must have no negative eigenvalue. Elimination tests this after slack, which exceeds the
-   rounding errors, has been added to the trace. */
+/* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). The matrix tr(i)/2 E - i, with the
+   unit matrix E, is the integral of r r^T dm and must have no negative eigenvalue. The function adds slack, which
+   exceeds the rounding errors, to the trace tr(i). Then Gaussian elimination must give positive pivots only. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
-    vm_real x, y, z, yz; /* x, y, z: the pivots; yz: the entry beside the last two pivots */
+    vm_real x, y, z, yz; /* the pivots x, y, z; yz is minus the off-diagonal entry that remains */
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -1456,17 +1459,17 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Test whether a body can have this inertia. Returns 1 if it can, and 0 if it cannot, for NaN, and for a null
-   pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two.
-   Violations up to 32 eps of the trace count as rounding errors. Rods and points are bodies. */
+/* Test whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
+   null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
+   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points are bodies, too. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
-/* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own
-   (kg m^2) is the inertia about the mass centre, P(d) = |d|^2 E - d d^T, and d is in m. A call with -mass goes back
-   to the mass centre. Returns NaN for a null pointer and where the arguments are NaN. */
+/* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
+   is the inertia about the mass centre, P(d) = |d|^2 E - d d^T, and d is in m. A call with -mass undoes the shift.
+   Returns NaN for a null pointer, and in every entry that depends on a NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1481,8 +1484,9 @@ typedef struct VM_TAG(vmi_principal) {
     vm_vec3 axis[3];
 } vmi_principal;
 
-/* Applies one of Jacobi's rotations in the plane of the axes p and q: a[p][q] becomes 0, and the columns of v turn
-   with the axes. t, c, s are the tangent, cosine and sine of the smaller of the two possible angles. */
+/* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
+   The columns of v are the axes and turn as well. t, c, s are the tangent, cosine and sine of the rotation angle, which
+   is the smaller of the two possible ones. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -1503,10 +1507,10 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes of i by Jacobi's rotations, which converge quadratically */
+/* Principal moments and axes of the tensor i, found by Jacobi rotations, which converge quadratically */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
-    const int most_sweeps = 12; /* more than quadratic convergence needs */
+    const int most_sweeps = 12; /* quadratic convergence needs fewer sweeps */
     vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     vmi_principal result;
     int sweep, p, q;
@@ -1544,27 +1548,27 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have these moments: none is larger than the sum of the other two, to within slack (kg m^2).
-   No moment is then below -slack. */
+/* Returns 1 if a body can have these principal moments: none is larger than the sum of the other two plus slack, in kg
+   m^2. It follows that no moment is below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A moment that is below this share of the terms whose sum it is consists of their rounding errors. */
+/* A principal moment is a sum. If it is smaller than this share of its terms, it is only their rounding error. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
-/* Returns 1 if a moment about an axis is lost in the rounding errors of a tensor, whose entries are sums of terms
-   of the given sizes. Returns 1 also for a negative moment and for NaN. */
+/* Returns 1 if a moment about an axis is smaller than the rounding errors of its tensor, and also if it is negative or
+   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sizes of these terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
     return !(moment > VMI_LOST_SHARE * vmi_dot(e, vmi_inertia_times(sizes, e)));
 }
 
-/* Changes moments that are possible to within roundings into moments that a body can have exactly. A moment that is
-   lost in rounding errors becomes 0, and a moment larger than the sum of the other two becomes that sum. Returns 1
+/* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
+   smaller than its rounding error becomes 0. A moment larger than the sum of the other two becomes that sum. Returns 1
    if a moment changed. */
 VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
 {
@@ -1583,7 +1587,7 @@ VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
     return changed;
 }
 
-/* The angular velocity for the angular momentum h. Parts of h along axes without moment are left out. */
+/* The angular velocity for the angular momentum h. Components of h along axes with a zero moment are ignored. */
 VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
@@ -1593,9 +1597,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     return omega;
 }
 
-/* Sets *omega to the solution of i omega = h, with one step of refinement. About an axis without moment (of a rod
-   or a point) the spin stays as in `before`. Returns 1 if the angular momentum about such an axis, which the body
-   cannot carry, is larger than noise; else 0. */
+/* Solves i omega = h, with inertia i and angular momentum h, for the angular velocity *omega, with one refinement.
+   About an axis with zero moment (of a rod or a point) the angular velocity keeps its value in `before`. Returns 1 if h
+   has a component larger than noise along such an axis, which the body cannot carry. Returns 0 otherwise. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -1613,12 +1617,13 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 
 /* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
 
-/* The factors of a tensor L D L^T: the entries xy, xz, yz of L, and the entries x, y, z of 1/D */
+/* The factors of an inertia tensor L D L^T with a unit triangular matrix L and a diagonal matrix D: the entries xy, xz,
+   yz of L, and the diagonal entries x, y, z of the inverse of D */
 typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
-/* Computes the factors f of i. Returns 0 if a pivot is not positive or is lost in its rounding errors, else 1. */
+/* Computes the factors f of the tensor i. Returns 0 if a pivot is not positive or is only a rounding error, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -1634,7 +1639,7 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* The vector i^-1 h, from the factors f of the tensor i */
+/* The solution w of i w = h, computed from the factors f of the tensor i */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -1646,17 +1651,17 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 }
 
 /* Decides for thin bodies what vmi_running_inertia_is_possible returns. For a flat body one moment equals the sum of
-   the other two, except for the roundings of all steps. The slack of sqrt(eps) leaves room for some 1/sqrt(eps) of
-   them. */
+   the other two, except for the rounding errors of all integration steps so far. The tolerance, sqrt(eps) of the trace,
+   allows for about 1/sqrt(eps) such errors. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
     return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 
-/* Returns 1 if a body can have the inertia i, whose moments are positive, during an integration. A cheap test is
-   enough for most bodies: tr(i)/2 E - i, with the unit matrix E, is positive definite if each of its diagonal
-   entries is larger than the sizes of the three products of inertia together. */
+/* Returns 1 if a body can have the inertia i. The principal moments of i must be positive. This test is for use in
+   every step of an integration. A cheap criterion is enough for most bodies: tr(i)/2 E - i, with the unit matrix E, is
+   positive definite if each of its diagonal entries is larger than the sum of the absolute products of inertia. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -1664,7 +1669,7 @@ VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
     return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
 }
 
-/* Computes the factors of i as vmi_inertia_factor does, but returns 0 also if no body can have the inertia i */
+/* Computes the factors of i as vmi_inertia_factor does, but also returns 0 if no body can have the inertia i */
 VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
@@ -1687,16 +1692,16 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 typedef struct VM_TAG(vm_body) {
     vm_real mass;       /* mass > 0, kg */
     vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
-    vm_quat q;          /* attitude: turns body axes into inertial ones; of any length; four zeros: the identity */
+    vm_quat q;          /* attitude: turns body axes into inertial ones; any length; four zeros mean the identity */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
-    vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
+    vm_vec3 v;          /* velocity, defined as momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
-/* An impulse that acts on a body during an instant; inertial axes */
+/* An impulse that acts on a body at an instant. All vectors are along inertial axes. */
 typedef struct VM_TAG(vm_impulse) {
     vm_vec3 linear; /* the impulse of forces, N s */
-    vm_vec3 couple; /* an impulsive moment in addition to the moment of `linear`, N m s */
+    vm_vec3 couple; /* an impulsive couple in addition to the moment of `linear`, N m s */
     vm_vec3 at;     /* the point at which `linear` acts, m */
 } vm_impulse;
 
@@ -1710,22 +1715,23 @@ typedef struct VM_TAG(vm_body2) {
     vm_real omega;   /* angular velocity, rad/s, anticlockwise */
 } vm_body2;
 
-/* An impulse that acts on a body of the plane during an instant */
+/* An impulse that acts at an instant on a body that moves in the plane */
 typedef struct VM_TAG(vm_impulse2) {
     vm_real jx, jy; /* the impulse of forces, N s */
-    vm_real couple; /* an impulsive moment in addition to the moment of jx, jy, N m s, anticlockwise */
+    vm_real couple; /* an impulsive couple in addition to the moment of jx, jy, N m s, anticlockwise */
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* Balance across an instant: what some bodies have after it less what they had before it. The two momenta are also
-   less what an impulse gave the bodies. */
+/* Balance across an instant: the momentum, angular momentum and energy of some bodies after it less those before it.
+   The impulse that acted on the bodies is subtracted from the two momenta. They are then zero except for rounding
+   errors if the bodies obey the laws of mechanics. */
 typedef struct VM_TAG(vm_balance) {
-    vm_vec3 momentum;               /* momentum, N s: (6) with (20), (21); zero except for rounding errors */
-    vm_vec3 angular_momentum;       /* angular momentum about a point, N m s: (12), (17) with (22); likewise zero */
-    vm_real momentum_scale;         /* sum of mass times speed of all bodies, plus the size of the impulse, N s */
+    vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
+    vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
+    vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
     /* The sum over all bodies of tr(I) |omega| + (|r| + |r - about|) M |v|, with inertia I, mass M and the point
-       `about`, plus the share of the impulse, N m s. It contains |r|, because the rounding error eps |r| of a
-       position changes the angular momentum about any point by eps |r| M |v|. */
+       `about`, plus a term for the impulse, N m s. |r| is in it because the rounding error eps |r| of a position
+       changes the angular momentum about any point by eps |r| M |v|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -1766,8 +1772,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- the plane as a part of space ---- */
 
-/* Converts a body of the plane to a body of space. Of its inertia only zz is set, which is all that motion in the
-   plane needs. */
+/* Converts a body of the plane to a body of space. Only the entry zz of its inertia is set, because motion in the plane
+   needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -1779,7 +1785,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* The body of the plane that has the mass, position and motion of b, its inertia.zz, and the given angle */
+/* Converts a body of space to a body of the plane: its mass, position, motion, inertia.zz, and the given angle */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -1830,7 +1836,7 @@ VM_API int vmi_check_body2(const vm_body2 *b)
     return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* An array of n bodies, either of space or of the plane. The pointer for the other kind of body is NULL. */
+/* An array of n bodies, either of space or of the plane. One of the two pointers is NULL. */
 typedef struct VM_TAG(vmi_bodies) {
     int n;
     const vm_body *in_space;
@@ -1862,8 +1868,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* Returns VM_OK if all bodies are valid, else that error of a body which comes first in the order of
-   vmi_first_error. Returns VM_BAD_ARGUMENT for n < 0 and for n > 0 without an array. */
+/* Returns VM_OK if all bodies are valid. Else returns the error of a body. If there are several errors, vmi_first_error
+   selects one. Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -1912,11 +1918,11 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
-/* Balance of momentum, angular momentum and energy across an instant. *balance is what the n_after bodies have less
-   what the n_before bodies had, and less the impulse, where one acted, (4)-(6), (10)-(12). If nothing was lost, the
-   changes of momentum and of angular momentum about any point are zero except for some eps of their scales. Either
-   side may have any number of bodies, or none. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null
-   pointer or a negative number of bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
+/* Balance of momentum, angular momentum and energy across an instant. *balance has the sums over the n_after bodies
+   less those over the n_before bodies, less the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
+   momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
+   bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
+   bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {
@@ -1975,46 +1981,50 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 
 #endif
 /* mechanics/jumps.h - parts separate from a body or are attached to it, in space
-   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, while its
-   attitude stays: (13)-(15), (24), (33), (34), (40). An impulse may act at the same instant. Any number of parts may
+   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, by (13)-(15),
+   (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of parts may
    separate or be attached at once.
 
        vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
        int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: how the rest moves on
 
-   Jumps in the plane are in jumps2.h, in relative motions in relative.h; the inverse question (how must a part leave?)
-   is in inverse.h, the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c, tests/test_jump_equations.c. */
+   Jumps in the plane are in jumps2.h, and jumps that are given by relative motions in relative.h. The inverse question
+   (how must a part leave?) is in inverse.h, and the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c,
+   tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS_H
 #define VARMASS_MECHANICS_JUMPS_H
 
-/* How a jump is computed. A body (mass M, velocity v, inertia I, angular velocity omega, mass centre S at r) becomes
-   a body (M1 = M + sign m, v1, I1, omega1, S1 at r1) when another body (m, v2, I2, omega2, S2) is attached (sign = 1)
-   or separates (sign = -1). With the vector d from S to S2, P(d) = |d|^2 E - d d^T, every inertia about the body's
-   own mass centre, the impulse `linear` and its moment `moment` about S1:
+/* How a jump is computed. A body has the mass M, velocity v, inertia I, angular velocity omega, and its mass centre S
+   is at r. Another body (m, v2, I2, omega2, S2) is attached to it (sign = 1) or separates from it (sign = -1). After
+   this the first body has the mass M1 = M + sign m, v1, I1, omega1, and its mass centre S1 is at r1. Every inertia is
+   about its body's own mass centre. The vector d leads from S to S2, and P(d) = |d|^2 E - d d^T with the unit matrix E.
+   An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
-   A separation is therefore an attachment of negative mass and inertia. The law has the same form in a frame that
-   moves and turns with any angular velocity Omega, if all omegas and v2 - v are taken relative to this frame, (42) in
-   space. The frame is chosen so that the terms that cancel are small and few digits are lost: it moves with the
-   heaviest body, and at a separation it turns with the whole. */
-enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of the parameters `sign` */
+   A separation is therefore an attachment of negative mass and inertia.
+
+   The equations keep this form in a frame that moves and that turns with any angular velocity Omega, if all omegas and
+   v2 - v are taken relative to this frame: (42) in space. The computation uses a frame in which the terms that cancel
+   are small, so that few digits are lost. This frame moves with the heaviest body, and at a separation it turns with
+   the whole. */
+enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters named `sign` */
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
     vm_quat q;           /* attitude of the first body; inertias are added along its axes */
     vmi_mat3 turn;       /* the rotation matrix of q */
-    vm_vec3 r, v, omega; /* place, velocity and angular velocity of the frame */
+    vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;
 
-/* The mass, motion and inertia that a body, or several joined bodies, bring into a jump (as a lumped mass) */
+/* A lump: the mass, motion and inertia of a body, or of several bodies joined, relative to the frame of a jump */
 typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
-    vm_vec3 r, v;       /* position of the mass centre and its velocity, less r and v of the frame */
-    vm_vec3 h;          /* angular momentum relative to the frame, I (omega - Omega), inertial axes */
-    vm_inertia inertia; /* inertia about the lump's mass centre, along the axes of the frame's q */
-    vm_inertia sizes;   /* the sizes of the terms whose sums are the entries of inertia */
-    vm_real noise;      /* the size of the terms that cancel in h: the error of h is some eps of noise */
+    vm_vec3 r, v;       /* position and velocity of the mass centre, less r and v of the frame */
+    vm_vec3 h;          /* angular momentum about the mass centre, relative to the frame; inertial axes */
+    vm_inertia inertia; /* inertia about the lump's mass centre, along the axes given by the frame's q */
+    vm_inertia sizes;   /* the sizes of the terms of which the entries of inertia are sums */
+    vm_real noise;      /* the sum of the sizes of the terms of h; the rounding error of h is a few eps of it */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
@@ -2022,9 +2032,9 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     const vmi_mat3 own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
     const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
-    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* columns: the frame's axes in body axes */
+    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
-    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* else turn is exact */
+    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes turn is exactly the identity */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
         turn.z = vmi_times_transposed(&own, frame->turn.z);
@@ -2039,8 +2049,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* P(d) along the frame's axes. Sets *sizes to the sizes of its terms, given that d has the rounding errors of
-   positions of the size of reach. */
+/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets *sizes to the sizes of the terms of its entries. d is a
+   difference of positions of the size `reach`, and has the rounding errors of these positions. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -2050,7 +2060,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* less reach^2 this is d^2 + 2 d reach */
+    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* d^2 + 2 d reach + reach^2; the next line removes reach^2 */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -2058,8 +2068,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* The noise that joining b to a adds: the noise of b, and that of the term reduced d x slip, where d has the rounding
-   errors of positions of the size of reach */
+/* Returns how much the noise of a grows when b is joined to it: by the noise of b, and by that of the product of
+   `reduced` and d x slip. The vector d leads from a to b and is a difference of positions of the size `reach`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2070,13 +2080,13 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
            moved * vmi_norm1(reach) * (distance * vmi_norm1(frame->omega) + vmi_norm1(slip));
 }
 
-/* Attaches b to a (sign = 1) or separates b from a (sign = -1). Returns VM_BAD_MASS if no mass is left, else VM_OK. */
+/* Attaches b to a (sign 1) or separates b from a (sign -1). Returns VM_BAD_MASS if no mass is left, else VM_OK. */
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
-    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* sign m/M1, sign m M/M1 */
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* mass share of b; reduced mass */
     const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
-    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* v2 - v relative to the frame */
+    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
     const vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
     vm_inertia sizes, moved = vmi_moved_inertia(frame, d, reach, &sizes);
@@ -2085,7 +2095,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
     a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
-    if (b->mass > a->mass) { /* start from the heavier body, so that a light one costs no digits */
+    if (b->mass > a->mass) { /* correct the values of the heavier body, which loses no digits */
         a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
         a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
     } else {
@@ -2105,8 +2115,8 @@ VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impu
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
-/* The frame of a jump. It moves with the heaviest of all bodies. It turns with the first body at a separation, and
-   where only an impulse acts; at an attachment it does not turn. */
+/* The frame of a jump. It moves with the heaviest of all bodies. At a separation, or if only an impulse acts, it turns
+   with the first body. At an attachment it does not turn. */
 VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_real sign)
 {
     vm_real mass = body->mass;
@@ -2129,7 +2139,7 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     return frame;
 }
 
-/* Returns VM_OK if the bodies are valid and the impulse is finite, else the error that vmi_first_error prefers. */
+/* Returns VM_OK if the bodies are valid and the impulse is finite, else the error that vmi_first_error selects. */
 VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
@@ -2137,9 +2147,9 @@ VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const v
     return vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* Sets *total to the first body after the jump: with the other bodies attached (sign = 1) or separated (sign = -1),
-   and after the impulse. The other bodies are first joined to each other. Returns VM_BAD_MASS if no mass is left,
-   else VM_OK. */
+/* Sets *total to the first body as it is after the jump and the impulse. The other bodies are first joined to each
+   other. Then they are attached to the first body (sign = 1) or separate from it (sign = -1). Returns VM_BAD_MASS if no
+   mass is left, else VM_OK. */
 VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
                           const vm_impulse *external_or_NULL, vmi_lump *total)
 {
@@ -2158,7 +2168,7 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
 }
 
 /* Finds the principal axes of a lump and changes its moments to moments that a body can have exactly. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA if the moments are impossible beyond rounding errors, and VM_OK otherwise. */
+   VM_NOT_FINITE, VM_BAD_INERTIA if the moments violate the rules by more than rounding errors, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -2169,8 +2179,8 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 }
 
 /* Sets *omega to the angular velocity, relative to the frame and in inertial axes, of a lump with principal axes p.
-   `before` is this angular velocity before the jump. Returns 1 if angular momentum is left about an axis without
-   moment, which the lump cannot carry, else 0. */
+   `before` is its value before the jump. Returns 1 if the lump has angular momentum about an axis with zero moment of
+   inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
@@ -2182,8 +2192,8 @@ VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi
     return left;
 }
 
-/* Sets *result to a body after n others are attached to it (sign = 1) or separate from it (sign = -1), while an
-   impulse acts */
+/* Sets *result to a body after n others are attached to it (sign = 1) or separate from it (sign = -1), while an impulse
+   acts. The statuses are those of vm_separate. */
 VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign,
                     const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2212,31 +2222,31 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains of the whole. *part has left the whole and moves as given.
-   *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity (34), and
-   the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space: momentum
-   and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be
-   equal to whole or to part.
+/* Separation of a part from a body: *rest is what remains of the whole. *part is the part with its motion after the
+   separation. *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity
+   (34), and the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space:
+   momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
+   be equal to whole or to part.
 
-   If the part moves on as before the separation, the motion of the rest stays what it was, however little of the
-   inertia is left. Only motions relative to the whole are added, so that neither high speed nor a place far from the
-   origin costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia,
-   and far from the origin what an eps of the positions changes. A moment that is smaller than this error becomes 0.
+   If the part moves on as before the separation, the rest keeps its motion, even if only little inertia is left. The
+   computation adds only motions relative to the whole. Neither high speed nor a position far from the origin therefore
+   costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia, plus the
+   effect of a change of the positions by eps of their size. A moment that is smaller than this error becomes 0.
 
-   Returns VM_OK, or VM_NULL_AXIS (> 0, *rest is set) if the rest is a rod or a point and angular momentum is left
-   about its null axis, which cannot carry it; the spin about this axis then stays the whole's. The errors are
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not
-   positive, and VM_BAD_INERTIA for an inertia that no body has, such as that of a rest if the part cannot have been
-   in the whole. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
+   balance leaves it angular momentum about its null axis, which it cannot have. Its spin about this axis is then that
+   of the whole. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the
+   rest) is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia if the part
+   cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). body and added
-   move as given just before the impact. The impulse, if there is one, acts during the impact. The whole has the
-   attitude of body. The statuses are those of vm_separate. With VM_NULL_AXIS the whole is a rod or a point, and the
-   spin about its null axis stays that of body. */
+/* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). `body` and `added`
+   have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has the
+   attitude of `body`. The statuses are those of vm_separate. With VM_NULL_AXIS the whole is a rod or a point, and the
+   spin about its null axis remains that of `body`. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
@@ -2272,7 +2282,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Computes inertia and mass centre by a jump of two bodies at rest, the first at the origin and the second at d */
+/* Computes an inertia and a mass centre by a jump of two bodies at rest, the first at the origin, the second at d */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -2289,10 +2299,10 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along
-   one set of axes, each about its body's own mass centre. d (m) leads from the mass centre of a to that of b, and
-   *centre (m) from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
-   VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
+/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along one
+   set of axes, each about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The result
+   *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
+   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
 {
@@ -2300,8 +2310,8 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
 }
 
 /* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40). It undoes
-   vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part, and *centre (m) from the
-   mass centre of the whole to that of the rest. The statuses are those of vm_combine_inertia. */
+   vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The result *centre (m) leads
+   from the mass centre of the whole to that of the rest. The statuses are those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
                             vm_vec3 d, vm_inertia *rest, vm_vec3 *centre)
 {
@@ -2330,8 +2340,8 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
     return lifted;
 }
 
-/* Changes the moment of a lump of the plane to one that a body can have exactly: a moment that is lost in rounding
-   errors becomes 0. Returns VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
+/* Changes the moment of inertia of a lump of the plane to one that a body can have exactly: a moment that is smaller
+   than its rounding errors becomes 0. Returns VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -2340,8 +2350,8 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity of a lump relative to the frame, (44), or to `before`, its value before the
-   jump, if the lump has no inertia. Returns 1 if angular momentum is left that a lump without inertia cannot carry,
+/* Sets *omega to the angular velocity of a lump relative to the frame, (44). If the lump has no inertia, *omega becomes
+   `before`, the value before the jump. Returns 1 if a lump without inertia has angular momentum, which is impossible,
    else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
@@ -2363,7 +2373,7 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
     return vmi_impulse_is_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* Does in the plane what vmi_jump_total does in space, and clamps the moment of the total */
+/* Does in the plane what vmi_jump_total does in space, and calls vmi_lump_clamp_moments2 */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
@@ -2407,25 +2417,25 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part has left the
-   whole and moves as given. The impulse, if there is one, acts during the separation. Momentum and angular momentum
-   of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or to
-   part. The accuracy is that of vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part is the part with
+   its motion after the separation. The impulse, if there is one, acts during the separation. Momentum and angular
+   momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or
+   to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, or VM_NULL_AXIS (> 0, *rest is set) if the rest is a point and angular momentum about it is left,
-   which a point cannot carry; omega then stays the whole's. The errors are VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive, and VM_BAD_INERTIA if an
-   inertia, that of the rest included, is negative. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the balance
+   leaves it angular momentum about itself, which it cannot have. Its omega is then that of the whole. The errors are
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the rest) is not positive, and
+   VM_BAD_INERTIA if an inertia (or that of the rest) is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
     return vmi_jump2(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. body and
-   added move as given just before the impact. The impulse, if there is one, acts during the impact. The whole has
-   the angle of body. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
-   place, and omega stays that of body. */
+/* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. `body` and
+   `added` have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has
+   the angle of `body`. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
+   position, and omega remains that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
@@ -2453,7 +2463,7 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 #endif
 /* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
    This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
-   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). They are needed where only the
+   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). They are needed if only the
    velocity of a part relative to the whole is known.
 
        vm_body part = whole, rest; // whole is a vm_body
@@ -2467,7 +2477,7 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 #ifndef VARMASS_MECHANICS_RELATIVE_H
 #define VARMASS_MECHANICS_RELATIVE_H
 
-/* Velocity at the point r of the frame that moves rigidly with a body: the dragging velocity of (25) */
+/* Velocity at the point r of the frame that moves rigidly with a body. In (25) it is the dragging velocity. */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
@@ -2507,12 +2517,13 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
     return VM_OK;
 }
 
-/* Motion of a body relative to the frame that moves rigidly with the body `to`. Position r, velocity v and spin omega
-   are those of the body, r_S, v_S and Omega those of `to`; v and omega of *relative become
+/* Motion of a body relative to the frame that moves rigidly with the body `to`. The body has position r, velocity v and
+   angular velocity omega; `to` has r_S, v_S and Omega. v and omega of *relative become
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
-   and all else is copied. Axes and origin stay the inertial ones. The pointer relative may be equal to absolute.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of *absolute, the motion of `to` or the
-   result is not finite, and VM_OK otherwise. Masses and inertias are not checked further. */
+   and all other fields are copied. The vectors remain along the inertial axes, and r remains the position from the
+   inertial origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer,
+   VM_NOT_FINITE if a number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses
+   and inertias are not checked further. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -2532,7 +2543,7 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
 }
 
 /* Motion in the plane relative to the frame that moves rigidly with the body `to`. vx, vy and omega change as in
-   vm_to_relative, and all else is copied. The statuses are those of vm_to_relative. */
+   vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
@@ -2555,8 +2566,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump in motions relative to the first body. This body is at rest in them, and the law has the same form
-   in the frame of the body as in an inertial one. */
+/* Computes a jump from motions relative to the first body. In its own frame this body is at rest, and the equations of
+   a jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2579,15 +2590,17 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
 }
 
 /* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of *rest are
-   relative to the whole. v and omega of *whole are not read. All else, statuses included, is as in vm_separate. */
+   relative to the whole. v and omega of *whole are not read. Everything else, the statuses included, is as in
+   vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of
-   *whole are relative to body. v and omega of *body are not read. All else, statuses included, is as in vm_attach. */
+/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of *whole
+   are relative to `body`. v and omega of *body are not read. Everything else, the statuses included, is as in
+   vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
@@ -2595,16 +2608,17 @@ VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const v
 }
 
 /* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of *rest are
-   relative to the whole. vx, vy and omega of *whole are not read. All else, statuses included, is as in vm_separate2.
-   */
+   relative to the whole. vx, vy and omega of *whole are not read. Everything else, the statuses included, is as in
+   vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole
-   are relative to body. vx, vy and omega of *body are not read. All else, statuses included, is as in vm_attach2. */
+/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole are
+   relative to `body`. vx, vy and omega of *body are not read. Everything else, the statuses included, is as in
+   vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
@@ -2613,8 +2627,8 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 
 #endif
 /* mechanics/inverse.h - how a part must leave, so that the rest moves as wanted
-   This chapter inverts a separation. Tables 2 to 4 of [1], the dissertation, ask with which motion a part must leave
-   so that the rest does not turn, is at rest, or moves on as the whole did.
+   This chapter inverts a separation. It answers the questions of Tables 2 to 4 of the dissertation [1]: with which
+   motion must a part leave so that the rest does not turn, is at rest, or moves on as the whole did?
 
        vm_vec3 none = {0, 0, 0};
        vm_body moving; // whole and part are vm_bodies
@@ -2625,8 +2639,9 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 #ifndef VARMASS_MECHANICS_INVERSE_H
 #define VARMASS_MECHANICS_INVERSE_H
 
-/* The velocity v2 of the part that gives the rest the velocity v1 = rest_v: v2 = v + (linear - M1 (v1 - v))/m by
-   (24), with the velocity v of the whole, the impulse `linear`, and the masses M1 of the rest and m of the part */
+/* The velocity v2 with which the part must leave so that the rest gets the velocity v1 = rest_v. By (24) it is
+   v2 = v + (linear - M1 (v1 - v))/m, with the velocity v of the whole, the impulse `linear`, the mass M1 of the rest
+   and the mass m of the part. */
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                  vm_vec3 rest_v)
 {
@@ -2635,17 +2650,17 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
     return vmi_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* Angular momentum that the part must have relative to the whole so that the rest turns with rest_omega: h - I1
-   (rest_omega - Omega), where Omega is the spin of the whole, I1 the inertia of the rest, and h the angular momentum
-   that the rest has if the part turns as the whole does */
+/* The angular momentum that the part must have relative to the whole so that the rest turns with rest_omega. It is
+   h - I1 (rest_omega - Omega), where Omega is the angular velocity of the whole and I1 the inertia of the rest. h is
+   the angular momentum that the rest has if the part turns with Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
     const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
     return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
-/* Sets *rest to what would remain if the part left with its velocity but turned as the whole does. The bodies have
-   been checked, except for an infinite velocity of the part. */
+/* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
+   The caller has checked the bodies. Only the velocity of the part may be infinite or NaN. */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
@@ -2660,11 +2675,11 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* Gives the part the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part
-   would have to spin about an axis without inertia. */
+/* Gives the part the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part would
+   need angular momentum about an axis with zero moment of inertia. */
 VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
-    vmi_frame own = *frame; /* the frame with the part's axes */
+    vmi_frame own = *frame; /* the frame of the jump, with the axes of the part */
     vmi_lump lump;
     vmi_principal p;
     vm_vec3 spin;
@@ -2683,12 +2698,14 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 
 /* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving is the part with the
    velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and with the angular velocity that gives the rest
-   *rest_omega_or_NULL (rad/s). Where a pointer is NULL, the part keeps its own velocity or angular velocity. If
-   *rest_omega is 0, the rest does not turn (Table 2, 5 and 7; Table 4, 2). If *rest_v is 0 too, the rest is at rest
-   (Table 3, 6 and 8). With the whole's velocities it moves on as the whole did (Table 3, 7).
+   *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part keeps its own velocity. If rest_omega_or_NULL is
+   NULL, it keeps its own angular velocity.
+     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, 5 and 7; Table 4, 2).
+     - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, 6 and 8).
+     - If both have the values of the whole, the rest moves on as the whole did (Table 3, 7).
 
-   Returns VM_NULL_AXIS (> 0, done as far as possible) if the part would have to spin about an axis without inertia.
-   The other statuses are those of vm_separate. */
+   Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. *moving
+   then meets the wish as far as possible. The other statuses are those of vm_separate. */
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
@@ -2760,8 +2777,9 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
 
 /* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving is the
    part with the velocity that gives the rest the velocity rest_v_or_NULL[0], rest_v_or_NULL[1] (m/s, along x and y),
-   and with the angular velocity that gives the rest *rest_omega_or_NULL (rad/s). Where a pointer is NULL, the part
-   keeps its own velocity or angular velocity. The statuses are those of vm_separation_for_rest. */
+   and with the angular velocity that gives the rest *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part
+   keeps its own velocity. If rest_omega_or_NULL is NULL, it keeps its own angular velocity. The statuses are those of
+   vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)
@@ -2787,11 +2805,11 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of a part that leaves the rest with a wanted spin, in the plane, (Table 3, 7). The rest turns with
-   rest_omega (rad/s), and the part keeps its own spin. Many velocities do this. *moving has the one with the least
-   velocity v_r relative to the whole, which is orthogonal to SS2, the line between the mass centres S of the whole
-   and S2 of the part; any velocity along SS2 may be added. The velocity in *part is not read. Returns VM_SINGULAR if
-   S and S2 are one point, so that no velocity turns the rest. The other statuses are those of vm_separate2. */
+/* Velocity of a part that leaves the rest with a wanted spin, in the plane, (Table 3, 7). The rest then turns with
+   rest_omega (rad/s), while the part keeps its own spin. S and S2 are the mass centres of whole and part. *moving has
+   the smallest velocity v_r relative to the whole that does this. It is orthogonal to the line SS2; any velocity along
+   SS2 may be added to it. The velocity in *part is not read. Returns VM_SINGULAR if S and S2 are one point, so that no
+   velocity turns the rest. The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -2813,8 +2831,9 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
-    /* The angular momentum h that the spins of part and rest leave must be m M/M1 SS2 x v_r, that of v_r = c k x SS2.
-       M, m, M1 are the masses of whole, part and rest, and k is the unit vector of z. */
+    /* The velocity v_r = c k x SS2 must supply the angular momentum h that the spins of part and rest do not account
+       for. It supplies m M/M1 SS2 x v_r. M, m, M1 are the masses of whole, part and rest; k is the unit vector along
+       z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
     b.vx -= c * dy;
@@ -2837,8 +2856,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #ifndef VARMASS_MECHANICS_JUMP_ENERGY_H
 #define VARMASS_MECHANICS_JUMP_ENERGY_H
 
-/* Kinetic energy of the motions of n bodies and one more relative to the whole. Returns NaN for a null pointer or
-   n < 0. */
+/* The sum of the kinetic energies of n bodies and one more, each in its motion relative to the whole. Returns NaN for a
+   null pointer or n < 0. */
 VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
@@ -2853,7 +2872,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     return sum + vm_kinetic_energy(&b);
 }
 
-/* Work of an impulse on a body, J: v.linear + omega.moment about the mass centre. Returns 0 without impulse or body. */
+/* Work of an impulse on a body, J: v.linear + omega.moment, with the moment about the mass centre. Returns 0 for a null
+   pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -2862,19 +2882,20 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
-/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113),
-   (118). It is computed as the kinetic energy of their motions relative to the whole plus the work of the impulse on
-   the whole, which is exact in space and at high speed keeps digits that the difference of the energies loses. whole
-   moves as before the separation, parts and rest as after it. Returns NaN for a null pointer or n < 0. */
+/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113), (118).
+   It is computed as the kinetic energy of their motions relative to the whole, plus the work of the impulse on the
+   whole. This is exact in space. At high speed it keeps digits that the difference of the energies loses. `whole` is
+   the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
     return vmi_relative_energy(whole, n, parts, rest) + vmi_impulse_work(whole, external_or_NULL);
 }
 
-/* Energy lost at an attachment, J: the kinetic energy of body and the n added less that of the whole, Carnot's loss.
-   It is computed as the kinetic energy of their motions relative to the whole less the work of the impulse on the
-   whole. body and added move as before the attachment, whole as after it. Returns NaN for a null pointer or n < 0. */
+/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` less that of the whole
+   (Carnot's loss). It is computed as the kinetic energy of their motions relative to the whole, less the work of the
+   impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it. Returns
+   NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                               const vm_body *whole)
 {
@@ -2884,11 +2905,11 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 #endif
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
-   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is
-   damped viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the
-   distance s from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form
-   (75), and the break (52)-(64), in corrected form. The motion of the rotor is in mechanics/broken_rotor_motion.h,
-   the stability of the remainder's steady motion in mechanics/broken_rotor_stability.h.
+   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is damped
+   viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the distance s
+   from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form (75), and the
+   break (52)-(64), corrected as in docs/errata.md. The motion of the rotor is in mechanics/broken_rotor_motion.h, and
+   the stability of the remainder's steady motion is in mechanics/broken_rotor_stability.h.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
@@ -2902,8 +2923,8 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 
 #include <string.h>
 
-/* The rotor. (67) writes omega^2 for stiffness/mass, p^2 for mass/inertia, k* for damping/inertia and M* for
-   torque/inertia. */
+/* The rotor. The formulas use the abbreviations (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
+   k* = damping/inertia, M* = torque/inertia. */
 typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* mass M > 0, kg */
     vm_real inertia;   /* inertia I > 0 about the rotor's own mass centre, kg m^2 */
@@ -2913,16 +2934,17 @@ typedef struct VM_TAG(vm_broken_rotor) {
     vm_real s;         /* distance from the mass centre to the shaft, in the direction of the angle psi, m */
 } vm_broken_rotor;
 
-/* Where the states of a rotor stand in y, and how many there are */
+/* Indices of the states of a rotor in the array y, and the number of states */
 enum {
-    VM_BROKEN_ROTOR_X = 0,     /* mass centre from the rest position of the shaft, 2 numbers x, y, m */
+    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, from the rest position of the shaft, m */
     VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, rad */
-    VM_BROKEN_ROTOR_V = 3,     /* velocity of the mass centre, 2 numbers, m/s */
+    VM_BROKEN_ROTOR_V = 3,     /* velocity x', y' of the mass centre, m/s */
     VM_BROKEN_ROTOR_OMEGA = 5, /* angular velocity psi', rad/s */
     VM_BROKEN_ROTOR_STATES = 6
 };
 
-/* Where the states in polar form stand. The angle psi and its rate stand at VM_BROKEN_ROTOR_ANGLE and _OMEGA. */
+/* Indices of the states in polar form. The angle psi and its rate have the indices VM_BROKEN_ROTOR_ANGLE and
+   VM_BROKEN_ROTOR_OMEGA. */
 enum {
     VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 of the mass centre from the rest position of the shaft, m */
     VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the direction to the mass centre, rad */
@@ -2933,37 +2955,40 @@ enum {
 /* The piece that breaks off. S is the mass centre of the whole, S2 that of the piece, and A the point at which the
    whole touches the stator. */
 typedef struct VM_TAG(vm_broken_rotor_piece) {
-    vm_real mass;     /* mass m of the piece, kg, 0 < m < M with the mass M of the whole */
+    vm_real mass;     /* mass m of the piece, kg; 0 < m < M, where M is the mass of the whole */
     vm_real inertia;  /* inertia I_S2 >= 0 of the piece about its mass centre S2, kg m^2 */
-    vm_real distance; /* distance SS2 of the mass centres, m */
-    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17: S2 at -alpha from SA) */
-    vm_real radius;   /* distance SA of the point of contact, called R in the formulas, m */
+    vm_real distance; /* distance SS2 between the mass centres S and S2, m */
+    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17) */
+    vm_real radius;   /* distance SA of the point of contact A, called R in the formulas, m */
     vm_real contact;  /* direction angle of SA in inertial axes, rad */
 } vm_broken_rotor_piece;
 
-/* The break, (52)-(64) corrected, in the letters of vm_broken_rotor_piece. The touched point A of the piece keeps its
-   velocity, and S2 loses its velocity across S2A (57). This is an assumption of [1]; all else follows from momentum
-   and angular momentum. */
+/* The break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of vm_broken_rotor_piece, and S1 is
+   the mass centre of the remainder. [1] assumes in (57): the point A of the piece keeps its velocity, and the component
+   of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
-    vm_broken_rotor rest; /* the remainder: its mass, inertia and s = m SS2/(M - m); stiffness, damping and torque are
-                             those of the whole */
+    vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
+                             and torque are those of the whole */
     /* The state of the remainder. Its angle psi is the direction from its mass centre S1 to the shaft, which is the
-       direction of SS2. Its angular velocity is Omega_b, that of the whole, plus Omega_r1 [(59), (64) corrected] */
+       direction of SS2. Its angular velocity is that of the whole, Omega_b, plus spin_rest [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
-    vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its psi is that of the rest */
+    vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
     vm_real dragging;                      /* speed v_S2d of S2 before the break (52), (61), m/s */
-    vm_real gamma;                         /* angle of S2's velocity from SA (52), (60), rad; also if S moves */
-    vm_real beta;                          /* angle of S2A from SA, rad [(56) corrected]:
+    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; it is
+                                              right also if S moves */
+    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
     vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
-    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity across S2A,
-                                              counterclockwise, m/s [(55) with the opposite sign] */
-    vm_real spin_piece;                    /* the piece's spin relative to the whole, rad/s:
+    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity before the break,
+                                              perpendicular to S2A, m/s; T > 0 is counterclockwise, unlike (55) */
+    vm_real spin_piece;                    /* Omega_r, the angular velocity of the piece relative to the whole, rad/s:
                                               Omega_r = T/AS2 (57), (63) */
-    vm_real spin_rest;                     /* Omega_r1, the rest's spin relative to the whole, rad/s [(58) corrected]:
-                                              I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T, v_T: velocity T */
-    vm_real stop_inertia;                  /* the I_S2 with which the rest would not turn, kg m^2, if there is one; it
-                                              is I_S (R - SS2)/R for alpha = 0 [after (64), corrected] */
+    vm_real spin_rest;                     /* Omega_r1, angular velocity of the remainder relative to the whole, rad/s:
+                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where the
+                                              vector v_T has the component T [(58) corrected] */
+    vm_real stop_inertia;                  /* the I_S2 for which the remainder would not turn, kg m^2. If it is < 0 or
+                                              not finite, there is none. For alpha = 0 it is I_S (R - SS2)/R
+                                              [after (64), corrected] */
 } vm_broken_rotor_break;
 
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
@@ -3028,8 +3053,8 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
 }
 
 /* Polar states {r, phi, psi, r', phi', psi'} of a rotor from its states in x and y.
-   polar may be y. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and VM_OK
-   otherwise. */
+   The array polar may be y itself. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and
+   VM_OK otherwise. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
     vm_real p[VM_BROKEN_ROTOR_STATES], x0, y0, vx, vy, radius, c, s;
@@ -3053,11 +3078,11 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 }
 
 /* States {x, y, psi, x', y', psi'} of a rotor from its polar states.
-   y may be polar. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is not positive, and
-   VM_OK otherwise. */
+   The array y may be polar itself. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is not
+   positive, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
-    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: velocity r', r phi' */
+    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* velocities: along = r', across = r phi' */
     if (!y || !polar) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, polar)) return VM_NOT_FINITE;
     radius = polar[VM_BROKEN_ROTOR_RADIUS];
@@ -3107,8 +3132,8 @@ VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cos
     return b;
 }
 
-/* Sets the state of a body with the angle psi, whose mass centre is at (dx, dy) from S and which moves relative to
-   the whole with the velocity (ux, uy) and the given spin. `before` is the state of the whole. */
+/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S.
+   Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose state is `before`. */
 VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                                    vm_real spin, vm_real *state)
 {
@@ -3121,8 +3146,8 @@ VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real d
     state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
 }
 
-/* Sets mass, inertia and eccentricity s of the rest. Returns VM_BAD_INERTIA if the inertia is negative or lost in
-   rounding errors, else VM_OK. */
+/* Sets mass, inertia and eccentricity s of the remainder. Returns VM_BAD_INERTIA if its inertia is negative or not
+   larger than rounding errors, else VM_OK. */
 VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
@@ -3135,7 +3160,8 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
 }
 
 /* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
-   distance AS2. Vectors are in axes along SA and counterclockwise across it: d = SS2, and v is the velocity of S. */
+   distance AS2. d is the vector SS2, and v is the velocity of S before the break. The x axis of all vectors is along
+   SA, and the y axis is 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
@@ -3143,7 +3169,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
     const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
     const vm_real reduced = p->mass / b->rest.mass * whole->mass;
     const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T, where v_T is the velocity T across S2A */
+    vm_real moment; /* SS2 x v_T, with the velocity v_T of size T perpendicular to S2A */
     e->x = reach_x / reach;
     e->y = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);
@@ -3162,8 +3188,8 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole at the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
    VM_BAD_MASS if the mass of the piece is not between 0 and M, VM_BAD_STIFFNESS for a negative stiffness,
-   VM_BAD_INERTIA if the inertia of the rest is negative or lost in rounding errors, VM_DOMAIN for a whole with s != 0
-   and for a piece whose mass centre S2 is at A, and VM_OK otherwise. */
+   VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN if the whole
+   has s != 0 or if the mass centre S2 of the piece is at A, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {
@@ -3203,16 +3229,16 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 #endif
 /* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
 
-   This chapter computes the motion at any time without an integrator. Before the break, where the shaft passes through
-   the mass centre, the solution is exact (46)-(51). After the break the linearised equations (69) hold for short times,
-   as long as the angle psi of the remainder is small. They are solved as a whole, and in the form (70)-(72) of the
-   dissertation, which leaves out a term. For long times integrate vm_broken_rotor_rhs.
+   This chapter computes the motion at any time without an integrator. Before the break the shaft passes through the
+   mass centre, and the solution (46)-(51) is exact. After the break the linearised equations (69) hold for short times,
+   while the angle psi of the remainder is small. One function solves them completely. Another one has the solution
+   (70)-(72) of the dissertation, which leaves out a term. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
        int status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
-   The linearised equations are, with s, psi and omega, p, k*, M* of vm_broken_rotor:
+   The linearised equations are, with omega, p, k*, M*, s and psi as explained at vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
@@ -3223,10 +3249,10 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 /* The coefficients (67) of the linearised equations */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real omega, k, torque, s; /* omega, k*, M* and s of (67) */
-    vm_real coupling;            /* the factor s p^2 omega^2 of (69), or 0 where its term is left out */
+    vm_real coupling;            /* the factor s p^2 omega^2 of y in (69); 0 if this term is left out */
 } vmi_broken_rotor_linear;
 
-/* Where y, psi and their rates stand in z, the array of coupled states */
+/* Indices of y, psi and their rates in z, the array of the coupled states */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -3247,15 +3273,16 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
     return a;
 }
 
-/* An upper bound of the rates at which solutions change, per second */
+/* An upper bound of the rates at which solutions of the linearised equations change, per second */
 VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
-/* Sets `change` to the change of z within the time h by the Taylor series in h, for |h| times
-   vmi_broken_rotor_rate <= 1. The n-th terms of y and of s psi are then below 1/n! of the first ones, so that the
-   number of terms is enough. y0, y1, y2 are three successive terms of y, and psi0, psi1, psi2 those of psi. */
+/* Sets `change` to the change of the states z within the time h, by the Taylor series in h. The time must be short: |h|
+   times the rate vmi_broken_rotor_rate is at most 1. Then the n-th terms of y and of s psi are at most 1/n! times the
+   first terms, and the number of terms is enough. y0, y1, y2 are three successive terms of y; psi0, psi1, psi2 are
+   three successive terms of psi. */
 VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -3283,9 +3310,10 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* Doubles the time to which the matrix m belongs: (m + E)^2 - E = 2 m + m m, with the unit matrix E. It is computed
-   in this form because in m + E the digits of m would be lost. m[j] is the change from the unit state j, and the last
-   row is the change that the torque makes from the state 0. */
+/* With the unit matrix E, the matrix m + E advances the states by some time. This function replaces m by the matrix for
+   twice this time, which is (m + E)^2 - E = 2 m + m m. E is left out of m because digits of m would be lost in m + E.
+   Row m[j] is the change that the states undergo if they start from the unit state j without torque. The last row is
+   the change that the torque causes if the states start from 0. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -3298,8 +3326,8 @@ VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_
         }
 }
 
-/* Advances z by the time t, for any coefficients: by the series for the time t/2^n, where it converges fast, then by
-   n doublings */
+/* Advances the states z by the time t, for any coefficients. The Taylor series gives the matrix for the time t/2^n, for
+   which it converges fast. Then n doublings of the time follow. */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
@@ -3350,7 +3378,7 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the free swing at the time t with the angular frequency w, which may be 0 */
+/* Functions of the time t that describe a free oscillation with the angular frequency w, which may be 0 */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c;    /* cos(w t) */
     vm_real c1;   /* 1 - cos(w t) */
@@ -3376,10 +3404,11 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Advances z by the time t by (71), (72), without coupling and with M* instead of k* Omega.
-   It is used where |t| times the rate exceeds 1. psi = psi0 + psi0' E1 + M* E2 with E1 = (1 - e^(-kt))/k, E2 = (t -
-   E1)/k, and y responds to -s psi: g0, g1, g2 are the solutions of g'' + w^2 g = w^2 E1', w^2 E1, w^2 E2 that start
-   from rest, so that g2' = g1 and g1' = g0. */
+/* Advances the states z by the time t by (71), (72), without the coupling term and with M* instead of k* Omega. It is
+   used if |t| times the rate vmi_broken_rotor_rate exceeds 1. With w = omega and k = k*, psi = psi0 + psi0' E1 + M* E2,
+   where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The motion of y is driven by -s psi. The functions g0, g1, g2 start
+   from rest and solve g'' + w^2 g = F, where F is w^2 E1' for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1
+   and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -3407,7 +3436,8 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the three public motions: with all of (69) if coupled = 1, without its last term if coupled = 0. */
+/* Computes the three public motions. If coupled = 1, it solves all of (69). If coupled = 0, it leaves out the last term
+   of (69). */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -3436,42 +3466,42 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 }
 
 /* State of the remainder t seconds after start, by the complete linearised equations (69).
-   It holds for short times, |psi| << 1, and for any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES
-   numbers, and end may be start. damping, stiffness and s may be 0. The error is at most twice the change that
-   rounding every input, t included, would make. Solutions of (69) grow exponentially. Returns VM_BAD_ARGUMENT for a
-   null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
-   VM_BAD_INERTIA, and VM_OK otherwise. */
+   The result holds for short times, while |psi| << 1. t may have any sign. The arrays start and end have
+   VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields damping, stiffness and s may be 0. The error is at
+   most twice the change that rounding every input, t included, would make. Solutions of (69) grow exponentially.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS
+   for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
-   The dissertation leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. The function is
-   for comparison with vm_broken_rotor_linear. The error is at most the change that rounding every input would make.
-   Arguments and statuses are those of vm_broken_rotor_linear. */
+   The dissertation leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
+   serves to compare the dissertation with vm_broken_rotor_linear. The error is at most the change that rounding every
+   input would make. Arguments and statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
-   t may have any sign. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may be start. damping and
-   stiffness may be 0. The error is at most the change that rounding every input, t included, would make. Returns
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
+   t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields
+   damping and stiffness may be 0. The error is at most the change that rounding every input, t included, would make.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
    VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
     if (status) return status;
     if (rotor->s != 0) return VM_DOMAIN;
-    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 these equations are (46) itself */
+    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are (46) */
 }
 
-/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers.
-   The orbit is x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must
-   not be 0. Its half axes are | |A0 + i B0| +- |C0 + i D0| |. The speed at the time t, which [1] prints wrongly after
-   (52), is
+/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers. The orbit is
+   x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must not be 0. Its
+   half axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed at the time t, which [1]
+   prints wrongly after (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS if the stiffness is not
    positive, VM_BAD_INERTIA, and VM_OK otherwise. */
@@ -3500,11 +3530,12 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
 /* mechanics/broken_rotor_stability.h - steady motion of the broken rotor, its stability, growth at resonance
 
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
-   circle (76), (77). This chapter computes the radius of this circle, the characteristic polynomial (81) of small
-   motions about it, the roots of the polynomial and Routh's column, and decides the stability (82): the steady motion
-   is stable below resonance only. Above resonance the orbit of a rotor that starts from rest grows, as
-   vm_broken_rotor_resonance_radius tells. The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* =
-   damping/inertia.
+   circle (76), (77). This chapter computes
+     - the radius of this circle,
+     - the characteristic polynomial (81) of small motions about the steady motion, its roots, and Routh's column,
+     - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
+     - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
+   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
 
        vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
@@ -3516,8 +3547,8 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
 
 #include <string.h>
 
-/* The detuning (omega^2 - Omega^2) mass. It is computed in two words, so that its sign is right however close to
-   resonance the rotor turns. */
+/* The detuning (omega^2 - Omega^2) mass. It is computed in two words, so that its sign is right even if the rotor turns
+   very close to resonance. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
@@ -3526,18 +3557,18 @@ VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega
 }
 
 /* Radius of the mass centre's circle in steady motion at psi' = Omega, m: s omega^2/(omega^2 - Omega^2), (76), (77).
-   Omega is in rad/s, and the motion needs torque = damping Omega (47). For Omega^2 < omega^2 the radius is positive
-   and the direction of the mass centre is phi = psi + pi, as in (77). For Omega^2 > omega^2 the radius is negative
-   and phi = psi, as in (76). The error is within 3 eps, however close to resonance. Returns infinity at resonance
-   (NaN for s = 0), and NaN for a null pointer and for a rotor whose fields have not the signs that vm_broken_rotor
-   states. */
+   Omega is in rad/s, and the motion needs torque = damping Omega (47). For Omega^2 < omega^2 the radius is positive and
+   the direction of the mass centre is phi = psi + pi, as in (77). For Omega^2 > omega^2 the radius is negative and
+   phi = psi, as in (76). The relative error is within 3 eps, even very close to resonance. Returns infinity at
+   resonance (NaN for s = 0), and NaN for a null pointer or for a rotor with a value that vm_broken_rotor does not
+   allow. */
 VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real detuning, share;
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
     detuning = vmi_broken_rotor_detuning(rotor, Omega);
     if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
-    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; mass Omega^2 overflows */
+    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; here mass Omega^2 overflows */
     return -rotor->s * (share / (1 - share));
 }
 
@@ -3546,7 +3577,8 @@ typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
 
-/* Sets *a. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, the statuses of a bad rotor, VM_DOMAIN at resonance, or VM_OK. */
+/* Sets *a for the steady motion at psi' = Omega. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, a status of
+   vmi_check_broken_rotor, VM_DOMAIN at resonance, or VM_OK. */
 VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega, vmi_broken_rotor_steady *a)
 {
     int status;
@@ -3571,10 +3603,10 @@ enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ }
    Small motions about the steady motion at psi' = Omega (rad/s) are sums of exp(l t), where l is a root of the
    polynomial. c is an array of VM_BROKEN_ROTOR_ROOTS + 1 coefficients, highest power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
-   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. (81) is l times this polynomial, and its last term
-   lacks l^2. Its root l = 0 belongs to the free choice of the phase. Returns VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and
-   VM_OK otherwise. */
+   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. Equation (81) is l times this polynomial, except that
+   its last printed term lacks the factor l^2. The additional root l = 0 of (81) exists because the phase of the steady
+   motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a
+   negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -3592,9 +3624,9 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, c);
 }
 
-/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2.
-   column is an array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all are
-   positive. The errors are those of vm_broken_rotor_characteristic, which has the letters, too. */
+/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. column is an
+   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all these numbers are
+   positive. k*, G, D are as in the comment of vm_broken_rotor_characteristic, and the statuses are the same. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -3613,8 +3645,9 @@ VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm
 }
 
 /* Whether the steady motion at psi' = Omega is asymptotically stable (82).
-   Returns 1 for Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0, which together make it stable, else 0. (With
-   damping, s or Omega = 0 some motions neither grow nor fade.) Returns 0 also for a null pointer and a bad rotor. */
+   Returns 1 if Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0, which together are the condition for stability.
+   Returns 0 otherwise, and also for a null pointer and an invalid rotor. (If damping, s or Omega is 0, some motions
+   neither grow nor decay.) */
 VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega)
 {
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
@@ -3622,10 +3655,10 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 }
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
-   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by rising |imaginary part|; of a pair,
-   the root with im > 0 is first. The error of each root is at most twice what an eps of every coefficient would make,
-   also for the smallest root, which near resonance is many orders below the largest. The errors are those of
-   vm_broken_rotor_characteristic. */
+   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|; of a conjugate pair,
+   the root with im > 0 is first. The error of each root is at most twice the change that relative changes of all
+   coefficients by eps would cause. This holds for the smallest root, too, which near resonance is many orders of
+   magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
@@ -3635,7 +3668,7 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
-    /* compute the roots in units of `size`, so that no coefficient is above 10 */
+    /* The roots are computed in units of `size`, so that no coefficient is larger than 10. */
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
     power = 1 / size;
     for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
@@ -3654,9 +3687,9 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* The value ln(1 + x) - x + x^2/2 for x >= 0. For x <= 1, where digits would cancel, this is x^3/3 - x^4/4 + ...,
-   summed as a series in w = x/(2 + x) <= 1/3, whose terms are all positive: the sum is multiplied by 2, and the
-   coefficient of w^n is n - 2, plus 1/n for odd n. */
+/* The value ln(1 + x) - x + x^2/2 for x >= 0. For x <= 1 digits would cancel in this form. Then the value
+   x^3/3 - x^4/4 + ... is summed as a series in w = x/(2 + x) <= 1/3 with positive terms only. It is twice the sum over
+   n >= 3 of c_n w^n, where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21;
@@ -3672,8 +3705,8 @@ VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
     return 2 * w * w * w * sum;
 }
 
-/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method therefore falls to the root
-   from the start (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. */
+/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method starts from
+   x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root, and therefore decreases x until it reaches the root. */
 VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -3688,15 +3721,15 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 }
 
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
-   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' is caught at omega, and the
-   rest of the torque goes into the orbit: r = |s|/4 + R, where R(0) = 0 and R R' = k* (Omega - omega)/(2 p^2 omega) +
-   k* |s|/(4 p^2 R). Hence
+   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' is captured at omega, and the
+   surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where R(0) = 0 and R R' = k*
+   (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the next order of the expansion. Terms of s^2/r and the time of the capture are neglected: for the rotor
-   of Fig. 18 (s = 0.5 m, omega = 1 rad/s) at t = 400 s, this radius differs by less than 0.002 m from that of the
-   integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN below resonance, for t < 0, damping < 0, omega =
-   0, a null pointer and a bad rotor. The solution of R R' = A + B/R is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A
-   R/B. */
+   |s|/4 is the term of next order in the expansion. Terms of order s^2/r and the time until the capture are neglected.
+   The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) at t = 400 s, this radius differs
+   by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN below
+   resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of R R' = A + B/R is
+   t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
@@ -3709,7 +3742,7 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
     B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
     R = vmi_pow_checked(3 * B * t, VM_C(1.) / 3);
     if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
-    z = A * R / B; /* below eps the term A is negligible, beyond 1/eps (and for B = 0) the term B/R */
+    z = A * R / B; /* for z < eps the term A is negligible, for z > 1/eps or B = 0 the term B/R */
     if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t);
     else if (z > VM_EPSILON) R = vmi_broken_rotor_growth_root(z * z * z / 3) * B / A;
     return VM_FABS(rotor->s) / 4 + R;
@@ -3730,12 +3763,14 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
-/* Add the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235).
-   dr[i] and domega[i] are these derivatives, by the coordinate q_i and its rate q'_i, of the place r at which the
-   force acts and of the angular velocity omega. For outer loads give their resultant and moment. For a stream of rate
-   M' give the force M' u at the point where the mass crosses with the velocity u, and the moment M' kappa omega2,
-   with the gyration kappa and the spin omega2 of the mass. dr, domega and Q are arrays of n. Without dr or domega its
-   term is left out. Without Q nothing is done. */
+/* Add the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235). dr_or_NULL[i]
+   is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
+   domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
+   These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
+
+   External loads are given by their resultant and their moment. A stream with the mass rate M' is given by the force
+   M' u at the point where the mass enters or leaves with the velocity u, and by the moment M' kappa omega2. kappa is
+   the inertia of this mass per unit mass, and omega2 is its angular velocity. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
@@ -3752,18 +3787,18 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 #endif
 /* mechanics/lagrange_jump.h - Lagrange's equations across a jump
 
-   This chapter computes generalized velocities qdot after a part separates from a system, or is attached to it, in an
-   instant (96), and after an impact. A mass matrix is an array of n n numbers, row after row; velocities, momenta and
-   impulses are arrays of n. The matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i and
-   turn[i] = domega/dqdot_i, with the velocity v of the mass centre and the angular velocity omega, in inertial axes,
-   (87)-(90).
+   This chapter computes generalized velocities qdot after a part separates from a system or is attached to it in an
+   instant (96), and after an impact. A mass matrix is an array of n n numbers, row after row. Velocities, momenta and
+   impulses are arrays of n numbers. The matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i and
+   turn[i] = domega/dqdot_i, (87)-(90). Here v is the velocity of the mass centre and omega the angular velocity, both
+   along inertial axes.
 
        vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
        vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // the part's momenta, and the velocities
        vm_real work[VM_LAGRANGE_WORK(2)];
        int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
-   Quasi-coordinates are allowed, too: velocities qdot_i that are not derivatives, such as spins about body axes.
+   The velocities qdot_i need not be derivatives of coordinates. They may be spins about body axes (quasi-coordinates).
    Tests: tests/test_lagrange_jump.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_JUMP_H
 #define VARMASS_MECHANICS_LAGRANGE_JUMP_H
@@ -3774,7 +3809,7 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
 /* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
-   dr and turn are arrays of n. Without one of them its term is left out. Without body or matrix nothing is done. */
+   dr and turn are arrays of n. A NULL array means that its term is 0. If body or matrix is NULL, nothing is done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -3797,7 +3832,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
 }
 
 /* Add the generalized momentum of a body's motion to p.
-   dr, turn and p are arrays of n. Without dr or turn its term is left out. Without body or p nothing is done. */
+   dr, turn and p are arrays of n. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -3806,8 +3841,8 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 }
 
 /* Add the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
-   r is in m, in inertial axes. The moment of the impulse is taken about r, which (23a) does not say. dr, turn and p
-   are arrays of n. Without dr or turn its term is left out. Without impulse or p nothing is done. */
+   r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. dr,
+   turn and p are arrays of n. If dr or turn is NULL, its term is 0. If impulse or p is NULL, nothing is done. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -3816,8 +3851,8 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
-/* Solves matrix (qdot_after - qdot) = b. The array work holds room for a copy of the matrix, then b, then room for n
-   numbers. */
+/* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: space for a copy of the matrix, then b, which the
+   caller has set, then space for n more numbers. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
 VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
                                    vm_real *work)
 {
@@ -3830,8 +3865,9 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
     return vmi_copy_if_finite(n, b, qdot_after);
 }
 
-/* Solves after (qdot_after - qdot) = (before - after) qdot + sign part + impulse. The unknown is the change of qdot,
-   so that a part of little mass changes qdot by little, with an error that is small against this change. */
+/* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign part + impulse, where `before` and `after` are mass
+   matrices. The unknown is the change of qdot. A part of little mass changes qdot little, and the error is small
+   compared with this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
@@ -3848,15 +3884,15 @@ VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after,
     return vmi_lagrange_jump_solve(n, after, qdot, qdot_after, work);
 }
 
-/* Velocities after a part separates: after qdot_after = before qdot - part + impulse (96).
-   (96) is d(T2 - T1)/dqdot = impulse, with the kinetic energies T1 before and T2 after the separation. The velocity
-   of the part relative to the body is held constant in the derivative, so that the part's share is its generalized
-   momentum `part`. `before` and `after` are the mass matrices with and without the part. Without part or impulse its
-   term is 0. qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot by
+/* Velocities after a part separates: after*qdot_after = before*qdot - part + impulse (96).
+   (96) is d(T2 - T1)/dqdot = impulse, with the kinetic energies T1 before and T2 after the separation. The velocity of
+   the part relative to the body is constant in the derivative. The term of the part is therefore its generalized
+   momentum `part`. `before` and `after` are the mass matrices with and without the part. If part or impulse is NULL,
+   its term is 0. qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot
    little, and this change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0,
-   VM_NOT_FINITE, VM_SINGULAR if a coordinate, or several together, move no mass or a negative one, and VM_OK
-   otherwise. The matrix counts as singular if an entry on the diagonal of `after` is not positive, or if a pivot is
-   below 4 n eps after the diagonal has been scaled to 1. */
+   VM_NOT_FINITE, VM_SINGULAR if a coordinate, or several together, move no mass or a negative one, and VM_OK otherwise.
+   The matrix counts as singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps
+   after the diagonal has been scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -3864,8 +3900,9 @@ VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *aft
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, -1, impulse_or_NULL, qdot_after, work);
 }
 
-/* Velocities after a part is attached: after qdot_after = before qdot + part + impulse (96).
-   `part` is the generalized momentum of the part before it is attached. All else is as for vm_lagrange_separate. */
+/* Velocities after a part is attached: after*qdot_after = before*qdot + part + impulse (96).
+   `part` is the generalized momentum of the part before it is attached. Everything else is as for
+   vm_lagrange_separate. */
 VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                               const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                               vm_real *work)
@@ -3873,10 +3910,10 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, 1, impulse_or_NULL, qdot_after, work);
 }
 
-/* Velocities after an impact that changes no mass: matrix (qdot_after - qdot) = impulse.
-   This function also computes a separation accurately where the part is nearly the whole body. Then `matrix` is that
-   of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. Arrays,
-   errors and work are as for vm_lagrange_separate, but impulse must not be NULL. */
+/* Velocities after an impact that changes no mass: matrix*(qdot_after - qdot) = impulse.
+   This function also computes a separation accurately if the part is nearly the whole body. Then `matrix` is the mass
+   matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body.
+   Arrays, errors and work are as for vm_lagrange_separate, but impulse must not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {
@@ -3887,9 +3924,10 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
 #endif
 /* mechanics/pendulum.h - a pendulum from which a part is cut
 
-   This is the example (119)-(132) in corrected form. A uniform rod of mass M and length L swings about its end O. Its
-   outer length l, with the mass m = M l/L, is cut off and leaves with a given velocity and angular velocity relative
-   to the rod. The result is the motion of both, their energies and momenta, and the impulse of the pivot.
+   This is the example (119)-(132), corrected as in docs/errata.md. A uniform rod of mass M and length L swings about
+   its end O. A part at its free end, of length l and mass m = M l/L, is cut off. It leaves with a given velocity and
+   angular velocity relative to the rod. The results are the motions, energies and momenta of the part and of the
+   remaining rod, and the impulse of the pivot.
 
        vm_pendulum rod = {3, 1, VM_C(0.5), 2, VM_AXES_COS_SIN}; // 3 kg, 1 m, 0.5 rad, 2 rad/s
        vm_pendulum_cut cut;
@@ -3915,20 +3953,21 @@ typedef struct VM_TAG(vm_pendulum) {
     int axes;       /* VM_AXES_COS_SIN or VM_AXES_SIN_COS */
 } vm_pendulum;
 
-/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the rest and of the part. */
+/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the remaining rod (the rest) and of the
+   part. */
 typedef struct VM_TAG(vm_pendulum_cut) {
-    vm_pendulum rest; /* the rest of the rod; rest.rate is phi1' in (125) */
+    vm_pendulum rest; /* the remaining rod; rest.rate is its angular velocity phi1' after the cut (125) */
     vm_real mass;     /* mass m of the part, kg */
     vm_real x, y;     /* position of S2 (123), m */
     vm_real vx, vy;   /* velocity of S2 (121), m/s */
-    vm_real rate;     /* angular velocity phi' + Omega of the part, in the sense of phi, rad/s */
-    vm_real T1;       /* kinetic energy before the cut (119), J */
-    vm_real T_S1;     /* kinetic energy of the rest (124), J */
-    vm_real T_S2;     /* kinetic energy of the part (122), corrected, J */
-    vm_real L1;       /* angular momentum of the rest about O (130), kg m^2/s */
-    vm_real L2;       /* angular momentum of the part about O (128), corrected, kg m^2/s */
-    vm_real pivot_x;  /* impulse of the pivot on the rest during the cut along x, N s */
-    vm_real pivot_y;  /* impulse of the pivot on the rest during the cut along y, N s */
+    vm_real rate;     /* angular velocity phi' + Omega of the part, positive for growing phi, rad/s */
+    vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
+    vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
+    vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
+    vm_real L1;       /* angular momentum of the remaining rod about O after the cut (130), kg m^2/s */
+    vm_real L2;       /* angular momentum of the part about O after the cut, kg m^2/s [(128) corrected] */
+    vm_real pivot_x;  /* impulse of the pivot on the remaining rod during the cut, along x, N s */
+    vm_real pivot_y;  /* impulse of the pivot on the remaining rod during the cut, along y, N s */
 } vm_pendulum_cut;
 
 VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
@@ -3964,14 +4003,14 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
            VM_IS_FINITE(c->pivot_x) && VM_IS_FINITE(c->pivot_y);
 }
 
-/* Motion of a pendulum and of the part that is cut off it, (119)-(132).
-   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod, in
-   the sense of the pendulum's angle phi. (ux, uy) (m/s) is the velocity of the part's mass centre (x, y) relative to
-   the rod, in the axes of the pendulum. The rest then turns with
+/* Motion of a pendulum and of the part that is cut off from it, (119)-(132).
+   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod,
+   positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's mass
+   centre (x, y) relative to the rod, along the axes x, y of the pendulum. The remaining rod then turns with
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos).
    This is (125), (132) corrected and simplified by hand, so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
-   pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L,
-   and VM_OK otherwise. */
+   pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
+   otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -3986,7 +4025,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     rho = pendulum->length - part / 2; /* distance from O to S2 */
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
-    across = ux * fx + uy * fy; /* rho across = s (x u_y - y u_x) */
+    across = ux * fx + uy * fy; /* velocity across the rod; rho * across is s (x u_y - y u_x) */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
@@ -4004,7 +4043,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after minus momentum before */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* all momentum after the cut minus before */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
@@ -5082,16 +5121,19 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 #endif
 /* mechanics/attitude.h - how the attitude of a rotating body changes
 
-       vm_real rates[4]; // of w, x, y, z
+       vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
+       vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
+       vm_real rates[4];          // of w, x, y, z
        vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
 
    Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
 
-/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length
-   back to 1 within some steps of any explicit method, at a rate below that of the rotation itself, so that a slow
-   rotation is not stiff. */
+/* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
+   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term brings the length of q back to 1 within
+   some steps of any explicit method. Its rate is below that of the rotation itself, so that a slow rotation is not
+   stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
@@ -6009,15 +6051,18 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 /* mechanics/drum.h - a band that winds up on a drum
 
    A band that arrives at a constant velocity winds up on a drum, whose mass and inertia grow (chapter 5.2, Fig. 20).
-   This chapter has the geometry (181)-(188), the exact equations of motion, the reduced equations of the dissertation
-   (192)-(193), the motion on a rigid shaft in closed form (194)-(206), and the vibrations of an elastic shaft
-   (210)-(226).
+   This chapter has
+     - the geometry (181)-(188),
+     - the exact equations of motion, and the reduced equations (192)-(193) of the dissertation,
+     - the motion on a rigid shaft in closed form (194)-(206),
+     - the vibrations of an elastic shaft (210)-(226).
 
    The band moves at the velocity v along y and meets the drum at S + (R, 0), where S is the centre of the shaft and R
-   the radius. After the drum has turned by the angle phi, the band covers the arc from 0 to phi, whose mass centre is
-   in the direction phi/2. R stays constant, because only the first layer, 0 <= phi <= 2 pi, is considered. The letters
-   of the formulas are the fields of vm_drum, mu for the band's mass per angle, j = mu R^2 (186), and e = mu v R - D
-   with the damping D. The sign of e tells whether the band drives the drum (e > 0) or the drum comes to rest (e < 0).
+   the radius. After the drum has turned by the angle phi, the band covers the arc from 0 to phi. The mass centre of
+   this arc is in the direction phi/2. R stays constant, because only the first layer, 0 <= phi <= 2 pi, is considered.
+
+   The fields of vm_drum name most letters of the formulas. In addition, mu is the band's mass per angle, j = mu R^2
+   (186), and e = mu v R - D with the damping D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -6030,46 +6075,50 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 typedef struct VM_TAG(vm_drum) {
     vm_real radius;    /* radius R of the drum, m */
     vm_real mass;      /* mass M0 > 0 of the empty drum, kg */
-    vm_real inertia;   /* inertia J0 > 0 of the empty drum about its axle, kg m^2 */
-    vm_real band;      /* the band's mass per angle mu >= 0, kg/rad, which vm_drum_band computes */
+    vm_real inertia;   /* moment of inertia J0 > 0 of the empty drum about its axle, kg m^2 */
+    vm_real band;      /* mass mu >= 0 of the band per angle, kg/rad; vm_drum_band computes it */
     vm_real speed;     /* velocity v of the band, m/s */
     vm_real damping;   /* damping D of the rotation, N m s */
     vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
-    vm_real omega;     /* angular velocity Omega_b > 0 at phi = 0, rad/s */
+    vm_real omega;     /* initial angular velocity Omega_b > 0, at phi = 0, rad/s */
 } vm_drum;
 
-/* The drum with the band that it carries at some angle phi */
+/* Geometry of the drum and of the band wound on it, when the drum has turned by the angle phi */
 typedef struct VM_TAG(vm_drum_geometry) {
-    vm_real mass;         /* mass M (182), kg */
-    vm_real arc_centre;   /* distance S S' of the band's mass centre from the shaft (184), m */
-    vm_real offset;       /* distance S S1 (185) corrected, m; mass centre S1 = S + offset (cos phi/2, sin phi/2) */
+    vm_real mass;         /* mass M of drum and band (182), kg */
+    vm_real arc_centre;   /* distance of the band's mass centre S' from the shaft S (184), m */
+    vm_real offset;       /* distance from S to the mass centre S1, m; its direction is phi/2 [(185) corrected] */
     vm_real axle_inertia; /* inertia J_S about the axle (187), kg m^2 */
     vm_real inertia;      /* inertia J_S1 about the mass centre (188), kg m^2 */
 } vm_drum_geometry;
 
-/* Where the states of vm_drum_rhs and vm_drum_rhs_reduced stand in y, and how many there are */
+/* Indices of the states of vm_drum_rhs and vm_drum_rhs_reduced in y, and the number of states */
 enum {
-    VM_DRUM_X = 0,     /* deflection of the shaft, 2 numbers x, y of S, m */
+    VM_DRUM_X = 0,     /* deflection of the shaft: position x, y of S, m */
     VM_DRUM_ANGLE = 2, /* angle phi, rad */
-    VM_DRUM_V = 3,     /* velocity of S, 2 numbers, m/s */
+    VM_DRUM_V = 3,     /* velocity x', y' of S, m/s */
     VM_DRUM_OMEGA = 5, /* angular velocity phi', rad/s */
     VM_DRUM_STATES = 6
 };
 
-/* Where the states of vm_drum_rhs_angle stand in y, and how many there are */
+/* Indices of the states of vm_drum_rhs_angle in y, and the number of states */
 enum {
-    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft, 2 numbers x, y of S, m */
+    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft: position x, y of S, m */
     VM_DRUM_SLOPE = 2,      /* derivatives dx/dphi, dy/dphi of the deflection, m/rad */
     VM_DRUM_ANGLE_STATES = 4
 };
 
-/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b). With ' = d/dphi, x satisfies
-     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213); y has mu v/(M0 Omega_b) on the right instead of 0 (214) */
+/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b). With ' = d/dphi, the
+   deflection x satisfies
+     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213).
+   The equation for y has mu v/(M0 Omega_b) on the right instead of 0 (214). */
 typedef struct VM_TAG(vm_drum_shaft) {
-    vm_real k;     /* frequency over angular velocity, sqrt(c/M0)/Omega_b, a pure number */
-    vm_real delta; /* damping (mu/M0 + e/(J0 Omega_b) - j/J0)/2, 1/rad, corrected */
-    vm_real A;     /* change of the frequency, mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), 1/rad, corrected */
-    vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m: y oscillates about shift/(1 - A phi) */
+    vm_real k;     /* frequency divided by angular velocity, sqrt(c/M0)/Omega_b, a pure number */
+    vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2 with mu = band, j = mu R^2, e = mu v R - D.
+                      This corrects the coefficient in (213). */
+    vm_real A;     /* relative decrease of the squared frequency, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), with
+                      mu, j, e as for delta. This corrects (213), too. */
+    vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m. The deflection y oscillates about shift/(1 - A phi). */
 } vm_drum_shaft;
 
 /* The band's mass per angle on a drum, mu = R h b rho (181), kg/rad.
@@ -6080,21 +6129,21 @@ VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm
     return radius * thickness * width * density;
 }
 
-/* Mass and inertia of the drum at the angle phi, as the equations of motion need them */
+/* Mass and inertia of drum and band at the angle phi, for the equations of motion */
 typedef struct VM_TAG(vmi_drum_mass) {
-    vm_real M;       /* mass, kg */
-    vm_real J;       /* inertia about the axle, kg m^2 */
-    vm_real steiner; /* M (S S1)^2, kg m^2, so that J - steiner is the inertia about the mass centre S1 */
+    vm_real M;       /* mass of drum and band, kg */
+    vm_real J;       /* inertia of drum and band about the axle, kg m^2 */
+    vm_real steiner; /* M (S S1)^2, kg m^2; J - steiner is then the inertia about the mass centre S1 */
 } vmi_drum_mass;
 
-/* Sets *m for the angle phi and s = sin(phi/2). With s = 0 the distance S S1 is neglected. Returns VM_OK,
+/* Sets *m for the angle phi, where s is sin(phi/2). A call with s = 0 neglects the distance S S1. Returns VM_OK,
    VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
     m->M = d->mass + d->band * phi;
     m->J = d->inertia + d->band * d->radius * d->radius * phi;
-    m->steiner = q / m->M * q; /* q^2 alone could underflow */
+    m->steiner = q / m->M * q; /* in this order, because q * q could underflow */
     if (!VM_IS_FINITE(m->M) || !VM_IS_FINITE(m->J)) return VM_NOT_FINITE;
     if (!(d->mass > 0) || !(m->M > 0)) return VM_BAD_MASS;
     if (d->stiffness < 0) return VM_BAD_STIFFNESS;
@@ -6136,13 +6185,13 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 }
 
 /* Right-hand side of the drum on an elastic shaft, exact.
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), which lack the drift of the
-   mass centre and have the torque of the shaft with the opposite sign. With the deflection rS = (xS, yS), the unit
-   vector k of z and q = mu R (sin phi, 1 - cos phi):
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), in which the drift of the mass
+   centre is missing and the torque of the shaft has the wrong sign. With the deflection rS = (xS, yS), the unit vector
+   k along z and q = mu R (sin phi, 1 - cos phi), the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
    Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE,
-   VM_BAD_MASS or VM_BAD_INERTIA if the drum cannot be at this angle. Each of these errors ends the run. */
+   VM_BAD_MASS or VM_BAD_INERTIA if mass or inertia is impossible at this angle. Each of these errors ends the run. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6172,9 +6221,9 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. vm_drum_rhs becomes these equations for small mu. They
-   contain the unbalance mu R phi'^2 (sin phi, -cos phi), which is of the order of the terms that (192) keeps. The
-   errors are those of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. These are the equations of vm_drum_rhs in the limit of small
+   mu. Unlike (192) they contain the unbalance mu R phi'^2 (sin phi, -cos phi), because it is of the same order as the
+   terms that (192) keeps. The errors are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6197,8 +6246,8 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Returns 1 if the fields on which the motion on a rigid shaft depends are finite and have the signs that vm_drum
-   states, else 0. */
+/* Returns 1 if the drum can turn on a rigid shaft: the fields that matter are finite and have the signs given in
+   vm_drum. Returns 0 otherwise. */
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
     return d && d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) &&
@@ -6206,13 +6255,13 @@ VM_API int vmi_drum_turns(const vm_drum *d)
            VM_IS_FINITE(d->damping);
 }
 
-/* The product j = mu R^2 in two words */
+/* The product j = mu R^2 in two words, that is, as the sum of two numbers */
 VM_API vm_two vmi_drum_j(const vm_drum *d)
 {
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
 }
 
-/* The drive e = mu v R - D in two words. It is computed in three words, so that all digits are right where mu v R and
+/* The drive e = mu v R - D in two words. It is computed in three words, so that all digits are right even if mu v R and
    D nearly cancel. */
 VM_API vm_two vmi_drum_e(const vm_drum *d)
 {
@@ -6260,7 +6309,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
     if (!(rate > 0)) return VM_DOMAIN;
-    acceleration = (e - j * rate) / m.J; /* dphi'/dphi (195), so that phi'' is acceleration phi' */
+    acceleration = (e - j * rate) / m.J; /* the derivative dphi'/dphi (195); phi'' is acceleration times phi' */
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
     dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
@@ -6270,9 +6319,9 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| where e < 0.
-   The drum never reaches this angle, which is the limit for t to infinity. Returns infinity for e >= 0, and NaN as
-   vm_drum_rate does. */
+/* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e < 0.
+   The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN as vm_drum_rate
+   does. */
 VM_API vm_real vm_drum_stop(const vm_drum *d)
 {
     vm_two e;
@@ -6300,10 +6349,10 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
     return vmi_drum_share(sum, phi, vmi_two(d->omega, 0)).hi;
 }
 
-/* The first approximation p for Newton's method in vm_drum_angle, in the letters of its comment. For e = 0 the term
-   f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0 this p is too
-   large, and so is ln(1 + a p + a^2/b)/a; the smaller of the two is taken. For a < 0 this p is too small, and so is
-   |a|/(|a| + b); the larger of the two is taken. */
+/* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle explains a, b, f, x, y.
+   For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0
+   this p is too large, and so is ln(1 + a p + a^2/b)/a; the smaller of the two is taken. For a < 0 this p is too small,
+   and so is |a|/(|a| + b); the larger of the two is taken. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -6313,15 +6362,15 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 }
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
-   This is the inverse of vm_drum_time, by Newton's method in two words; no branch of Lambert's W is needed. Accuracy
-   and NaN are those of vm_drum_rate. With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and y = a p = ln(1 + x)
-   the equation of vm_drum_time is
+   This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
+   Accuracy and NaN are those of vm_drum_rate. With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and
+   y = a p = ln(1 + x) the equation of vm_drum_time is
      p + b f^2 (x - y)/x^2 = 1,   x = e^y - 1,   f = p x/y.
    Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
     const vm_real precise = VM_EPSILON / 8; /* the relative error of phi that the last step may leave */
-    const int most_steps = 40; /* more than the quadratic convergence needs */
+    const int most_steps = 40; /* quadratic convergence needs fewer steps */
     vm_two angle, a, b, p, x, y, f, rest;
     vm_real step, left = 1;
     int i;
@@ -6347,11 +6396,11 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 }
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
-   With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and f1 = 1 + e^2 t/(J0 j Omega_b) the equation r - k1 ln r
-   = f1 is solved by r = -k1 W(x), x = -exp(-f1/k1)/k1, with the branch W_-1 for 0 < k1 < 1 and W_0 for other k1. The
-   function is for comparison, and vm_drum_angle is better: this form loses all digits next to e = 0, where x
-   approaches the branch point of W. ln |x| is used, because x itself leaves the range of numbers next to k1 = 0 (for
-   k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0 and k1 = 0, and as vm_drum_rate does. */
+   With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from
+   r - k1 ln r = f1. The solution is r = -k1 W(x), x = -exp(-f1/k1)/k1, with the branch W_-1 for 0 < k1 < 1 and the
+   branch W_0 for other k1. This function is for comparison; vm_drum_angle is better. Near e = 0 this form loses all
+   digits, because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows
+   near k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0 and k1 = 0, and as vm_drum_rate does. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -6362,9 +6411,9 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
     if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1;
-    if (l > -1 && k1 > 0) l = -1; /* rounding has moved l beyond the branch point */
+    if (l > -1 && k1 > 0) l = -1; /* only rounding can move l beyond the branch point -1 */
     if (k1 < 0) w = vm_wright_omega(l);
-    else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* the sign of e tells the branch, because k1 may round to 1 */
+    else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* e > 0 means k1 < 1, even if k1 has been rounded to 1 */
     else w = vm_lambert_w0_neg_exp(l);
     return (-k1 * w - 1) * d->inertia * d->omega / e;
 }
@@ -6398,10 +6447,10 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
 /* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected.
    With the fields k, delta, A of *s it is
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
-   where `particular` is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which
-   gives the amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as
-   2k/3 phi (1 + m + m^2)/(1 + m), which is right for A = 0, too. Returns NaN if 1 - A phi <= 0 and for a null
-   pointer. */
+   where `particular` is 0 for x and s->shift for y. a (m) is the amplitude and alpha (rad) the phase. They follow from
+   the start: at phi = 0 the deflection is a cos alpha + particular. The integral is (2k/3A) (1 - m^3) with
+   m^2 = 1 - A phi. It is computed as 2k/3 phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null
+   pointer and if 1 - A phi <= 0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;
@@ -6414,21 +6463,23 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
 }
 
 /* Whether the shaft's frequency stays real for the whole first layer (226).
-   Returns 1 if A < 1/(2 pi), else 0, and 0 for a null pointer. */
+   Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
 #endif
 /* mechanics/lagrange.h - Lagrange's equations with variable mass
 
-   Right-hand side for any system of n generalized coordinates whose kinetic energy T you can write down, with masses
-   that depend on time and position (247). You give T, the masses and the generalized forces Q; the mass matrix A, the
-   vector b and the derivatives are found from T. The states are the coordinates q and the momenta pi = dT/dq', so that
-   neither rates of momenta nor rates of masses are needed:
+   This chapter has the right-hand side for any system of n generalized coordinates whose kinetic energy T you can write
+   down. The masses may depend on time and position (247). You give T, the masses and the generalized forces Q. The
+   chapter computes the mass matrix A, the vector b and the derivatives from T. The states are the coordinates q and the
+   momenta pi = dT/dq', so that neither rates of momenta nor rates of masses are needed:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0.
-   This is (247) corrected. T is that of the velocities of the material, and a stream of rate M' crosses at the place r2
-   with the velocity u, the gyration kappa and the spin omega2; omega is the angular velocity of the body:
+
+   This is (247) corrected. T must use the velocities of the material. With streams of mass, Lagrange's equations are
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
-   A derivative that lets the masses vary with q, as (244)-(247) may be read, is wrong.
+   A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
+   unit mass, the inertia kappa. omega is the angular velocity of the body. In dT/dq_i the masses must not vary,
+   although (244)-(247) may be read so.
 
        #include "varmass.h"
        static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
@@ -6451,19 +6502,20 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
            return vm_lagrange_start(&body, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &body, 2, ...)
        }
 
-   Q contains the terms of the streams, too. A pendulum of length l and angle q whose mass m leaks at its bob has
-   Q = -m g l sin q + m' l^2 q' if the leaking mass has the velocity of the bob and takes its momentum along; without
-   the last term the mass would leave at rest.
-   Accuracy: A and b are differences of T at unit rates and at rest, which are exact except for roundings of T. dT/dq
-   is a central difference of order 6, with an error below 2e-13 (float 1e-5) of the largest T if T varies in q over
-   the given scales. Tests: tests/test_lagrange.c. */
+   Your Q must contain the terms of the streams, too. Example: a pendulum of length l and angle q has a bob that leaks
+   mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
+   Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
+
+   Accuracy: A and b are differences of values of T, which are exact except for rounding errors of T. dT/dq is a central
+   difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if T varies noticeably only when q
+   changes by the given scales. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
 /* A mechanical system: the ctx of vm_lagrange_rhs */
 typedef struct VM_TAG(vm_lagrange_system) {
     int n;        /* number of coordinates, > 0 */
-    int n_masses; /* number of masses, inertias and other quantities that are frozen in dT/dq, >= 0 */
+    int n_masses; /* number of masses, inertias and other quantities that are held constant in dT/dq, >= 0 */
     /* Sets the n_masses masses at time t and coordinates q. NULL if n_masses is 0. */
     void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx);
     /* Returns the kinetic energy T (J), a polynomial of degree 2 in the n rates q'. */
@@ -6471,21 +6523,21 @@ typedef struct VM_TAG(vm_lagrange_system) {
     /* NULL, or a function that adds the n generalized forces to Q, for example by vm_lagrange_add_force. It returns
        0; another number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
-    void *ctx;             /* argument of the three functions */
+    void *ctx;             /* the argument ctx of the three functions above */
     const vm_real *scales; /* for each coordinate the change over which T varies noticeably; NULL for 1 everywhere */
-    vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, kept by the caller */
+    vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
 /* Length of vm_lagrange_system.work */
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
 
-/* The arrays into which a system's work is divided */
+/* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix, n n numbers */
     vm_real *b;      /* the linear terms of T in the rates, n numbers */
     vm_real *rates;  /* pi - b, and later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
-    vm_real *masses; /* the frozen masses, n_masses numbers */
+    vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
 } vmi_lagrange_parts;
 
 VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
@@ -6512,8 +6564,8 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
     return system->energy(t, q, w.trial, w.masses, system->ctx);
 }
 
-/* Finds A and b from T. Off the diagonal the steps have the size 1/sqrt(A_ii), so that a coordinate with a large
-   energy does not hide the digits of the other coordinate. */
+/* Computes the mass matrix A and the vector b from values of T. For an entry of A off the diagonal, the two rates are
+   1/sqrt(A_ii) and 1/sqrt(A_jj), so that a coordinate with a large energy does not hide the digits of the other one. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6537,13 +6589,13 @@ VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, 
         }
 }
 
-/* Writes the masses at (t, q) into the work, where they stay while T is differentiated */
+/* Writes the masses at (t, q) into the work array. They stay constant there while T is differentiated. */
 VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Writes the rates q' = A^-1 (pi - b) of the state y into the work. Returns VM_SINGULAR if A is not positive
+/* Writes the rates q' = A^-1 (pi - b) of the state y into the work array. Returns VM_SINGULAR if A is not positive
    definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
@@ -6557,9 +6609,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     return status;
 }
 
-/* The derivative dT/dq_i with the masses in the work, by a central difference of order 6 with the step h. Its error
-   is h^6/140 of the seventh derivative plus a rounding error of eps/h. Both are small for h = 2^-7 where eps = 2^-52,
-   and for h = 2^-3 where eps = 2^-23. */
+/* The derivative dT/dq_i with the masses in the work array, by a central difference of order 6 with the step h. Its
+   error is h^6/140 times the seventh derivative, plus a rounding error of eps/h. Both are small for h = 2^-7 in double
+   precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -6580,7 +6632,7 @@ VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real
     return sum / h;
 }
 
-/* Returns 1 if the system has all the functions and arrays that vm_lagrange_system asks for, else 0. */
+/* Returns 1 if the system has all functions and arrays that it needs, else 0. */
 VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 {
     return system && system->n > 0 && system->n_masses >= 0 && system->energy && system->work &&
@@ -6588,10 +6640,11 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 }
 
 /* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns 0; or
-   VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite (for example because a mass has become
-   negative), VM_NOT_FINITE if the reason is that t or y is not finite, or the number that system->forces returns, each
-   of which ends the run. An event should stop the run before. The number of calls of system->energy grows with n^2. */
+   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns 0 or an error that
+   ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite, VM_NOT_FINITE
+   if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive definite if, for
+   example, a mass has become negative; use an event to stop the run before that. The number of calls of system->energy
+   grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -6657,10 +6710,11 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
 #endif
 /* mechanics/euler_angles.h - Euler's angles
 
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body, which turns by psi about z, by theta
-   about the line of nodes, and by phi about its own z axis. This chapter computes the quaternion of three angles, the
-   axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i, and the rates psi',
-   theta', phi' of the angles from an angular velocity.
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
+   the line of nodes, and by phi about its own z axis. This chapter computes
+     - the quaternion of three angles,
+     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the rates psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
 
@@ -6679,11 +6733,12 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
     return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
 }
 
-/* Axes about which Euler's angles turn the body, in inertial axes. The angular velocity is omega = psi' axis[0] +
-   theta' axis[1] + phi' axis[2], so that axis[i] is domega/dq'_i. Nothing is done for a null pointer. */
+/* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2], so that axis[i] is domega/dq'_i. A call with a null pointer
+   does nothing. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* s, c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */
     if (!axis) return;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6692,11 +6747,11 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
     axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
 }
 
-/* Axes about which Euler's angles turn the body, in body axes. The angular velocity is omega = psi' axis[0] + theta'
-   axis[1] + phi' axis[2]. Nothing is done for a null pointer. */
+/* Unit vectors of the axes about which Euler's angles turn the body, along body axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* s, c of phi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* sine s and cosine c of phi; sine, cosine of theta */
     if (!axis) return;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6706,10 +6761,10 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 }
 
 /* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR where sin(theta) is 0, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR if sin(theta) is 0, and VM_OK otherwise. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3]; /* s, c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine, result[3]; /* sine s and cosine c of psi; sine, cosine of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);
