@@ -5,9 +5,9 @@
    where W is the rate of the phase at the amplitude A. The slow motion A'/A = -p, psi' = W is disturbed by G_0/W^2
    only. This number is of second order in epsilon, the relative change of mass and stiffness within a radian.
 
-   A canonical transformation leads from A and psi to mean values without ripple: a mean action, which is constant, and a
-   mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa). The transformation is a series
-   in powers of the numbers E_k of order epsilon^(k+2), k = 0, 1 ...
+   A canonical transformation leads from A and psi to mean values without ripple: a mean action, which is constant, and
+   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa). The transformation is a
+   series in powers of the numbers E_k of order epsilon^(k+2), k = 0, 1 ...
      E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
    This file has the transformation in both directions, and the mean rate of the phase. Cut off after order N, it gives
    the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md derives it.
@@ -27,7 +27,7 @@ enum { VMI_EXPANSION_E = 4 };
 
 /* -- From the motion to the mean motion -- */
 
-/* Returns ln(mean action/action) with all terms up to weight `order`. f holds the functions at the phase psi. */
+/* Returns ln(mean action/action) with all terms up to weight `order`. f holds C, S ... at the phase psi. */
 VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -44,7 +44,7 @@ VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_
     return sum;
 }
 
-/* Returns the mean phase minus the phase psi, with all terms up to weight order - 1. f holds the functions at psi. */
+/* Returns the mean phase minus the phase psi, with all terms up to weight order - 1. f holds C, S ... at psi. */
 VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -61,7 +61,7 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds the functions at the mean
+/* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
    phase. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
@@ -77,7 +77,7 @@ VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_
     return sum;
 }
 
-/* Returns ln(action/mean action) with all terms up to weight order - 1. f holds the functions at the mean phase. */
+/* Returns ln(action/mean action) with all terms up to weight order - 1. f holds C, S ... at the mean phase. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
