@@ -2,8 +2,8 @@
 
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
    these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
-   the second derivatives of the laws jump, so another mean motion belongs to the motion from there on. The walk also
-   gathers what the estimates of the error need: the sizes of E_0 (oscillators/expansion.h) and of its derivatives.
+   the second derivatives of the laws jump, so that the mean motion jumps, too. The walk also gathers what the estimates
+   of the error need: how large the disturbance E_0 (oscillators/expansion.h) and its derivatives are.
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
@@ -36,11 +36,11 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real phase;         /* the integral of ratio dt from 0 to t, s */
     vm_real psi;           /* the mean phase */
     vm_real ln_J;          /* ln of the mean action over its value at t = 0; it changes only at points of tables */
-    vm_real first;         /* the part of psi that is proportional to E_0 */
+    vm_real first;         /* the part of psi that is proportional to the disturbance E_0 */
     vm_real second, third; /* the part of psi proportional to E_0^2; bound of the part that order five leaves out */
     vm_real knots_J[4];    /* for orders 2 to 5: sum of the squares of the errors of ln J at points of tables */
     vm_real knots_psi[4];  /* for orders 2 to 5: sum of the squares of the errors of psi at points of tables */
-    vm_real largest;       /* largest |E_0| between 0 and t */
+    vm_real largest;       /* largest |E_0| between 0 and t, E_0 the disturbance */
     vm_real change[VMI_WALK_ORDERS]; /* integrals of |d^i E_0/dpsi^i| dpsi; 0 where closed forms are used */
     vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
     vm_real error;         /* estimated error of `phase`, s */
