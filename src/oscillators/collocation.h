@@ -138,8 +138,8 @@ typedef struct VM_TAG(vmi_step_rates) {
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
 } vmi_step_rates;
 
-/* A run from 0 to t. A half period from one zero of ca to the next has one part or, cut where sa = 0, two parts. Each
-   step covers a part, except where it starts or ends inside a part. */
+/* A run from 0 to t. A half period, from one zero of ca to the next, is one part, or it is two parts that meet where
+   sa = 0. Each step covers one part, unless it starts or ends inside a part. */
 typedef struct VM_TAG(vmi_osc_course) {
     const vm_osc_plan *plan;
     vmi_osc_wave wave;
@@ -154,9 +154,9 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real t_low;         /* the exact time is t + t_low, s */
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
-    vmi_step_waves waves[2];                        /* sa and ca on the parts of the half period from psi = -Pi/2 */
-    vmi_step_rates history[2][VMI_HISTORY];         /* rates of earlier whole steps by part, the latest first */
-    int known[2];                                   /* how many earlier steps history holds, by part */
+    vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
+    vmi_step_rates history[2][VMI_HISTORY];         /* rates of earlier whole steps over each part, the latest first */
+    int known[2];                                   /* number of earlier steps over each part that history holds */
     int status;
     long evals;            /* evaluations of the rates */
 } vmi_osc_course;
@@ -205,7 +205,7 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
-    const vm_real least_rate = VM_C(0.1); /* least rate of the phase over W for a vibration */
+    const vm_real least_rate = VM_C(0.1); /* below this ratio of the phase's rate to W there is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
     const vm_real W = plan->Om * vmi_osc_Om_ratio(plan, now, ln_A);
     const vm_real E = (now->p * (now->p - now->a) - p_rate) / (W * W);
@@ -310,7 +310,8 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 }
 
 /* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps of the same
-   part of a half period; if there are none, all are the rates at the start of the step without E and F. */
+   part of a half period; if there are none, all are the rates at the start of the step, without the terms of
+   E and F. */
 VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 {
     vmi_osc_rates now;
@@ -392,7 +393,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return part;
 }
 
-/* Makes a step that ends at c->stop. It is a shortened copy of `beyond`, the step that would go past this time. */
+/* Makes a step that ends at c->stop, in place of `beyond`, the longer step that would go past this time. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
 {
     const int rounds = 6;
@@ -588,7 +589,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 {
     const int side = vmi_time_side(t);
     const vm_real factor = VM_C(0.25); /* estimated error of the strict run over the difference of the two runs */
-    const vm_real looser = 16;         /* ratio of both sweep_limits, so that the difference has errors of iteration */
+    const vm_real looser = 16;         /* ratio of their sweep_limits, so that errors of the iteration differ, too */
     vmi_osc_rates now;
     vmi_osc_slow start;
     vmi_osc_reduced state;

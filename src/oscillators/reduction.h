@@ -28,7 +28,7 @@ enum { VMI_OSC_G = 5 };
 /* Mass, stiffness and the numbers that follow from their rates, at one time */
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p;         /* the rates a = mu'/mu and p of the top of this file, 1/s */
+    vm_real a, p;         /* the rates a = mu'/mu and p, 1/s (see the top of this file) */
     vm_real G[VMI_OSC_G]; /* G_0 ... G_4, which disturb the slow motion; G_k in 1/s^(k+2) */
 } vmi_osc_slow;
 
