@@ -258,7 +258,7 @@
        vm_osc_jacobi                  Approximation x0 cn(Omega_1 t | m) (297) and its velocity (302), from rest at x0
        vm_osc_approximation_errors    Errors of the approximations by cos and cn, as the fields of vm_osc_errors
 
-     oscillators/laws: laws of mass, stiffness and the like: numbers that depend on time
+     oscillators/laws: laws of time for mass, stiffness and other numbers
        vm_law_at                      Value f and rate df/dt of a law at time t (s), which may be negative
        vm_law_linear                  Linear law f = f0 + f1 t (346); a constant where f1 = 0
        vm_law_quadratic               Quadratic law f = f0 + f1 t + f2 t^2
@@ -267,7 +267,7 @@
        vm_law_table                   Table of n >= 2 points (time[i], value[i]), joined by monotone cubics
        vm_law_user                    Law by a user's function, which must be smooth
 
-     oscillators/plan: the plan of an oscillator: what has to be computed only once for a motion
+     oscillators/plan: the plan of an oscillator: what is computed once and then used for many times of its motion
        vm_osc_plan_init               Plan for many values of one problem's motion
 
      oscillators/panels: panels of time in which a law is smooth, and the integral of 1/f
@@ -6777,7 +6777,7 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 }
 
 #endif
-/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
+/* oscillators/force_terms.h - terms of forces that both oscillators and scenes use
 
    Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
        vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
@@ -6785,8 +6785,8 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 #ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
 #define VARMASS_OSCILLATORS_FORCE_TERMS_H
 
-/* x|x|^(alpha-1), alpha >= 0, computed by the power: the force of a spring over -k. The callers treat x = 0 and the
-   exponents that need no power. */
+/* x|x|^(alpha-1), alpha >= 0, by the power function: the force of a spring divided by -k. Callers treat x = 0 and
+   exponents that need no power function themselves. */
 VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
 {
     return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
@@ -6824,7 +6824,7 @@ struct VM_TAG(vmi_osc_wave) {
     void (*at)(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s);
     /* estimates the error of the wave, where mean_ca2 is the mean of ca^2; null for ca, which has no error */
     vm_real (*error)(const vmi_osc_wave *w, vm_real mean_ca2);
-    vm_real alpha;
+    vm_real alpha;              /* exponent of the spring */
     vm_real turn;               /* the wave's own angle is turn psi */
     vm_real speed;              /* the velocity is x' = -speed vmax(A) s */
     vm_real gain_A, gain_theta; /* factors of the means of the force in the averaged equations */
@@ -6833,6 +6833,7 @@ struct VM_TAG(vmi_osc_wave) {
     const ateb_plan *ateb;      /* plan of ca, or null */
 };
 
+/* Writes the waves c of the position and s of the velocity at the Ateb phase psi. */
 VM_API void vmi_osc_wave_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s) { w->at(w, psi, c, s); }
 
 /* -- ca: exact -- */
@@ -7159,11 +7160,10 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 /* oscillators/legendre.h - Gauss' rule of 20 points and series of Legendre polynomials on [-1, 1]
 
    A smooth function on [-1, 1] is represented by the series sum coefficient[k] P_k(x), k = 0 ... 19, with Legendre's
-   polynomials P_k.
-   vmi_legendre_fit finds the coefficients from the values at the points of Gauss' rule; the other functions
-   integrate and differentiate the series and measure its size. The integral of the function over [-1, 1] is
-   2 coefficient[0]. oscillators/averaging.h, panels.h and walk.h use this file, and tests/test_laws.c and test_routes.c
-   test it with them. */
+   polynomials P_k. Its integral over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds the coefficients from the
+   values at the points of Gauss' rule. The other functions evaluate, integrate and differentiate the series, and
+   measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use this one.
+   Tests: tests/test_laws.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_LEGENDRE_H
 #define VARMASS_OSCILLATORS_LEGENDRE_H
 
@@ -7192,7 +7192,7 @@ VM_API vm_real vmi_gauss_weight(int i)
     return VM_READ(weight[i / 2]);
 }
 
-/* Legendre's polynomial P_(k+1)(x) from now = P_k(x) and before = P_(k-1)(x) */
+/* Legendre's polynomial P_(k+1)(x), where now = P_k(x) and before = P_(k-1)(x) */
 VM_API vm_real vmi_legendre_next(int k, vm_real x, vm_real now, vm_real before)
 {
     return ((vm_real)(2 * k + 1) * x * now - (vm_real)k * before) / (vm_real)(k + 1);
@@ -7256,7 +7256,7 @@ VM_API vm_real vmi_legendre_integral(const vm_real *coefficient, vm_real x)
 /* Replaces the coefficients c_k of the series by those of its derivative, d_k = (2k+1) (c_(k+1) + c_(k+3) + ...). */
 VM_API void vmi_legendre_derive(vm_real *coefficient)
 {
-    vm_real sums[2] = {0, 0}; /* sums of coefficients with an index above k: even and odd indices */
+    vm_real sums[2] = {0, 0}; /* sums of the c_j with j > k, for even j and for odd j */
     int k;
     for (k = VMI_GAUSS - 1; k >= 0; k--) {
         const vm_real own = coefficient[k];
@@ -7288,7 +7288,7 @@ VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
 }
 
 #endif
-/* oscillators/laws.h - laws of mass, stiffness and the like: numbers that depend on time
+/* oscillators/laws.h - laws of time for mass, stiffness and other numbers
 
    A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
    and the size (N) of a force on it (oscillators/forced.h). A constructor makes it: linear f0 + f1 t (346), quadratic,
@@ -7296,9 +7296,9 @@ VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
-   Every kind of law has a section below, with the functions for this kind alone and the constructor that makes the
-   vm_law point to them. No code outside the section depends on the kind. The integral of 1/f from 0 to t is
-   vm_law_inverse_integral (oscillators/panels.h).
+   Each kind of law has a section below, with its own functions and the constructor that makes a vm_law point to them.
+   No code outside the section depends on the kind. vm_law_inverse_integral (oscillators/panels.h) integrates 1/f from
+   0 to t.
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
 #define VARMASS_OSCILLATORS_LAWS_H
@@ -7321,7 +7321,7 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0 if it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null if this is no law */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f at 0 and at t tells enough */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f(0), f(t) are enough */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
@@ -7331,7 +7331,7 @@ struct VM_TAG(vm_law) {
 /* The direction of an interval of time of this length: 1 forward, -1 backward */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
-/* How many numbers the function `derivatives` of a law writes: f and its first six derivatives; the index is the order */
+/* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
 /* Writes the value of a law at t and its derivatives to f[0], f[1] ... A constructor must have made the law. Where a
@@ -7342,7 +7342,7 @@ enum { VMI_LAW_ORDERS = 7 };
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
     int i, status;
-    vm_real sum = 0; /* of differences that are 0 or NaN */
+    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
     if (length > 0)
         for (i = 2; i < VMI_LAW_ORDERS; i++) f[i] = 0;
     status = law->derivatives(law, t, side, length, f);
@@ -7418,7 +7418,7 @@ VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
     return VM_OK;
 }
 
-/* A law without a kind; the constructors below complete it */
+/* A law with these numbers, but without the functions of its kind, which the constructors below add */
 VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law;
@@ -7439,6 +7439,8 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Linear laws -- */
+
+/* f and f' of a linear law; its higher derivatives are 0. */
 VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -7468,6 +7470,8 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 }
 
 /* -- Quadratic laws -- */
+
+/* f, f' and f'' of a quadratic law; its higher derivatives are 0. */
 VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -7519,6 +7523,8 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Exponential laws -- */
+
+/* f and its derivatives, each f1 times the one before */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -7529,6 +7535,7 @@ VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int sid
     return VM_OK;
 }
 
+/* The exponential form of an exponential law, with base = 0, so that u = t */
 VM_API int vmi_law_exponential_own_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = 0;
@@ -7548,8 +7555,8 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* Returns VM_BAD_MASS where 1 + f1 t is not positive; vmi_law_derivatives changes this status for laws of other
-   numbers than masses. */
+/* f and its derivatives. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers than masses
+   vmi_law_derivatives changes this status. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -7628,8 +7635,8 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
     return low;
 }
 
-/* Writes the derivatives of the cubic on the interval that contains t. The cubic has the values and slopes of the
-   interval's two points. */
+/* Writes f and its derivatives, for the cubic on the interval of the table that contains t. The cubic has the values
+   and slopes of the interval's two points. */
 VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     vm_real chord_time, u, chord, slope0, slope1, b, c;
@@ -7681,7 +7688,7 @@ VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
     return law;
 }
 
-/* The next point of a table after t on the way to t_end; t_end if there is none, or if the law is not a table */
+/* The next point of the law's table after t on the way to t_end, or t_end if there is none or the law is no table */
 VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 {
     const int side = t_end > t ? 1 : -1;
@@ -7695,7 +7702,7 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 
 /* -- Functions of the user -- */
 
-/* Writes the series of the rate f' between t and t + length. */
+/* Writes the Legendre series of the rate f' between t and t + length. */
 VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_real *series)
 {
     vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused;
@@ -7708,8 +7715,8 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
     return VM_OK;
 }
 
-/* Writes the series of the rate f' between t and t + *length. The length is halved until the last terms of the series
-   are rounding errors, that is, until they do not become much smaller any more. Terms of their size are set to 0. */
+/* Writes the Legendre series of the rate f' between t and t + *length. *length is halved until the last terms of the
+   series are as small as rounding errors or no longer become much smaller; all terms of that size are then set to 0. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -7731,7 +7738,8 @@ VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm
     return status;
 }
 
-/* Writes f and f', which the user's function gives, and for length > 0 the derivatives of a series of f'. */
+/* Writes f and f' from the user's function. For length > 0 it also writes the higher derivatives, from a Legendre
+   series of f'. */
 VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     vm_real series[VMI_GAUSS], whole = (vm_real)side * length, scale = 1;
@@ -7743,13 +7751,12 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
     for (i = 2; i < VMI_LAW_ORDERS; i++) {
         vmi_legendre_derive(series);
         scale *= 2 / whole;
-        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* at -1, P_k is (-1)^k */
+        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* P_k(-1) = (-1)^k */
     }
     return VM_OK;
 }
 
-/* Checks that change_time is finite and not negative, and that at most 2^20 of it lie between 0 and t, so that every
-   call ends. */
+/* Checks that change_time is finite and not negative, and 0 or at least |t|/2^20, so that every call ends. */
 VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     const vm_real most_changes = VM_C(1048576.);
@@ -7776,7 +7783,8 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
     return law;
 }
 
-/* The longest panel of time, s, in which the law cannot hide a change between 0 and t; `whole` is |t| */
+/* The longest panel of time, s, for integrals along the law from 0 to t: short enough to notice the changes that
+   vm_law_user promises to find. `whole` is |t|. */
 VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 {
     const vm_real longest = whole / 32;
@@ -7786,35 +7794,35 @@ VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 }
 
 #endif
-/* oscillators/problem.h - an oscillator whose mass and stiffness vary slowly, and what its motion is described by
+/* oscillators/problem.h - the data of an oscillator whose mass and stiffness vary slowly, and of its motion
 
    The equation of motion, with mass m(t), stiffness k(t), damping b and a further small force F, is
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = F(t, x, x'),   x(0) and x'(0) given.
-   Ten routes lead to x(t) and x'(t); oscillators/routes.h has them and shows the shortest useful call. The plan of a
-   problem, for many times of one motion, is in oscillators/plan.h.
+   Ten methods, called routes, compute x(t) and x'(t); oscillators/routes.h has them and shows the shortest useful call.
+   A plan (oscillators/plan.h) serves many times of one motion.
    Tests: tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_PROBLEM_H
 #define VARMASS_OSCILLATORS_PROBLEM_H
 
-/* Routes to x(t), x'(t), the cheapest first. All but the last three average: they need a motion that changes little
-   within a period. */
+/* Routes to x(t) and x'(t), the cheapest first. All but the last three use averaging: mass and stiffness must change
+   little within a period. */
 enum {
-    VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order, with the sign of (335) corrected */
-    VM_ROUTE_JACOBI = 1,      /* cn (370), (371), averaged to first order */
-    VM_ROUTE_ATEB = 2,        /* ca (310), (311), averaged to first order */
-    VM_ROUTE_ORDER2 = 3,      /* the law of order five (oscillators/expansion.h) cut off after order two; without F */
-    VM_ROUTE_ORDER3 = 4,      /* the same law, cut off after order three; only without F */
-    VM_ROUTE_ORDER4 = 5,      /* the same law, cut off after order four; only without F */
+    VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order; the sign of (335) is corrected */
+    VM_ROUTE_JACOBI = 1,      /* Jacobi's cn (370), (371), averaged to first order */
+    VM_ROUTE_ATEB = 2,        /* Ateb function ca (310), (311), averaged to first order */
+    VM_ROUTE_ORDER2 = 3,      /* law of order five (oscillators/expansion.h), cut off after order two; only without F */
+    VM_ROUTE_ORDER3 = 4,      /* law of order five, cut off after order three; only without F */
+    VM_ROUTE_ORDER4 = 5,      /* law of order five, cut off after order four; only without F */
     VM_ROUTE_ORDER5 = 6,      /* the whole law of order five; only without F */
-    VM_ROUTE_COLLOCATION = 7, /* exact equations, integrated from zero to zero of x (oscillators/collocation.h) */
-    VM_ROUTE_RK45 = 8,        /* the equation of motion by rk45 */
-    VM_ROUTE_RK87 = 9         /* the equation of motion by rk87 */
+    VM_ROUTE_COLLOCATION = 7, /* integration from each zero of x to the next (oscillators/collocation.h) */
+    VM_ROUTE_RK45 = 8,        /* integration of the equation of motion by rk45 */
+    VM_ROUTE_RK87 = 9         /* integration of the equation of motion by rk87 */
 };
 
-/* Order 2, 3, 4 or 5 of a route VM_ROUTE_ORDER2 ... VM_ROUTE_ORDER5 */
+/* The order, 2 to 5, of one of the routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 */
 VM_API int vmi_osc_order_of(int route) { return route - VM_ROUTE_ORDER2 + 2; }
 
-/* The route of the law of order 2, 3, 4 or 5 */
+/* The route VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 that has this order, 2 to 5 */
 VM_API int vmi_osc_route_of_order(int order) { return VM_ROUTE_ORDER2 + order - 2; }
 
 /* A user's function for a further small force: returns F, N, at time t (s), position x (m) and velocity v (m/s) */
@@ -7836,14 +7844,15 @@ typedef struct VM_TAG(vm_osc_problem) {
 /* The motion at one time */
 typedef struct VM_TAG(vm_osc_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
-    vm_real amplitude; /* amplitude A, m; routes of first order leave out its ripple within a period */
+    vm_real amplitude; /* amplitude A, m. By rk45 and rk87 it is that of x and v. The other routes leave out the
+                          first-order ripple within a period that mass, stiffness and damping cause */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-                          velocity at the amplitude A; all causes of errors count */
+                          velocity at the amplitude A; it includes all causes of errors */
     int route;         /* the route that was taken, VM_ROUTE_... */
     long evals;        /* evaluations of right-hand sides; 0 where nothing was integrated */
 } vm_osc_motion;
 
-/* Checks that mass and stiffness are positive between 0 and t, as vmi_law_check does for one law. */
+/* Checks by vmi_law_check that mass and stiffness are finite and positive between 0 and t. */
 VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
 {
     return vmi_first_error(vmi_law_check(&o->mass, VM_BAD_MASS, t),
@@ -7864,12 +7873,15 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real
 }
 
 #endif
-/* oscillators/reduction.h - an oscillator of slow mass and stiffness, reduced to a small disturbance of second order
+/* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
 
-   The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 is d(mu x')/dt + kappa x|x|^(alpha-1) = 0, where
-   a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. With the rate p = (ln mu kappa)'/(alpha+3) and V = x' + p x the
-   state (x, V) has an amplitude A and a phase psi that only the numbers G_0, G_1 ... disturb (oscillators/expansion.h).
-   This file computes a, p and G_k from the derivatives of the laws, and goes from (x, x') to (A, psi) and back.
+   The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
+   = 0, where a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
+   Then x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a phase psi with the exact equations
+     A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,   G_0 = p^2 - a p - p',
+   where W is the rate of the phase for constant mass and stiffness. Only G_0 disturbs the slow motion A'/A = -p,
+   psi' = W, and G_0 is of second order in the rates of mass and stiffness. Its derivatives lead to G_1, G_2 ...
+   This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
        int status = vmi_osc_slow_at(&problem, 0, 1, length, &now); // laws at t = 0; length, s: see vmi_law_derivatives
@@ -7878,24 +7890,24 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
 #define VARMASS_OSCILLATORS_REDUCTION_H
 
-/* The numbers G_0 ... G_4: order five needs four of them, its estimate the fifth */
+/* How many G_k are computed: the law of order five needs G_0 ... G_3, the estimate of its error G_4 */
 enum { VMI_OSC_G = 5 };
 
-/* What the laws of mass and stiffness say at one time */
+/* Mass, stiffness and the numbers that follow from their rates, at one time */
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p;         /* see above, 1/s */
-    vm_real G[VMI_OSC_G]; /* G_i, 1/s^(i+2) */
+    vm_real a, p;         /* the rates a = mu'/mu and p, 1/s (see the top of this file) */
+    vm_real G[VMI_OSC_G]; /* G_0 ... G_4, which disturb the slow motion; G_k in 1/s^(k+2) */
 } vmi_osc_slow;
 
-/* The same without the numbers G_k, for which f and f' are enough */
+/* Mass, stiffness and rates at one time, without the numbers G_k: values f and rates f' of the laws are enough */
 typedef struct VM_TAG(vmi_osc_rates) {
-    vm_real m, k; /* kg, N/m^alpha */
-    vm_real a, p; /* 1/s */
+    vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
+    vm_real a, p; /* the rates a = mu'/mu and p, 1/s */
 } vmi_osc_rates;
 
-/* The rates at t; where they jump, those after t for side = 1, those before it for side = -1. The statuses are those of
-   the laws. */
+/* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
+   for those before t. Returns the statuses of vmi_law_derivatives. */
 VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
@@ -7909,9 +7921,9 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     return VM_OK;
 }
 
-/* -- Power series in time: coefficient i belongs to the ith power -- */
+/* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
-/* Turns derivatives f, f', f'' ... into the coefficients of the series */
+/* Divides the derivatives f[0], f[1] ... f[n-1] by 0!, 1!, 2! ..., which makes them coefficients of a power series */
 VM_API void vmi_series_of_derivatives(int n, vm_real *f)
 {
     vm_real factorial = 1;
@@ -7922,7 +7934,7 @@ VM_API void vmi_series_of_derivatives(int n, vm_real *f)
     }
 }
 
-/* ratio = f'/f, with one coefficient less than f, which has n */
+/* Writes the series of f'/f to ratio, from the n coefficients of f; ratio has n - 1 coefficients. */
 VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
 {
     int i, j;
@@ -7933,7 +7945,7 @@ VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
     }
 }
 
-/* inverse = 1/f */
+/* Writes the n coefficients of the series of 1/f to inverse. */
 VM_API void vmi_series_inverse(int n, const vm_real *f, vm_real *inverse)
 {
     int i, j;
@@ -7956,15 +7968,15 @@ VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
 
 /* -- The numbers G_k -- */
 
-/* Fills now->G from the series of a and p, which have n coefficients: G_0 = p^2 - a p - p' and
-   G_(k+1) = G_k' - (k+2) (2p - a) G_k. Both series are destroyed. */
+/* Fills now->G from the series of a and p, which have n coefficients, by G_0 = p^2 - a p - p' and
+   G_(k+1) = G_k' - (k+2) (2p - a) G_k. The array a is overwritten. */
 VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
 {
     vm_real G[VMI_LAW_ORDERS], next[VMI_LAW_ORDERS];
     int i, k, terms = n - 1;
-    for (i = 0; i < n; i++) a[i] = p[i] - a[i]; /* p - a */
+    for (i = 0; i < n; i++) a[i] = p[i] - a[i]; /* the series of p - a */
     for (i = 0; i < terms; i++) G[i] = vmi_series_product(i, p, a) - (vm_real)(i + 1) * p[i + 1];
-    for (i = 0; i < n; i++) a[i] += p[i]; /* 2 p - a */
+    for (i = 0; i < n; i++) a[i] += p[i]; /* the series of 2 p - a */
     for (k = 0; k < VMI_OSC_G; k++) {
         now->G[k] = G[0];
         terms--;
@@ -7974,7 +7986,7 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* All of *now from m, k and their derivatives up to the sixth, which are destroyed */
+/* Fills *now from mass and stiffness: m and k hold the values and six derivatives, and are overwritten. */
 VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
@@ -7997,8 +8009,9 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vmi
     vmi_osc_find_G(n, m, k, now);
 }
 
-/* *now at t; where derivatives jump, after t for side = 1, before it for side = -1. length, s: see
-   vmi_law_derivatives. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come from the laws. */
+/* Fills *now at t. Where derivatives of the laws jump at t, side = 1 asks for those after t, side = -1 for those before
+   t. length, s, is that of vmi_law_derivatives. Returns VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE as
+   vmi_law_derivatives does. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vmi_osc_slow *now)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
@@ -8010,14 +8023,14 @@ VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real
 
 /* -- Amplitude and phase -- */
 
-/* The state of the oscillator after the reduction */
+/* Amplitude and phase of the oscillator by the reduction, that is of x and V = x' + p x */
 typedef struct VM_TAG(vmi_osc_reduced) {
     vm_real A;   /* amplitude, m */
     vm_real psi; /* Ateb phase */
-    vm_real W;   /* rate of the phase at this amplitude, 1/s */
+    vm_real W;   /* rate of the phase at this amplitude for constant mass and stiffness, 1/s */
 } vmi_osc_reduced;
 
-/* The reduced state of position x and velocity v */
+/* The reduced state that belongs to position x and velocity v, at the time of *now */
 VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
 {
     const vm_real omega = VM_SQRT(now->k / now->m);
@@ -8027,7 +8040,8 @@ VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm
     return r;
 }
 
-/* Position and velocity of a reduced state, where sa and ca are those of its phase */
+/* Writes position x and velocity v of a reduced state: the inverse of vmi_osc_reduce. sa and ca are the Ateb functions
+   of its phase. */
 VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
                              vm_real *v)
 {
@@ -8035,7 +8049,7 @@ VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha,
     *v = -2 / (alpha + 1) * r->W * r->A * sa - p * *x;
 }
 
-/* The numbers E_k = G_k/W^(k+2) */
+/* Writes the pure numbers E_k = G_k/W^(k+2), which measure how much G_k disturbs the motion within a radian. */
 VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 {
     vm_real power = 1 / (W * W);
@@ -8049,11 +8063,12 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 #endif
 /* oscillators/ripple.h - the ripple of ca^2 within a period, and its integrals over the Ateb phase
 
-   An oscillator whose mass or stiffness varies slowly swings about a mean motion. The difference, the ripple, is made
-   of five functions of the Ateb phase psi. With C = ca^2(psi) - <ca^2>, where < > is the mean over a period,
-     S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>,
-   each with mean 0, all of period Pi_alpha. A vmi_ripple is one alpha, prepared: two sets of four polynomials and the
-   constants of the law of order five (oscillators/expansion.h). It is plain data and may lie in flash.
+   Amplitude and phase of an oscillator whose mass or stiffness varies slowly swing a little about mean values. This
+   ripple is computed from five functions of the Ateb phase psi. With C = ca^2(psi) - <ca^2>, where < > is the mean over
+   a period, the other four functions are integrals over psi, each with the mean 0 and the period Pi_alpha:
+     S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
+   A vmi_ripple holds what is computed once for an alpha: two sets of four polynomials, and constants of the law of
+   order five (oscillators/expansion.h). It is plain data and may lie in flash.
        vmi_ripple r;
        vmi_ripple_values f;
        vmi_ripple_init(&r, VM_C(1.5), ateb_pi(VM_C(1.5)));
@@ -8061,63 +8076,66 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
-   Method: near a zero of ca the functions are |ca|^3, |ca|^4 or |ca|^5 times a power series in w = |ca|^(alpha+1); near
-   a zero of sa they are series in y = sa^2. Where w = y = 1/2 one takes over from the other. On [0, 1/2] each series is
-   replaced by its first Chebyshev polynomials: 15 of them for 1e-12, 8 for 1e-7, whatever alpha is.
+   Method: the integrals from a zero of ca are |ca|^3, |ca|^4 or |ca|^5 times a power series in w = |ca|^(alpha+1). The
+   integrals from a zero of sa are power series in y = sa^2, times sa or not. The first set is used for w < 1/2, the
+   second for y <= 1/2. On [0, 1/2] each power series is replaced by the first terms of its Chebyshev series: 15 terms
+   give 1e-12, 8 terms 1e-7, for every alpha.
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H
 
-/* Terms of each polynomial, Chebyshev polynomials that are kept while it is made, and terms of the power series */
+/* Numbers of terms: of each polynomial, of the Chebyshev series of a power w^i, and of the power series in w */
 #if VM_MANT_DIG > 24
 enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
 #else
 enum { VMI_RIPPLE_TERMS = 8, VMI_RIPPLE_KEPT = 13, VMI_RIPPLE_SERIES = 28 };
 #endif
 
-/* The polynomials: integrals of ca^2 and of ca^4, from the nearest zero of ca or sa on, and the first and the second
-   integral of that of ca^2 */
+/* The polynomials of a set: for the integrals of ca^2 and of ca^4, and for the first and the second integral of the
+   integral of ca^2. All integrals begin at the nearest zero of ca, or of sa for the other set. */
 enum { VMI_RIPPLE_CA2, VMI_RIPPLE_CA4, VMI_RIPPLE_FIRST, VMI_RIPPLE_SECOND, VMI_RIPPLE_FUNCTIONS };
 
-/* One alpha, prepared by vmi_ripple_init */
+/* Constants and polynomials for one alpha, prepared by vmi_ripple_init and vmi_ripple_complete */
 typedef struct VM_TAG(vmi_ripple) {
     vm_real alpha;
-    vm_real gamma;              /* (alpha-1)/(alpha+3): the rate of the phase grows like J^gamma with the action J */
-    vm_real scale;              /* (alpha+1)(alpha+3)/4 */
+    vm_real gamma;              /* (alpha-1)/(alpha+3): the rate of the phase is proportional to (action)^gamma */
+    vm_real scale;              /* L = (alpha+1)(alpha+3)/4, a factor in the law of order five */
     vm_real pi;                 /* Pi_alpha, the period of the functions */
     vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
     vm_real variance;           /* the mean of C^2 */
-    int has_polynomials;        /* whether what follows is set */
-    vm_real at_sa_0, at_ca_0;   /* S2 where sa = 0, and where ca = 0 */
-    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1 */
-    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1 */
+    int has_polynomials;        /* 1 where the fields below are set, else 0 */
+    vm_real at_sa_0, at_ca_0;   /* S2 at the phases where sa = 0, and where ca = 0 */
+    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* in 4 w - 1, w = |ca|^(alpha+1) */
+    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* in 4 y - 1, y = sa^2 */
 } vmi_ripple;
 
-/* The ripple at one phase */
+/* The functions of the ripple at one phase */
 typedef struct VM_TAG(vmi_ripple_values) {
     vm_real sa, ca;
-    vm_real C, S, S2, S3, Q; /* see above; S is right from order 3 on, S2 from order 4 on, S3 and Q for order 5 */
+    vm_real C, S, S2, S3, Q; /* see the top of this file; S is valid from order 3 on, S2 from 4 on, S3 and Q for 5 */
 } vmi_ripple_values;
 
 /* -- Making the polynomials -- */
 
-/* Coefficients of the power series at index i. near_ca_0: the integral of ca^2 is |ca|^3 sum ca2_i w^i, and so on */
+/* Coefficients i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3 times the sum of
+   near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
 typedef struct VM_TAG(vmi_ripple_series) {
-    vm_real root;                 /* of (1-w)^(-1/2) */
-    vm_real power2, power3, power4; /* of (1-y)^((j-alpha)/(alpha+1)), j = 2, 3, 4 */
-    vm_real product;              /* of (1-y)^(1-nu) T, T |sa| the integral of ca^2, nu = 2 alpha/(alpha+1) */
+    vm_real root;                 /* coefficient of (1-w)^(-1/2) */
+    vm_real power2, power3, power4; /* coefficients of (1-y)^((j-alpha)/(alpha+1)), j = 2, 3, 4 */
+    vm_real product;              /* of (1-y)^(1-nu) T: nu = 2 alpha/(alpha+1), T |sa| is the integral of ca^2 */
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS], near_sa_0[VMI_RIPPLE_FUNCTIONS];
 } vmi_ripple_series;
 
-/* Coefficient i of (1-y)^exponent from coefficient i - 1 */
+/* Coefficient i of the power series of (1-y)^exponent, where `before` is coefficient i - 1 */
 VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
 {
     if (i == 0) return 1;
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Coefficients i from those of i - 1 (for i = 0 from zeros). The integrals of an integral follow from its differential
-   equation along the phase: with x = |ca|, D'' = x^2 (1-w)^(-1/2) ... gives each coefficient from the one before. */
+/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Let D be
+   the first and E the second integral of the integral of ca^2. The differential equations D'' = ca^2 and E'' = integral
+   of ca^2, with derivatives by the phase, give each coefficient of D and E from the one before. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -8141,11 +8159,11 @@ VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
 }
 
-/* Multiplies the series sum c_k T_k(z) of Chebyshev polynomials by w = (1 + z)/4: z T_k = (T_(k+1) + T_(k-1))/2 */
+/* Multiplies the Chebyshev series sum c_k T_k(z) by w = (1 + z)/4, with z T_k = (T_(k+1) + T_(k-1))/2 */
 VM_API void vmi_chebyshev_times_w(vm_real *c)
 {
     const int last = VMI_RIPPLE_KEPT - 1;
-    vm_real below = 0, first = c[0] + c[1] / 2; /* of 1 + z */
+    vm_real below = 0, first = c[0] + c[1] / 2; /* coefficient 0 of (1 + z) times the series */
     int k;
     for (k = 0; k <= last; k++) {
         const vm_real own = c[k], above = k < last ? c[k + 1] : 0;
@@ -8157,7 +8175,7 @@ VM_API void vmi_chebyshev_times_w(vm_real *c)
     c[0] = first / 4;
 }
 
-/* The polynomial in powers of z in place of the series of Chebyshev polynomials, by T_k = 2 z T_(k-1) - T_(k-2) */
+/* Turns a Chebyshev series into a polynomial in powers of z, by T_k = 2 z T_(k-1) - T_(k-2) */
 VM_API void vmi_chebyshev_to_powers(vm_real *c)
 {
     int j, k;
@@ -8167,10 +8185,10 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* All eight polynomials */
+/* Makes all eight polynomials: adds up the power series, with each power w^i replaced by its Chebyshev series. */
 VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
 {
-    vm_real w_power[VMI_RIPPLE_KEPT]; /* w^i as a series of Chebyshev polynomials */
+    vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
     int i, j, k;
     s.root = s.power2 = s.power3 = s.power4 = s.product = 0;
@@ -8199,6 +8217,7 @@ VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
     }
 }
 
+/* The value at z of a polynomial with the coefficients c */
 VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
 {
     vm_real sum = c[VMI_RIPPLE_TERMS - 1];
@@ -8207,14 +8226,15 @@ VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
     return sum;
 }
 
-/* -- The integrals from a zero of ca or sa on -- */
+/* -- The integrals from a zero of ca or sa -- */
 
-/* Integrals from the nearest zero of ca (of sa) to a phase at a distance from it */
+/* Integrals over the phase from the nearest zero of ca (or of sa) to a given phase */
 typedef struct VM_TAG(vmi_ripple_integrals) {
-    vm_real ca2, ca4, first, second; /* of ca^2 and ca^4; first and second integral of that of ca^2 */
+    vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; first and second integral of ca2 */
 } vmi_ripple_integrals;
 
-/* From a zero of ca on, where |ca| = x and sa^2 = y; order: as in vmi_ripple_at */
+/* The integrals from the nearest zero of ca to a phase where |ca| = x and sa^2 = y. Those that the law of this order, 2
+   to 5, does not need are 0. */
 VM_API vmi_ripple_integrals vmi_ripple_from_ca_0(const vmi_ripple *r, int order, vm_real x, vm_real y)
 {
     const vm_real x2 = x * x, x3 = x2 * x, x4 = x2 * x2, z = 4 * (1 - y) - 1;
@@ -8229,7 +8249,7 @@ VM_API vmi_ripple_integrals vmi_ripple_from_ca_0(const vmi_ripple *r, int order,
     return d;
 }
 
-/* From a zero of sa on, where |sa| = u and u^2 = y */
+/* The integrals from the nearest zero of sa to a phase where |sa| = u and sa^2 = y; order as in vmi_ripple_from_ca_0 */
 VM_API vmi_ripple_integrals vmi_ripple_from_sa_0(const vmi_ripple *r, int order, vm_real u, vm_real y)
 {
     const vm_real z = 4 * y - 1;
@@ -8246,7 +8266,7 @@ VM_API vmi_ripple_integrals vmi_ripple_from_sa_0(const vmi_ripple *r, int order,
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares alpha >= 0, whose Pi_alpha is pi, but for the polynomials. Then S, S2, S3 and Q are not to be had. */
+/* Prepares alpha >= 0, where pi is Pi_alpha, without the polynomials: only C can be computed, not S, S2, S3 and Q. */
 VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
 {
     r->alpha = alpha;
@@ -8259,12 +8279,12 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
     r->has_polynomials = 0;
 }
 
-/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values follow from the phase at which both sets
-   of polynomials meet: there both must have the same S2 and S3. */
+/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values of S2 follow from the condition that both
+   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
 VM_API void vmi_ripple_complete(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
-    const vm_real t = ateb_phase(sa, ca, r->alpha), s = r->pi / 2 - t; /* from sa = 0, from ca = 0 */
+    const vm_real t = ateb_phase(sa, ca, r->alpha), s = r->pi / 2 - t; /* this phase, from sa = 0 and from ca = 0 */
     vmi_ripple_integrals zero, turn;
     vm_real jump; /* at_sa_0 - at_ca_0 */
     if (r->has_polynomials) return;
@@ -8278,8 +8298,8 @@ VM_API void vmi_ripple_complete(vmi_ripple *r)
     r->has_polynomials = 1;
 }
 
-/* The ripple at phase psi, where sa and ca have these values. order: 2 to 5, that of the law that asks; above 2 it needs
-   the polynomials. */
+/* Writes the functions of the ripple at the phase psi, where sa and ca are the Ateb functions of psi. order, 2 to 5, is
+   that of the law that needs them; above 2 the polynomials must have been made. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
@@ -8307,31 +8327,33 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
 }
 
 #endif
-/* oscillators/expansion.h - the law of order five: what lies between the motion of an oscillator and its mean motion
+/* oscillators/expansion.h - the law of order five: from the motion of an oscillator to its mean motion and back
 
-   The oscillator d(mu x')/dt + kappa x|x|^(alpha-1) = 0 has slow mu(t) and kappa(t): mu'/mu = a is what mass, reactive
-   force and damping make of the momentum, and kappa/mu = k/m. With
-     p = (ln mu kappa)'/(alpha+3),   V = x' + p x,   x = A ca(psi),   V = -(2/(alpha+1)) W A sa(psi)
-   amplitude A and phase psi obey, without any approximation,
-     A'/A = -p + (G0/W) sa ca,   psi' = W + (alpha+1)/2 (G0/W) ca^2,   G0 = p^2 - a p - p',
-   where W is the rate of the phase at amplitude A. So the mean motion is disturbed by G0/W^2 alone, which is of second
-   order in the small rate epsilon at which mass and stiffness change within a radian. A canonical transformation in
-   powers of E_k = G_k/W^(k+2), of order epsilon^(k+2), with G_(k+1) = G_k' - (k+2) (2p - a) G_k, leads to mean
-   values: of the action J, which is constant, and of the phase. This file has that transformation, there and back.
-   Errors of order N are O(epsilon^N) over times of 1/epsilon. It is new; docs/law.md derives it.
-   The functions C, S, S2, S3, Q of the phase are those of oscillators/ripple.h. The weight of a term is the power of
+   With slow mass and stiffness, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
+     A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
+   where W is the rate of the phase at the amplitude A. The slow motion A'/A = -p, psi' = W is disturbed by G_0/W^2
+   only. This number is of second order in epsilon, the relative change of mass and stiffness within a radian.
+
+   A canonical transformation leads from A and psi to mean values without ripple: a mean action, which is constant, and
+   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa). The transformation is a
+   series in powers of the numbers E_k of order epsilon^(k+2), k = 0, 1 ...
+     E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
+   This file has the transformation in both directions, and the mean rate of the phase. Cut off after order N, it gives
+   the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md derives it.
+
+   C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
-       dJ = vmi_expansion_J(&ripple, 5, &f, E); // ln of the mean action less ln of the action, at the phase of f
+       dJ = vmi_expansion_J(&ripple, 5, &f, E); // ln(mean action/action), where f holds C, S ... at the phase
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H
 
-/* The numbers E_0 ... E_3 that order five needs at the start */
+/* How many E_k order five needs at the start of a motion: E_0 ... E_3 */
 enum { VMI_EXPANSION_E = 4 };
 
 /* -- From the motion to the mean motion -- */
 
-/* ln of the mean action less ln of the action J, at the motion's phase, with all terms up to weight `order` */
+/* Returns ln(mean action/action) with all terms up to weight `order`. f holds C, S ... at the phase psi. */
 VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -8348,7 +8370,7 @@ VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_
     return sum;
 }
 
-/* The mean phase less the phase psi, at the motion's phase, with all terms up to weight order - 1 */
+/* Returns the mean phase minus the phase psi, with all terms up to weight order - 1. f holds C, S ... at psi. */
 VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -8365,7 +8387,8 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 
 /* -- From the mean motion to the motion -- */
 
-/* The phase less the mean phase, at the mean phase, with all terms up to weight order - 1 */
+/* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
+   phase. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -8380,7 +8403,7 @@ VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_
     return sum;
 }
 
-/* ln of the action less ln of the mean action, at the mean phase, with all terms up to weight order - 1 */
+/* Returns ln(action/mean action) with all terms up to weight order - 1. f holds C, S ... at the mean phase. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -8397,46 +8420,49 @@ VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ri
 
 /* -- The mean rate of the phase -- */
 
-/* The mean rate of the phase is W (1 + first E0 + second E0^2), with W at the mean action. The factor `first` is used
-   from order 2 on, `second` from order 4 on. */
+/* The factor `first` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), where W belongs to the mean
+   action. Laws of all orders from 2 on need it. */
 VM_API vm_real vmi_expansion_first(const vmi_ripple *r) { return (r->alpha + 1) / 2 * r->mean2; }
 
+/* The factor `second` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), which orders 4 and 5 need */
 VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 {
     return -r->scale * r->scale / 8 * r->variance * (2 - 3 * r->gamma) * (1 - 3 * r->gamma);
 }
 
 #endif
-/* oscillators/plan.h - the plan of an oscillator: what has to be computed only once for a motion
+/* oscillators/plan.h - the plan of an oscillator: what is computed once and then used for many times of its motion
 
-   A plan serves many times of one motion. It holds the state at t = 0, reduced as in oscillators/reduction.h, the
-   start of the mean motion by the law of order five (oscillators/expansion.h), and the closed forms of the laws of
-   mass and stiffness, if they have such forms:
+   A plan holds the amplitude and the phase at t = 0, the mean motion at t = 0 by the law of order five
+   (oscillators/expansion.h), and the closed forms of the laws of mass and stiffness, if they have such forms:
        vm_osc_plan plan;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem
    Tests: tests/test_slow_motion.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_PLAN_H
 #define VARMASS_OSCILLATORS_PLAN_H
 
-/* What is computed only once for a problem, by vm_osc_plan_init. To be read, not changed. It points to the problem's
-   tables and contexts, and is not to be copied bit by bit into another program. */
+/* What is computed only once for a problem, by vm_osc_plan_init. Read its fields, but do not change them. The plan
+   points to the tables, functions and contexts of the problem, so it is of no use to another program. */
 typedef struct VM_TAG(vm_osc_plan) {
-    vm_osc_problem problem;
+    vm_osc_problem problem;  /* a copy of the problem */
     vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
-    vm_real A, psi, Om;      /* at t = 0: amplitude, m, Ateb phase, and its rate, 1/s */
-    vmi_osc_slow slow;       /* what the laws say just after t = 0 */
-    vm_real E[VMI_OSC_G];    /* the disturbance of the reduced state at t = 0 */
-    vmi_osc_reduced mean;    /* the mean motion at t = 0, by the order start_order */
-    int start_order;         /* 5, or 2 where the ripple has no polynomials; 0 where there is no mean motion */
-    vm_real base;            /* closed forms, 1/s: m = m0 exp(rate_m u), k = k0 exp(rate_k u), u = ln(1 + base t)/base */
-    vm_real rate_m, rate_k;  /* 1/s */
-    int closed;              /* whether m and k have these closed forms */
-    int has_ateb;            /* whether ateb is there */
-    vmi_ripple ripple;
-    ateb_plan ateb;
+    vm_real A, psi, Om;      /* amplitude, m, and Ateb phase of x and v at t = 0, and rate of the phase, 1/s */
+    vmi_osc_slow slow;       /* mass, stiffness and G_k just after t = 0 */
+    vm_real E[VMI_OSC_G];    /* the numbers E_k at t = 0 (see vmi_osc_disturbance) */
+    vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
+    int start_order;         /* order by which `mean` was found: 5, or 2 without the polynomials of the ripple;
+                                0 where x and v are 0, so that there is no mean motion */
+    vm_real base;            /* 1/s; the closed forms are m = m0 exp(rate_m u), k = k0 exp(rate_k u) with
+                                u = ln(1 + base t)/base, or u = t for base = 0 */
+    vm_real rate_m, rate_k;  /* rates of ln m and ln k by u, 1/s */
+    int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
+    int has_ateb;            /* 1 where the field ateb is set, else 0 */
+    vmi_ripple ripple;       /* functions of the ripple, prepared for alpha */
+    ateb_plan ateb;          /* Ateb functions, prepared for alpha */
 } vm_osc_plan;
 
-/* The wave that a route uses; the plan must outlive it. */
+/* The periodic function, cos, cn or ca, by which a route describes the oscillation. It points into the plan, which must
+   outlive it. */
 VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 {
     if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->ripple.pi);
@@ -8444,11 +8470,12 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
     return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
 }
 
-/* The time, s, over which derivatives of laws are sampled: 16 radians of the phase */
+/* The time, s, of 16 radians of the phase. From rates within such a time the derivatives of a user's law are found. */
 VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p) { return p->Om > 0 ? 16 / p->Om : 0; }
 
-/* Finds whether both laws are exponentials in one u, so that all integrals are closed forms. With damping the integral
-   of b/m must be one in u, too: it is where m = m0 (1 + base t), or where only the damping changes the motion. */
+/* Finds whether both laws are exponentials in the same u (see the field base), so that all integrals along them have
+   closed forms. With damping the integral of b/m must also be proportional to u. That is so for m = m0 (1 + base t),
+   which includes a constant mass with base = 0. */
 VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
@@ -8462,7 +8489,8 @@ VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
     if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
 }
 
-/* The mean motion that belongs to a reduced state with the disturbance E; order: 2 to 5 */
+/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E holds the numbers E_k of the
+   state. */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
     const vmi_ripple *r = &p->ripple;
@@ -8479,7 +8507,7 @@ VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vm
     return mean;
 }
 
-/* The start of the mean motion, by order 5 if the ripple has its polynomials, else by order 2 */
+/* Computes the mean motion at t = 0, by order 5 if the ripple has its polynomials, else by order 2. */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
@@ -8496,8 +8524,8 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
-/* The plan but for vmi_osc_start, and without what pays only where many values are wanted: the plan of the Ateb
-   functions and the polynomials of the ripple */
+/* Fills the plan up to the mean motion, which vmi_osc_start adds. It leaves out two parts that are worth their time
+   only for many values: the plan of the Ateb functions and the polynomials of the ripple. */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     const vm_osc_problem *o = &p->problem;
@@ -8517,10 +8545,11 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 }
 
 /* Plan for many values of one problem's motion.
-   For vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged. Copies the problem; its tables and contexts
-   must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that
-   no constructor made, VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
-   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a function that fails. */
+   vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged use the
+   plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE, VM_BAD_MASS and
+   VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order
+   or without t = 0, or a user's function of a law that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;
@@ -8538,9 +8567,9 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 #endif
 /* oscillators/panels.h - panels of time in which a law is smooth, and the integral of 1/f
 
-   Integrals along a law f(t) from 0 to t are sums over panels of time. Each panel is so short that a series of 20
-   Legendre polynomials represents the law on it. The lengths of panels adapt to the law: a panel that is too long for
-   its series is halved, and the panel after it is twice as long again. Panels end at the points of a table.
+   An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
+   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved; each
+   next panel is tried with twice the length of the one before. Panels end at the points of a table.
        vm_law mass = vm_law_linear(10, VM_C(-0.1));
        vm_real integral;
        int status = vm_law_inverse_integral(&mass, 20, &integral); // 10 ln(10/8) s/kg
@@ -8562,7 +8591,7 @@ typedef struct VM_TAG(vmi_panels) {
     vm_real side;           /* 1 forward, -1 backward in time */
     vm_real longest, least; /* bounds of a panel's length, s */
     vm_real size;           /* intended length of the present panel, s */
-    vm_real left, step;     /* time left to the end, and length of the present panel, at most this time, s */
+    vm_real left, step;     /* time left to the end, and length of the present panel, which is at most `left`, s */
     int halved;             /* how often panels were halved */
 } vmi_panels;
 
@@ -8574,7 +8603,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     p.end = end;
     p.side = VM_COPYSIGN(1, end - start);
     p.longest = vmi_smaller(longest, VM_FABS(end - start));
-    p.least = whole / VM_C(1099511627776.); /* 2^40; still shorter panels do not matter */
+    p.least = whole / VM_C(1099511627776.); /* 2^40; what a shorter panel adds does not matter */
     p.size = p.longest;
     p.left = 0;
     p.step = 0;
@@ -8583,7 +8612,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
 }
 
 /* Returns whether there is a panel at p->t, and sets its length p->step. If the time left is hardly longer than a
-   panel, it is one panel. */
+   panel, all of it becomes one panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -8593,7 +8622,7 @@ VM_API int vmi_panels_next(vmi_panels *p)
     return 1;
 }
 
-/* Halves the present panel, and returns whether that was possible */
+/* Halves the intended length of the present panel, and returns whether that was possible */
 VM_API int vmi_panels_halve(vmi_panels *p)
 {
     const int most = 4096; /* a bound for laws with noise, for which no length is short enough */
@@ -8713,10 +8742,10 @@ VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_r
     return status;
 }
 
-/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. Laws with a closed form use it, also next
-   to values where it becomes 0/0. Tables and functions use Gauss' rule; for functions the relative error is at most
-   1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for
-   a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
+/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. A closed form is used if the law has one; it
+   loses no digits where it tends to 0/0. Tables and functions use Gauss' rule; for functions the relative error is at
+   most 1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and
+   for a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
    anywhere between 0 and t, and VM_DOMAIN for t outside a table, for a table out of order, where the user's function
    fails, or where change_time is negative or less than |t|/2^20. An error leaves *integral untouched. */
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
@@ -8736,40 +8765,40 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 #endif
 /* oscillators/walk.h - the mean motion of an oscillator along laws that have no closed form
 
-   The mean motion from 0 to t is known as soon as some integrals along the laws of mass and stiffness are.
-   vmi_osc_walk_to computes them from one point of a table to the next, by the panels of oscillators/panels.h. At a point
-   of a table the derivatives of the laws jump; there the motion goes on with another mean motion. On the way the walk
-   gathers what the estimates of the error need: how large the disturbance E_0 and its derivatives by the phase are.
+   The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
+   these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
+   the second derivatives of the laws jump, so that the mean motion jumps, too. The walk also gathers what the estimates
+   of the error need: how large the disturbance E_0 (oscillators/expansion.h) and its derivatives are.
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_WALK_H
 #define VARMASS_OSCILLATORS_WALK_H
 
-/* Derivatives of E_0 by the phase whose size is gathered, E_0 itself included */
+/* For how many derivatives of E_0 by the phase the size is gathered: from the zeroth to the sixth */
 enum { VMI_WALK_ORDERS = 7 };
 
-/* The mean motion at one time t, and what its errors depend on. The adiabatic law leaves the action unchanged:
-   A/A0 = exp(ln_A), and the rate of the phase is `ratio` times that at t = 0. */
+/* The mean motion at one time t, and what its errors depend on. By the adiabatic law, which keeps the action constant,
+   A/A0 = exp(ln_A), and the rate of the phase is `ratio` times its value at t = 0. */
 typedef struct VM_TAG(vmi_osc_mean) {
-    vmi_osc_slow now;      /* what the laws say just before t (after it for t < 0) */
-    vm_real ln_A, ratio;   /* by the adiabatic law */
+    vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
+    vm_real ln_A, ratio;   /* ln(A/A0), and ratio of the rates of the phase, by the adiabatic law */
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
-    vm_real phase;         /* the integral of ratio dt, s */
+    vm_real phase;         /* the integral of ratio dt from 0 to t, s */
     vm_real psi;           /* the mean phase */
-    vm_real ln_J;          /* ln of the mean action over that at t = 0: points of tables change it */
-    vm_real first;         /* the part of psi that E_0 brings */
-    vm_real second, third; /* parts of psi: that of E_0^2, and a bound of what order five leaves out */
-    vm_real knots_J[4];    /* sums over points of tables of the square of what order 2, 3, 4 or 5 leaves out: of ln J, */
-    vm_real knots_psi[4];  /* and of psi */
-    vm_real largest;       /* largest |E_0| between 0 and t */
-    vm_real change[VMI_WALK_ORDERS]; /* integral of |d^i E_0/dpsi^i| dpsi; 0 for closed forms, which have no fast part */
-    vm_real shortest;      /* shortest panel that the laws of m and k took, s */
-    vm_real error;         /* of `phase`, s */
+    vm_real ln_J;          /* ln of the mean action over its value at t = 0; it changes only at points of tables */
+    vm_real first;         /* the part of psi that is proportional to the disturbance E_0 */
+    vm_real second, third; /* the part of psi proportional to E_0^2; bound of the part that order five leaves out */
+    vm_real knots_J[4];    /* for orders 2 to 5: sum of the squares of the errors of ln J at points of tables */
+    vm_real knots_psi[4];  /* for orders 2 to 5: sum of the squares of the errors of psi at points of tables */
+    vm_real largest;       /* largest |E_0| between 0 and t, E_0 the disturbance */
+    vm_real change[VMI_WALK_ORDERS]; /* integrals of |d^i E_0/dpsi^i| dpsi; 0 where closed forms are used */
+    vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
+    vm_real error;         /* estimated error of `phase`, s */
 } vmi_osc_mean;
 
-/* ln(A/A0) and ln(Om/Om0) by the adiabatic law, where ln(m/m0), ln(k/k0) and the decay, the integral of b/m, have
-   these values */
+/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase. ln_m = ln(m/m0),
+   ln_k = ln(k/k0), and decay is the integral of b/m. */
 VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
                               vm_real *ln_Om)
 {
@@ -8804,7 +8833,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
     return mean;
 }
 
-/* The mean motion as amplitude, phase and rate */
+/* The amplitude, phase and rate of the mean motion *mean */
 VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -8815,9 +8844,9 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
     return state;
 }
 
-/* -- What order five leaves out -- */
+/* -- What the law of order five leaves out -- */
 
-/* Sizes of the terms of weight w = 2 ... 6: of ln J, and for w < 6 of the phase; e: sizes of E_0 ... E_4 */
+/* How large the terms of weight w, 2 to 6, of vmi_expansion_J are, where e[k] is the absolute value of E_k */
 VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
@@ -8830,6 +8859,7 @@ VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
     return L / 4 * e[w - 2] * power + more;
 }
 
+/* How large the terms of weight w, 2 to 5, of vmi_expansion_psi are, where e[k] is the absolute value of E_k */
 VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
@@ -8841,8 +8871,9 @@ VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
     return L / 4 * VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power + more;
 }
 
-/* A bound of the mean rate of the phase that order five leaves out, of weight 6, by W: from the product |E_0 E_2| and
-   |E_0|^3 */
+/* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
+   6; product is |E_0 E_2|, cube is |E_0|^3. From integrals of these two over the phase it gives a bound of the
+   phase. */
 VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
@@ -8851,24 +8882,25 @@ VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real 
 
 /* -- A panel -- */
 
-/* A panel of the walk: series on it, and its shares of integrals */
+/* A panel of the walk: Legendre series of the laws on it, and what it adds to integrals along the laws */
 typedef struct VM_TAG(vmi_osc_panel) {
-    vm_real edge;               /* how far the series of 1/m and of k are from the laws at the panel's ends, relative */
-    vm_real inverse[VMI_GAUSS]; /* 1/m */
-    vm_real ratio[VMI_GAUSS];   /* k at first, then the rate of the phase over that at t = 0 */
-    vm_real E[VMI_GAUSS];       /* E_0 */
-    vm_real first, second;      /* integrals of E_0 and E_0^2 by the phase */
-    vm_real cube;               /* integral of |E_0|^3 by the phase */
-    vm_real largest;            /* largest |E_0| */
+    vm_real edge;               /* largest relative difference at the panel's ends: of 1/m and k from their series */
+    vm_real inverse[VMI_GAUSS]; /* series of 1/m */
+    vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the rate of the phase over its value at t = 0 */
+    vm_real E[VMI_GAUSS];       /* series of E_0 */
+    vm_real first, second;      /* integrals of E_0 and of E_0^2 over the phase */
+    vm_real cube;               /* integral of |E_0|^3 over the phase */
+    vm_real largest;            /* largest |E_0| on the panel */
 } vmi_osc_panel;
 
-/* What the laws say at the points of Gauss' rule of a panel */
+/* Mass, stiffness and rates at the points of Gauss' rule of a panel */
 typedef struct VM_TAG(vmi_osc_panel_laws) {
     vmi_osc_rates rates[VMI_GAUSS];
     vm_real p_rate[VMI_GAUSS]; /* p', 1/s^2 */
 } vmi_osc_panel_laws;
 
-/* The laws at the points of Gauss' rule, the series of 1/m and of k, and how far they miss the laws at the ends */
+/* Reads the laws at the points of Gauss' rule. Writes the series of 1/m and of k, and how far they are from the laws at
+   the ends of the panel. */
 VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
                              vmi_osc_panel *panel)
 {
@@ -8892,7 +8924,8 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The panel of a length (with its sign) from start on, where the mean motion at start is *mean */
+/* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
+   start. */
 VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_real start, vm_real length,
                             vmi_osc_panel *panel)
 {
@@ -8925,8 +8958,8 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. If a law has a kink, no panel is short enough; what is left out must
-   then not matter. whole is the walk's length, s. */
+/* Whether the panel is short enough for its series. No panel with a kink of a law is, so a panel also counts as short
+   enough if the terms that its series leaves out do not matter. `whole` is the length of the walk, s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
@@ -8940,13 +8973,14 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + phase_matters * (1 + 1 / phase) / phase;
 }
 
-/* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, by the root of the mean square, and to
-   mean->third. Coefficients of E_0 that are rounding errors are dropped before; the series is destroyed. */
+/* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, with the root mean square in place of the
+   absolute value, and to mean->third the panel's part. Coefficients of E_0 that are as small as rounding errors are set
+   to 0 first. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], radians = W * VM_FABS(length);
     const vm_real least = noise * VM_SQRT(vmi_legendre_square(panel->E));
-    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* (dx/dpsi)^i with x in [-1, 1] on the panel */
+    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i, where x goes from -1 to 1 on the panel */
     int i;
     for (i = 0; i < VMI_GAUSS; i++)
         if (VM_FABS(panel->E[i]) <= least) panel->E[i] = 0;
@@ -8959,7 +8993,7 @@ VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_r
     mean->third += vmi_osc_third_rate(&p->ripple, radians * size[0] * size[2], panel->cube);
 }
 
-/* The mean motion goes on by a panel */
+/* Advances the mean motion over a panel. */
 VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
@@ -8974,7 +9008,8 @@ VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_rea
     vmi_osc_add_changes(p, panel, length, mean);
 }
 
-/* From start to end, between which no table has a point, by panels of at most `longest`; whole: length of the walk */
+/* Advances the mean motion from start to end by panels of at most `longest`. No table may have a point between start
+   and end. `whole` is the length of the whole walk, s. */
 VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, vm_real longest, vm_real whole,
                               vmi_osc_mean *mean)
 {
@@ -8995,7 +9030,8 @@ VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, 
     return VM_OK;
 }
 
-/* Sets what the adiabatic law says at t, just before t on the way */
+/* Sets the fields now, ln_A and ratio of *mean for the time t. Where the laws' derivatives jump at t, it takes those on
+   the side from which the walk comes; side is 1 forward, -1 backward in time. */
 VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
@@ -9010,8 +9046,8 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 
 /* -- Points of tables -- */
 
-/* Adds to the sums over points of tables what orders 2 to 5 leave out where the disturbance jumps from `before` to
-   `after` */
+/* Adds to knots_J and knots_psi what orders 2 to 5 leave out at a point of a table, where the numbers E_k jump from
+   `before` to `after` */
 VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
                                    vmi_osc_mean *mean)
 {
@@ -9025,8 +9061,10 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* At t, a point of a table, the derivatives of m' and k' jump, but the motion does not: it goes on with another mean
-   motion. The action at the knot is found to the full order, from the map that leads to the mean motion. */
+/* Takes the mean motion past t, a point of a table. The derivatives of m' and k' jump there, but the motion does not,
+   so that the mean motion does. From the mean motion before t follows the motion at t, and from this the mean motion
+   after t. vmi_expansion_J_back would give the action at t with one order less; iteration with vmi_expansion_J has the
+   full order. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -9061,7 +9099,7 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
 
 /* -- The walk -- */
 
-/* The mean motion at t by a walk along both laws of the plan, from one point of a table to the next */
+/* Computes the mean motion at t by a walk along both laws of the plan, from one point of a table to the next. */
 VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;
@@ -9084,13 +9122,13 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 }
 
 #endif
-/* oscillators/mean_motion.h - averaged motion of first order, the law of order five, and estimates of their errors
+/* oscillators/mean_motion.h - the motion by first-order averaging and by the law of order five, with error estimates
 
-   Without a force F the mean motion of an oscillator with slow laws of mass and stiffness is known by integrals: the
-   amplitude follows the adiabatic law (325), (344), (367), (389), the phase is the integral of its rate, (310), (329),
-   (370). vmi_osc_first_order takes the mean motion of first order for the motion, with one of three waves;
-   vmi_osc_order_n adds what lies between them, by the transformation of oscillators/expansion.h cut off after order
-   2, 3, 4 or 5: the error is of that order in the rate at which mass and stiffness change within a radian.
+   Without a force F the mean motion of an oscillator with slow mass and stiffness is known from integrals: the
+   amplitude follows the adiabatic law (325), (344), (367), (389), and the phase is the integral of its rate (310),
+   (329), (370). vmi_osc_first_order takes this mean motion for the motion, with the wave cos, cn or ca. vmi_osc_order_n
+   goes from the mean motion to the motion by the transformation of oscillators/expansion.h, cut off after order 2, 3, 4
+   or 5. Its error is of that order in the relative change of mass and stiffness within a radian.
        vmi_osc_mean mean;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
        int status = vmi_osc_mean_at(&plan, t, &mean);
@@ -9101,8 +9139,8 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 
 /* -- The mean motion at t -- */
 
-/* The mean motion where m and k are exponentials in one u = ln(1 + base t)/base: with the rates of ln mu and ln k by u,
-   p = p_0/(1 + base t), G_k = G_k(0)/(1 + base t)^(k+2), and E_k is E_k(0) times exp(-(k+2) D), where D = delta u. */
+/* Computes the mean motion where mass and stiffness are exponentials in u = ln(1 + base t)/base. With el = 1 + base t
+   and D = delta u, then p = p(0)/el, G_k = G_k(0)/el^(k+2), and E_k = E_k(0) exp(-(k+2) D). */
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;
@@ -9133,7 +9171,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     }
 }
 
-/* The mean motion at t */
+/* Computes the mean motion at t, by closed forms if there are any, else by a walk along the laws. */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     int status = VM_OK;
@@ -9144,24 +9182,24 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     return VM_OK;
 }
 
-/* -- Estimates, of the larger of |error of x|/A and |error of v|/vmax -- */
+/* -- Estimates of the larger of |error of x|/A and |error of v|/vmax -- */
 
-/* What the rounding errors of the phase add */
+/* The part of the error that comes from rounding of the phase and from the error of its integral */
 VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
 }
 
-/* A bound of the change of ln J, J the action, that fast changes of mass and stiffness make. The exact change is
-   the integral of E_0 times a periodic function of the phase whose mean is 0. After i integrations by parts it is the
-   integral of the ith derivative of E_0 times the ith integral of that function, and terms at the ends, which the
-   solutions contain. The smallest of these bounds is taken: one with a high i where the laws change slowly, the first
-   where they change in less than a period. */
+/* A bound of the change of ln J, where J is the action, that fast changes of mass and stiffness cause. The exact change
+   of ln J is the integral of E_0 times a periodic function of the phase whose mean is 0. i integrations by parts turn
+   it into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
+   both ends, which the solutions contain. Each i gives a bound, and the function returns the smallest. It comes from a
+   large i where the laws change slowly, and from i = 0 where they change within less than a period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real turn = r->pi / (2 * VM_PI);
-    vm_real size = (r->alpha + 3) / 4, least = VM_INFINITY; /* (alpha+3)/2 |sa ca|; then terms of the transformation */
+    vm_real size = (r->alpha + 3) / 4, least = VM_INFINITY; /* bound of (alpha+3)/2 |sa ca|, then of its integrals */
     int i;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
         const vm_real bound = size * mean->change[i];
@@ -9172,14 +9210,16 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return least;
 }
 
-/* What all solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t */
+/* The error that fast changes of the laws between 0 and t cause in every averaged solution. An error of ln J makes an
+   error of the phase that is larger by the factor gamma Om t. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
-/* The error of first order, to first order: the solution leaves out how far the start is from its mean motion, the
-   ripple of a period, and the second order of the mean phase. The phase multiplies errors of ln J by gamma Om t. */
+/* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution takes the amplitude and
+   the phase at the start for their mean values, and leaves out the ripple within a period and the term E_0 of the mean
+   phase. An error of ln J makes an error of the phase that is larger by the factor gamma Om t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -9191,15 +9231,16 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return phase + ln_A + e / (n + 2) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* The error of order 2, 3, 4 or 5: terms of the next weight at the start, which the phase multiplies, and at t, at the
-   points of tables, and in the mean rate of the phase. The factor 2 fits what tests/test_slow_motion.c finds. */
+/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that this
+   order leaves out: at the start, at t, at points of tables, and in the mean rate of the phase. Errors of ln J at the
+   start grow with the phase. A factor of 2 in the sum fits the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
     const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
     const int start_order = order < p->start_order ? order : p->start_order;
-    const vm_real largest_known = VM_C(0.25); /* a larger estimate means that the motion is not slow: nothing is known */
+    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
     vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error, rate = mean->third;
     int i;
     vmi_osc_disturbance(&mean->now, state.W, e);
@@ -9211,7 +9252,7 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
     knot_J = VM_SQRT(mean->knots_J[start_order - 2]);
     if (order == 5) rate *= 2;
     if (order < 4) rate = VM_FABS(mean->second) + mean->third;
-    if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* not slow: no power of E_0 is small */
+    if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* the laws are not slow */
     phase = vmi_osc_size_psi(r, order, e0) + vmi_osc_size_psi(r, order, e) + g * turns * (start_J + knot_J) + rate +
             VM_SQRT(mean->knots_psi[start_order - 2]);
     amplitude = vmi_osc_size_J(r, order, e) + start_J + knot_J;
@@ -9221,8 +9262,8 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
 
 /* -- The solutions -- */
 
-/* The motion of amplitude A where Om is the rate of the Ateb phase, so that vmax = 2 A Om/(alpha+1); c and s are those
-   of the wave. Evaluations are set to 0. VM_NOT_FINITE leaves *motion untouched. */
+/* Writes the motion of amplitude A. Om is the rate of the Ateb phase, so that the largest velocity is 2 A Om/(alpha+1);
+   c and s are the values of the wave w. evals is set to 0. VM_NOT_FINITE leaves *motion untouched. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {
@@ -9238,7 +9279,8 @@ VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_re
     return VM_OK;
 }
 
-/* First order (310), (329), (370): A by the adiabatic law, the phase the integral of Om. route: the one with wave w */
+/* Computes the motion to first order (310), (329), (370): the amplitude A follows the adiabatic law, and the phase is
+   the integral of Om. w is the wave of the route. */
 VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                vm_osc_motion *motion)
 {
@@ -9249,8 +9291,8 @@ VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wa
     return vmi_osc_motion_of(w, A, Om, c, s, error, route, motion);
 }
 
-/* The law of order five, cut off after the order of the route: from the mean motion at t to the motion, by one step in
-   the phase. route: VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 */
+/* Computes the motion at t from the mean motion, by the law of order five, cut off after the order of the route. route
+   is one of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, w its wave. */
 VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                            vm_osc_motion *motion)
 {
@@ -9298,10 +9340,10 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period, where the wave moves as x = A c, x' = -V s. Each quarter of the
-   period is cut in two. Up to the cut, Gauss' rule takes 20 points in psi; for large alpha the velocity varies like
-   tanh psi there. From the cut to x = 0 the rule takes 20 points in the square root of the distance of psi from its
-   value at x = 0, because F may contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period, where the wave moves as x = A c, x' = -V s. Each quarter of the period
+   is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large alpha the velocity varies like
+   tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the distance of psi from its value
+   at x = 0, because F may contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -9380,7 +9422,7 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
 
 /* -- What averaging leaves out -- */
 
-/* Number of points of a period at which the exact rates are compared with their means */
+/* Number of phases in a period at which the exact rates of ln A and psi are compared with their means */
 enum { VMI_AVERAGING_POINTS = 64 };
 
 /* A time t between 0 and t_end, and the motion at t */
@@ -9413,7 +9455,7 @@ VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) {
         const vm_real way = 2 * p->ripple.pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
         vm_real ca, sa, F, time = at->t + side * (way - 2 * p->ripple.pi) / at->Om;
-        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* no force before the start */
+        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* there is no force before the start */
         if (VM_FABS(time) > VM_FABS(at->t_end)) time = at->t_end;
         if (frozen) time = at->t;
         vmi_osc_wave_at(&w, at->psi + way, &ca, &sa);
@@ -9457,7 +9499,7 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
-    const vm_real change = VM_C(0.02); /* the small change of ln A */
+    const vm_real change = VM_C(0.02); /* the change of ln A that is tried */
     const vm_real A = at->A * (1 + change), Om = at->Om * (1 + (w->alpha - 1) / 2 * change);
     const vmi_osc_wave exact = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     vm_real own_A, own_psi, exact_A, exact_psi, more_A, more_psi;
@@ -9492,7 +9534,7 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* factor of rate times ripple; Duffing's equation has 0.156 */
+    const vm_real second_order = VM_C(0.25); /* factor of rate times ripple; for Duffing's equation it is 0.156 */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -9525,6 +9567,7 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
    interval from 0 to t */
 enum { VMI_OSC_CHECKS = 8 };
 
+/* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
 VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 {
     if (i == VMI_OSC_CHECKS - 1) return t;
@@ -9533,7 +9576,7 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 
 /* Estimates the error at t of the averaged equations with a force, from the motions at the times of
    vmi_osc_check_time. Errors arise from the ripple at the start, which the equations take for a part of the mean, and
-   from the errors of the mean rates. These errors grow as small changes of the motion do, and an error of the
+   from errors of the mean rates. These errors grow as small changes of the motion do, and an error of the
    amplitude adds an error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not
    ca, and the effect of fast changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
@@ -9569,12 +9612,11 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
 #endif
 /* oscillators/integration.h - integration of an oscillator to a tolerance, with an estimate of its error
 
-   Three systems of two equations describe the same oscillator: the averaged equations of amplitude and phase, the exact
-   equations of amplitude and phase ((314), (315) with the term of omega' that they lack), and the equation of motion.
-   A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the numbers that suit this pair;
-   oscillators/routes.h lists the methods that are used. vmi_osc_integrate runs a method twice, the second time with a
-   stricter tolerance, and estimates the error by the difference of the two runs. It repeats this with stricter
-   tolerances until the error is within the tolerance of the motion.
+   Two systems of two equations describe the oscillator: the averaged equations of amplitude and phase, and the equation
+   of motion. A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the numbers that suit
+   this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a method twice, the second time
+   with a stricter tolerance, and estimates the error from the difference of the two runs. It repeats both runs with
+   stricter tolerances until the estimated error is within the tolerance of the motion.
        vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
        vm_osc_motion motion;
        int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
@@ -9586,16 +9628,16 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
 
 /* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
-    vm_real least;     /* least tolerance of a step that rounding errors within the step allow */
+    vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
     vm_real ratio;     /* tolerance of the loose run over that of the strict run */
     vm_real factor;    /* estimated error of the strict run over the difference of the two runs */
-    vm_real by_chance; /* least estimate of the error over the tolerance of the steps; a smaller one is chance */
+    vm_real by_chance; /* least ratio of estimated error to tolerance of the steps; less is taken for chance */
 } vmi_osc_tuning;
 
 /* How a route integrates */
 typedef struct VM_TAG(vmi_osc_method) {
-    ode_rhs rhs;  /* the right-hand side, one of the three vmi_osc_..._rhs; null where the route does not integrate */
-    int averaged; /* 1 where rhs is averaged, which adds an error of its own; else 0 */
+    ode_rhs rhs;  /* the right-hand side: vmi_osc_averaged_rhs or vmi_osc_direct_rhs */
+    int averaged; /* 1 where rhs is averaged, so that an error of averaging is added; else 0 */
     int direct;   /* 1 where the state of rhs is position and velocity, 0 where it is amplitude and phase */
     int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                 const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
@@ -9603,10 +9645,10 @@ typedef struct VM_TAG(vmi_osc_method) {
     vmi_osc_tuning tuning;                                           /* numbers for this pair */
 } vmi_osc_method;
 
-/* A method with rk45. rk45 keeps the length of its steps while their error stays within a factor of 3; ratio is
-   larger, so that the two runs take different steps. factor leaves room for errors that are not proportional to the
-   tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree well by chance; by_chance
-   allows for this. */
+/* A method with rk45. rk45 does not change the length of its steps while their error stays within a factor of 3.
+   `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves room for errors that
+   are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree
+   well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -9622,7 +9664,7 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
     return method;
 }
 
-/* A method with rk87, which keeps the length of its steps while their error stays within a factor of 7.5 */
+/* A method with rk87, which does not change the length of its steps while their error stays within a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -9635,8 +9677,8 @@ VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
     return method;
 }
 
-/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the other two
-   systems */
+/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the averaged
+   equations */
 enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_STATES = 2 };
 
 /* The longest step of the first loose run, in periods */
@@ -9652,7 +9694,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int status;       /* status of a law of m or k that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, as a part of the interval up to the next stop */
-    vm_real law_step; /* longest step, s, that skips no change of a user's law; it is halved whenever longest is */
+    vm_real law_step; /* longest step, s, that skips no change of a user's law; it is reduced as `longest` is */
     long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
@@ -9677,7 +9719,7 @@ VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return 0;
 }
 
-/* (m/m0)^reactive: the reactive force alone would divide the velocity by this number */
+/* (m/m0)^reactive: a body on which only the reactive force acts has a velocity proportional to the inverse of this. */
 VM_API vm_real vmi_osc_reactive_weight(const vm_osc_problem *o, vm_real mass_ratio)
 {
     if (o->reactive == 1) return mass_ratio;
@@ -9724,8 +9766,7 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
     return 2 * p->ripple.pi / (p->Om * vmi_exp(ln_Om, 0));
 }
 
-/* The time at which the run stops next on its way to t: the next point of a table, or 64 periods later if that is
-   earlier */
+/* The time at which the run stops next on its way to t: the next point of a table, but at most 64 periods later */
 VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period)
 {
     const vm_osc_problem *o = &c->plan->problem;
@@ -9801,7 +9842,7 @@ VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
     return VM_IS_FINITE(motion->amplitude) ? VM_OK : VM_NOT_FINITE;
 }
 
-/* Computes the motion at the VMI_OSC_CHECKS times of vmi_osc_check_time, by one run to t. */
+/* Makes one run from 0 to t, and writes the motions at the VMI_OSC_CHECKS times of vmi_osc_check_time. */
 VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_plan *p = c->plan;
@@ -9876,8 +9917,8 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     return VM_OK;
 }
 
-/* Makes a loose run, and a strict run with half the longest step. If a law of m or k stopped one of them, c->status
-   says so. */
+/* Makes a loose run, and a strict run with half the longest step. If a law of mass or stiffness stopped one of the
+   runs, c->status is the law's status. */
 VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, vm_real longest, vm_osc_motion *loose,
                             vm_osc_motion *strict)
 {
@@ -9981,16 +10022,17 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 }
 
 #endif
-/* oscillators/collocation.h - integration of an oscillator from zero to zero of x, to a tolerance
+/* oscillators/collocation.h - integration of an oscillator from each zero of x to the next, to a tolerance
 
-   The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F,
+   The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F, are
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
-   E = (p^2 - a p - p')/W^2, f = F/(m V), V = 2 A W/(alpha+1), are solved with psi as the independent variable: ln A and
-   t are integrated from one zero of x to the next. There |x|^(alpha-1) x has no derivatives for most alpha; since the
-   steps end there, no order is lost. In a step the method is Gauss' collocation of n points, with the values of the
-   last steps extrapolated as a start of its iteration. p' is the derivative of the polynomial through p at these
-   points, so that laws have to give f and f' only. Two runs with different n go side by side; by how much they differ
-   gives the error.
+     with E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
+   They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
+   At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
+
+   A step uses Gauss' collocation of n points. Its equations are solved by iteration, which starts from values that are
+   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points,
+   so that laws have to give only f and f'. Two runs with different n go side by side; their difference gives the error.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
@@ -10000,17 +10042,18 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 
 /* -- Gauss' rule of n points on [0, 1] -- */
 
-/* Most points, and steps whose values are extrapolated */
+/* The largest n, and from how many earlier steps a step is extrapolated */
 enum { VMI_NODES = VMI_GAUSS, VMI_HISTORY = 6 };
 
+/* Gauss' rule, and two matrices for polynomials of degree n - 1: polynomial j is 1 at node j, 0 at all other nodes */
 typedef struct VM_TAG(vmi_gauss_rule) {
-    int n;
+    int n; /* number of nodes */
     vm_real node[VMI_NODES], weight[VMI_NODES];
-    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral from 0 to node i of the polynomial that is 1 at node j */
-    vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of this polynomial at node i */
+    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral of polynomial j from 0 to node i */
+    vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
 } vmi_gauss_rule;
 
-/* Legendre's P_n(x), and its derivative in *slope */
+/* Returns Legendre's polynomial P_n(x), and writes its derivative to *slope. */
 VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
 {
     vm_real before = 0, now = 1;
@@ -10024,7 +10067,7 @@ VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
     return now;
 }
 
-/* Nodes and weights by Newton's method, from the nodes of Chebyshev's polynomial */
+/* Computes nodes and weights: zeros of Legendre's polynomial by Newton's method, from an approximation by cosines. */
 VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
 {
     const int rounds = 6;
@@ -10042,8 +10085,8 @@ VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
     }
 }
 
-/* Adds to the matrices what Legendre's polynomial of degree k, with values at the nodes, its integrals from 0 and its
-   derivatives by the node, contributes to the polynomial that is 1 at one node */
+/* Adds the part of Legendre's polynomial P_k to both matrices. values, integrals and derivatives are those of P_k at
+   the nodes, with integrals from 0 and derivatives by the variable of the nodes. */
 VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
                                const vm_real *derivatives)
 {
@@ -10057,7 +10100,7 @@ VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *value
     }
 }
 
-/* The rule of n points, 2 <= n <= VMI_NODES */
+/* Computes the rule of n points, 2 <= n <= VMI_NODES. */
 VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
 {
     vm_real before[VMI_NODES], now[VMI_NODES], slope_before[VMI_NODES], slope[VMI_NODES];
@@ -10075,7 +10118,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
             rule->derivative[i][j] = 0;
         }
     }
-    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals by the node are half of those by x, derivatives double */
+    for (k = 0; k < n; k++) { /* with x = 2 node - 1: node integrals are half of those over x, derivatives double */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
@@ -10100,34 +10143,36 @@ typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
 } vmi_step_waves;
 
-/* Derivatives of ln A and t by the phase at the nodes of a step */
+/* Rates: derivatives of ln A and t by the phase psi, at the nodes of a step */
 typedef struct VM_TAG(vmi_step_rates) {
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
 } vmi_step_rates;
 
-/* A run from 0 to t. A half period is one step, or two steps with a stop where x' = 0. */
+/* A run from 0 to t. A half period, from one zero of ca to the next, is one part, or it is two parts that meet where
+   sa = 0. Each step covers one part, unless it starts or ends inside a part. */
 typedef struct VM_TAG(vmi_osc_course) {
     const vm_osc_plan *plan;
     vmi_osc_wave wave;
     vmi_gauss_rule rule;
     int side;              /* 1 forward, -1 backward in time */
-    int parts;             /* steps of a half period, 1 or 2 */
-    vm_real stop;          /* laws are not asked beyond this time, s: a point of a table or the end */
+    int parts;             /* number of parts of a half period, 1 or 2 */
+    vm_real stop;          /* time, s, at which a step must end: a point of a table or the end. Laws are not
+                              evaluated beyond it */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this */
+    vm_real sweep_limit;   /* the iteration of a step ends when a round changes the phase by less than this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
-    vm_real t_low;         /* what t as one number loses, s */
-    vm_real left;          /* sum over the steps of what their iterations left to change, of the phase */
-    vm_real contraction;   /* by this factor each round of the iteration reduces its error */
-    vm_real rate;          /* of the phase at the end of the last step, 1/s */
-    vmi_step_waves waves[2];                        /* of the parts of a half period that starts at psi = -Pi/2 */
-    vmi_step_rates history[2][VMI_HISTORY];         /* of the last whole steps, by parts, the last one first */
-    int known[2];                                   /* how many of them there are */
+    vm_real t_low;         /* the exact time is t + t_low, s */
+    vm_real left;          /* sum over the steps of the change of phase that their iterations leave out */
+    vm_real contraction;   /* factor by which a round of the iteration reduces its error */
+    vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
+    vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
+    vmi_step_rates history[2][VMI_HISTORY];         /* rates of earlier whole steps over each part, the latest first */
+    int known[2];                                   /* number of earlier steps over each part that history holds */
     int status;
-    long evals;
+    long evals;            /* evaluations of the rates */
 } vmi_osc_course;
 
-/* sa and ca at the nodes between two phases */
+/* Writes sa and ca at the nodes of a step that starts at the phase `from`. */
 VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
 {
     int i;
@@ -10135,20 +10180,20 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
         vmi_osc_wave_at(&c->wave, from + length * c->rule.node[i], &w->ca[i], &w->sa[i]);
 }
 
-/* A step that is being made: from the state of the course over a length of phase */
+/* A step that is being computed; it starts at the present state of the course */
 typedef struct VM_TAG(vmi_osc_step) {
-    vm_real length;
-    vm_real sign;          /* factor of the waves: -1 in every second half period, where both have the other sign */
-    const vmi_step_waves *waves;
-    vmi_step_rates rates;
+    vm_real length;              /* length in phase */
+    vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
+    const vmi_step_waves *waves; /* sa and ca at the nodes, without the factor sign */
+    vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
 } vmi_osc_step;
 
-/* What ln A and t change by */
+/* Changes of ln A and of t, s, over a step or a part of it */
 typedef struct VM_TAG(vmi_osc_change) {
     vm_real ln_A, t;
 } vmi_osc_change;
 
-/* The changes over the whole step */
+/* The changes of ln A and t over the whole step */
 VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_osc_step *s)
 {
     vmi_osc_change sum;
@@ -10164,13 +10209,14 @@ VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_os
     return sum;
 }
 
-/* The rates by the phase at node i, where the laws say *now and p' = p_rate, at ln(A/A0) = ln_A and time t */
+/* Writes the rates of ln A and t by the phase at node i, where ln(A/A0) is ln_A and the time is t. *now holds mass,
+   stiffness and their rates at t, and p_rate is p'. */
 VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_osc_rates *now,
                                 vm_real p_rate, vm_real ln_A, vm_real t, vm_real *ln_A_by_psi, vm_real *t_by_psi)
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
-    const vm_real least_rate = VM_C(0.1); /* of the phase by W: below it this is no vibration */
+    const vm_real least_rate = VM_C(0.1); /* below this ratio of the phase's rate to W there is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
     const vm_real W = plan->Om * vmi_osc_Om_ratio(plan, now, ln_A);
     const vm_real E = (now->p * (now->p - now->a) - p_rate) / (W * W);
@@ -10187,7 +10233,7 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
     return VM_OK;
 }
 
-/* The changes from the start of the step to node i at these rates by the phase */
+/* The changes of ln A and t from the start of the step to node i, by integration of these rates */
 VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_step_rates *rates,
                                         int i)
 {
@@ -10205,13 +10251,15 @@ VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_s
     return sum;
 }
 
-/* The rates of a step go on by what a round found to be missing, and by what that changes in turn: `missing` moves ln A
-   and t, which moves the rates, mostly by the change of W with both. now: the laws at about the middle of the step */
+/* Adds to the rates of a step what a round found to be missing, and an estimate of what this changes in turn: `missing`
+   shifts ln A and t at the nodes, and these shift the rates, mostly because W depends on both. *now holds mass,
+   stiffness and rates at about the middle of the step. */
 VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_osc_rates *now,
                             const vmi_step_rates *missing, vmi_step_rates *rates)
 {
     const vm_real alpha = c->plan->problem.alpha;
-    const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2; /* of ln(dt/dpsi) */
+    /* derivatives of ln(dt/dpsi) by t and by ln A */
+    const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2;
     int i;
     for (i = 0; i < c->rule.n; i++) {
         const vmi_osc_change moved = vmi_osc_change_to(c, s, missing, i);
@@ -10221,7 +10269,7 @@ VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, cons
     }
 }
 
-/* One round of the iteration. *change: largest change of the phase over the step that it finds */
+/* Makes one round of the iteration. *change becomes the largest change of the rates, times the length of the step. */
 VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 {
     const int n = c->rule.n;
@@ -10254,8 +10302,8 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Rounds until what is left to change is below the limit of the course, from the rates in s->rates. One round leaves
-   the part `contraction` of the change that it made. */
+/* Makes rounds of the iteration, from the rates in s->rates, until the change of phase that they leave out is below the
+   limit of the course. A round leaves out the part `contraction` of the change that it makes. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
     const vm_real least_contraction = VM_C(0.02); /* in case the next steps are harder than this one */
@@ -10275,7 +10323,9 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
     return change * c->contraction <= c->sweep_limit || change <= rounding ? VM_OK : VM_NOT_INTEGRATED;
 }
 
-/* Start values of a step: extrapolated from whole steps of the same part, or else the rates at the start */
+/* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps of the same
+   part of a half period; if there are none, all are the rates at the start of the step, without the terms of
+   E and F. */
 VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 {
     vmi_osc_rates now;
@@ -10295,7 +10345,7 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
         s->rates.ln_A[i] = 0;
         s->rates.t[i] = 0;
     }
-    for (k = 0; k < c->known[part]; k++) { /* the polynomial through n values has the factors n, -n (n-1)/2, ... */
+    for (k = 0; k < c->known[part]; k++) { /* extrapolation of n values: factors n, -n (n-1)/2, ... */
         const vmi_step_rates *last = &c->history[part][k];
         factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
         for (i = 0; i < c->rule.n; i++) {
@@ -10307,7 +10357,7 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
     return VM_OK;
 }
 
-/* The state of the course goes on by the step */
+/* Advances the state of the course by the step. */
 VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
 {
     const vmi_osc_change moved = vmi_osc_whole_change(c, s);
@@ -10319,7 +10369,7 @@ VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
     c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
-/* Keeps the rates of a whole step for the next ones of the same part */
+/* Stores the rates of a whole step, from which later steps of the same part are extrapolated. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
     int i;
@@ -10330,7 +10380,8 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
 
 /* -- Landing on a time -- */
 
-/* The part of the step at which t is reached, by the polynomial of the step */
+/* Returns at which fraction of the step the time t is reached, by Newton's method for the polynomial of the step.
+   Writes the Legendre series of dt/dpsi to series. */
 VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
 {
     const int rounds = 8;
@@ -10356,7 +10407,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return part;
 }
 
-/* Makes a shorter step than the one that would go beyond c->stop, so that it ends there */
+/* Makes a step that ends at c->stop, in place of `beyond`, the longer step that would go past this time. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
 {
     const int rounds = 6;
@@ -10393,14 +10444,15 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
 
 /* -- Steps -- */
 
-/* The phase at which the next step ends: a multiple of Pi/2, that for one part is a zero of ca; *part: which part of a
-   half period the step is, -1 where it starts inside */
+/* Returns the phase at which the next step ends: a zero of ca, or with two parts a zero of ca or sa. *part becomes the
+   number of the part that the step covers, or -1 where the step starts inside a part; *sign becomes the factor of its
+   waves. */
 VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *sign)
 {
     const vm_real half = c->plan->ripple.pi, close = 64 * VM_EPSILON * (1 + VM_FABS(c->psi) / half);
     const vm_real per_step = (vm_real)c->parts / half, side = (vm_real)c->side;
-    const vm_real at = (c->psi + half / 2) * per_step; /* whole numbers are ends of steps */
-    const vm_real nearest = VM_FLOOR(at + VM_C(0.5)), next = VM_FLOOR(side * at + close) + 1; /* along the way */
+    const vm_real at = (c->psi + half / 2) * per_step; /* the phase, counted in steps; `next` is the end of the step */
+    const vm_real nearest = VM_FLOOR(at + VM_C(0.5)), next = VM_FLOOR(side * at + close) + 1;
     const vm_real cell = side > 0 ? side * next - 1 : side * next; /* the step lies between cell and cell + 1 */
     const vm_real turn = VM_FLOOR(cell / (vm_real)c->parts);
     *part = VM_FABS(at - nearest) <= close ? (int)(cell - turn * (vm_real)c->parts) : -1;
@@ -10408,13 +10460,13 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
     return side * next / per_step - half / 2;
 }
 
-/* Whether the step, as its rates are now, ends at or beyond c->stop */
+/* Whether the step, by its present rates, ends at or beyond c->stop */
 VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
 {
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
 }
 
-/* One step towards c->stop, which ends there at the latest */
+/* Makes one step. If it would go beyond c->stop, it is shortened to end there. */
 VM_API int vmi_osc_course_step(vmi_osc_course *c)
 {
     vmi_step_waves inside;
@@ -10444,7 +10496,8 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     return VM_OK;
 }
 
-/* A course of n points at t = 0 */
+/* Starts a course at t = 0 from the amplitude and phase in *start, with n points a step and `parts` parts a half
+   period. */
 VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
                                  int n, int parts, vm_real sweep_limit)
 {
@@ -10478,17 +10531,17 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
 
 /* -- Two runs side by side -- */
 
-/* The next point of a table on the way to t, or t */
+/* The next point of a table after `from` on the way to t, or t if there is none */
 VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
 {
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
-/* Both courses go on to t, a point of a table or the end. *difference becomes the largest difference of ln A and of the
-   phase on the way, if that is larger. */
+/* Advances both courses to t, a point of a table or the end. Raises *difference to the largest difference of ln A and
+   phase between the two courses on the way. */
 VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real *difference)
 {
-    const vm_real most_steps = VM_C(16777216.); /* 2^24: in float more hold no phase, in double they take minutes */
+    const vm_real most_steps = VM_C(16777216.); /* 2^24: with more, float has no digits for the phase */
     vm_real steps = 0;
     int status = VM_OK;
     loose->stop = t;
@@ -10508,7 +10561,7 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
     return status;
 }
 
-/* Runs of two numbers of points */
+/* Numbers of points a step of the loose and of the strict run, and parts of a half period in both runs */
 typedef struct VM_TAG(vmi_osc_points) {
     int loose, strict, parts;
 } vmi_osc_points;
@@ -10522,9 +10575,10 @@ VM_API vmi_osc_points vmi_osc_points_of(int loose, int strict, int parts)
     return points;
 }
 
-/* The pairs that are tried, one after the other; the last one is number VMI_OSC_PAIRS - 1 */
+/* The number of pairs of runs that are tried one after the other */
 enum { VMI_OSC_PAIRS = 5 };
 
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1; the last pair is the most accurate. */
 VM_API vmi_osc_points vmi_osc_pair(int i)
 {
     switch (i) {
@@ -10536,7 +10590,8 @@ VM_API vmi_osc_points vmi_osc_pair(int i)
     }
 }
 
-/* The pair that is tried first. With a force the rates may have kinks where x' = 0, so that two parts are better. */
+/* The number of the pair that is tried first. With a force the rates may have kinks where x' = 0; pairs with two parts
+   a half period end steps near there. */
 VM_API int vmi_osc_first_pair(const vm_osc_plan *plan, vm_real tolerance)
 {
     if (plan->problem.force) return 3;
@@ -10544,13 +10599,13 @@ VM_API int vmi_osc_first_pair(const vm_osc_plan *plan, vm_real tolerance)
     return tolerance >= VM_C(1e-10) ? 1 : 2;
 }
 
-/* One pair of runs from 0 to t: the state at t in *strict, the estimate of its error in *error */
+/* Makes one pair of runs from 0 to t. *strict becomes the strict run at t, *error the estimate of its error. */
 VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vm_real longest,
                                   vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
 {
     const int side = vmi_time_side(t);
-    const vm_real factor = VM_C(0.25); /* the error of the strict run is taken for this part of the difference */
-    const vm_real looser = 16;         /* so that errors of the iteration, too, make a difference */
+    const vm_real factor = VM_C(0.25); /* estimated error of the strict run over the difference of the two runs */
+    const vm_real looser = 16;         /* ratio of their sweep_limits, so that errors of the iteration differ, too */
     vmi_osc_rates now;
     vmi_osc_slow start;
     vmi_osc_reduced state;
@@ -10573,12 +10628,14 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     return status;
 }
 
-/* The motion at t by collocation. VM_TOLERANCE_MISSED: the motion is there, but the estimate of the error is larger than
-   the tolerance. VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, since mass, stiffness or force
-   change as fast as the phase, or after 2^23 periods; the statuses of the laws. */
+/* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
+   error is larger than the tolerance. Returns VM_NOT_INTEGRATED after 2^24 steps, and where amplitude and phase do not
+   describe the motion, because mass, stiffness or force change as fast as the phase. Also returns the statuses of the
+   laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + (vm_real)(plan->problem.mass.n + plan->problem.stiffness.n);
+    const vm_real knots = (vm_real)(plan->problem.mass.n + plan->problem.stiffness.n);
+    const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
     const vm_real share = 4 * steps; /* the iterations of all steps may take a quarter of the tolerance */
     const vm_real sweep_limit = vmi_larger(tolerance / share, VM_EPSILON);
     const int first = vmi_osc_first_pair(plan, tolerance);
@@ -10615,10 +10672,10 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 #endif
 /* oscillators/routes.h - the motion x(t) of an oscillator at any time, by a given route or by the cheapest
 
-   Seven routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
-   in oscillators/problem.h). vm_osc_within takes the cheapest whose error is estimated to be within a tolerance,
-   vm_osc_by_route takes the route that its argument names; vm_osc_plan_within and vm_osc_plan_by_route do this for many
-   times of one problem. The shortest useful call:
+   Ten routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
+   in oscillators/problem.h). vm_osc_within takes the cheapest route whose error is estimated to be within a tolerance.
+   vm_osc_by_route takes the route that its argument names. vm_osc_plan_within and vm_osc_plan_by_route do the same from
+   a plan, for many times of one problem. The shortest useful call:
        vm_osc_problem bucket = {1, vm_law_linear(10, -0.1), vm_law_linear(250, 0), 0, 0, 0.05, 0, NULL, NULL};
        vm_osc_motion motion;
        if (vm_osc_within(&bucket, 70, 1e-6, &motion) == VM_OK) printf("%g m\n", motion.x);
@@ -10626,41 +10683,49 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 #ifndef VARMASS_OSCILLATORS_ROUTES_H
 #define VARMASS_OSCILLATORS_ROUTES_H
 
-/* -- Which route for what, and what the estimate of the error covers --
+/* -- What each route costs, which one is chosen, what its estimate covers, and how good the estimate is --
 
-   Cost. Without a force F the first four routes are averaged solutions in closed form: they need one or two
-   evaluations of sa and ca and the integrals of the laws of mass and stiffness, whatever t and the tolerance are. The
-   other routes integrate from 0 to t to the tolerance. Each of them runs twice, the second time with a stricter
-   tolerance, and the difference of the two runs gives the error. With F the averaged equations of the first three
-   routes are integrated, too, and the second-order law does not exist. docs/cost.md has the times.
+   The routes, and what they cost (docs/cost.md has the times):
+     cos, cn, ca           First-order averaging. Without a force F they need one value of the wave and the integrals of
+                           the laws of mass and stiffness from 0 to t, for every t and every tolerance.
+     order 2, 3, 4, 5      The law of order five, cut off after this order. It needs the same integrals and the Ateb
+                           functions at one or two phases, and exists only without F. Orders 3 to 5 also need the
+                           polynomials of oscillators/ripple.h, which a plan makes only once.
+     collocation           It integrates from each zero of x to the next, so its cost grows with the number of periods.
+     rk45, rk87            They integrate the equation of motion, which takes far more evaluations a period.
+   With F the routes cos, cn and ca integrate their averaged equations. Integrations run twice with different accuracy,
+   and their error is estimated from the difference of the two runs; if it is too large, they repeat this more strictly.
 
-   Choice. vm_osc_within takes the first of these four solutions that is within the tolerance. Where none is, or where
-   F is given, it integrates: by rk87 for odd alpha without F, and by the variation of constants in all other cases.
+   Choice. Without F vm_osc_within tries cos, cn, ca and the orders 2 to 5, and takes the first whose estimated error is
+   within the tolerance. Where there is none, and always with F, it integrates by collocation. Where collocation fails
+   or misses the tolerance, it integrates by rk87. It never takes rk45.
 
-   What the estimate covers. For averaged solutions it covers what the solution leaves out, and the fastest changes of
-   mass and stiffness between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from
-   point to point. A change within a period makes the estimate large; vm_osc_within then integrates, in steps of at
-   most a quarter of the shortest panel. For averaged equations with F the estimate covers the error of their
-   integration, of averaging, and of cos and cn in place of the Ateb functions. Averaging leaves out the ripple within
-   a period, its effect on phase and amplitude at the start, its square, and a force that changes within a period, as
-   in a resonance. For this estimate F is called over a period at the start and at eight later times: it misses a
-   force that acts only for a short time between them.
+   What the estimate of an averaged solution covers:
+     - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
+     - fast changes of mass and stiffness between 0 and t. The walk along the laws looks for them panel by panel (for
+       laws by functions see vm_law_user), and in tables from one point to the next. A change within a period makes the
+       estimate large, so that vm_osc_within integrates. For a law by a function its steps are then limited by the
+       shortest panel, so that no step skips the change.
+   What the estimate of averaged equations with F covers:
+     - the error of their integration, and the error of cos and cn in place of ca;
+     - what averaging leaves out: the ripple within a period, its effect on phase and amplitude at the start, and terms
+       of second order in this ripple;
+     - a force that changes within a period, as in a resonance. For this the estimate calls F over a period at the start
+       and over periods at eight later times, so it misses a force that acts only for a short time between them.
 
-   How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
-   1/8 to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. In double its bounds are, for
-     the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
-     the largest ratio of true error to estimate: 30 by rk87, 40 by rk45 and variation of constants, else 10,
-     the median ratio of estimate to true error: 25 by rk87, 13 by rk45 and variation of constants, 15 with F, else 10.
-   The estimate is worse for rk87, because its errors are not proportional to the tolerance if alpha is not an odd
-   integer. */
+   How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from 1/8
+   to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. By vm_osc_within the true error is at most 3 times the
+   estimate in 99 % of the problems, and at most 10 times the estimate in all of them. Estimates of rk45 and rk87 are
+   less reliable where alpha is not an odd integer: their errors are then not proportional to the tolerance, and two
+   runs may agree by chance. */
 
 /* -- The table of routes -- */
 
-/* The solution at t of averaged equations without a force; *mean is the mean motion at t */
+/* A function that computes the motion at t from the mean motion *mean at t, for a problem without a force */
 typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion);
 
-/* A function that integrates from 0 to t to a tolerance */
+/* A function that computes the motion at t by integration from 0 to t, to a tolerance */
 typedef int (*vmi_osc_integration)(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                    vm_osc_motion *motion);
 
@@ -10729,7 +10794,7 @@ VM_API const char *vm_osc_route_name(int route) { return vmi_osc_route_of(route)
 
 /* -- One route -- */
 
-/* Checks the arguments that all calls share, apart from the problem. */
+/* Checks the arguments that all calls share, except for the problem or the plan. */
 VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, const vm_osc_motion *motion)
 {
     if (!motion || route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
@@ -10749,8 +10814,8 @@ VM_API int vmi_osc_check_call(const vm_osc_plan *p, int route, vm_real t, vm_rea
     return vmi_first_error(status, vmi_osc_check_laws(&p->problem, t));
 }
 
-/* The motion of a body at rest at x = 0: it stays at rest, unless a force starts a motion, which no route can
-   compute */
+/* Writes the motion of a body at rest at x = 0, which stays at rest. With a force it returns VM_NO_LAW, since no route
+   can compute the motion that the force starts. */
 VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motion)
 {
     if (p->problem.force) return VM_NO_LAW;
@@ -10764,19 +10829,20 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. route is one of VM_ROUTE_....
-   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
-   it that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). The comment at
-   the top of this file says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but
-   the error of integration is larger than the tolerance.
-   An error leaves *motion untouched; it returns
+   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of it
+   that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment at the
+   start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
+   computed but the error of integration is larger than the tolerance. An error leaves *motion untouched; it returns
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, a user's function of a law that fails,
        or a change_time that is negative or too short,
-     VM_NO_LAW for the second-order law with F, and for F on a body at rest at x = 0,
-     VM_NOT_INTEGRATED where the integrator gives up, or would need too many steps: more than 2^13 a period plus four
-       times what its longest step asks for, or more than 2^23 of the present periods. Thus every call ends. */
+     VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 with F, and for F on a body at rest at x = 0,
+     VM_NOT_INTEGRATED where the integrator gives up or needs too many steps, so that every call ends. The limit of rk45
+       and rk87 is 2^13 steps a period plus four times what the longest allowed step asks for, and 2^23 of the present
+       periods; that of collocation is 2^24 steps. Collocation also gives up where the laws or F change as fast as the
+       phase. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
@@ -10796,7 +10862,7 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* Writes the motion at t by the averaged solution of the lowest order whose error is estimated to be within the
+/* Writes the motion at t by the first of cos, cn, ca and the orders 2 to 5 whose error is estimated to be within the
    tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
@@ -10806,7 +10872,7 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     int route, order, status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     first = vmi_osc_first_error(p, &mean);
-    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB, whose wave has no error */
+    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB: ca has no error */
         w = vmi_osc_wave_of(p, route);
         if (first + vmi_osc_wave_error(&w, p->ripple.mean2) <= tolerance)
             return vmi_osc_first_order(p, route, &w, &mean, motion);
@@ -10845,7 +10911,7 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 /* -- Without a plan -- */
 
 /* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
-   many calls. `complete` asks for the polynomials that orders 3 to 5 need. */
+   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
@@ -11036,7 +11102,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 of each method. For cn (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
+/* Writes the mean values a1, a2, a3 for the oscillator's method. With cn, a1 of (411) is simplified by
+   (1 - m) + m C4 = 2 a2. */
 VM_API void vmi_vdp_means(vm_vdp *v)
 {
     v->a1 = 1;
@@ -11079,7 +11146,7 @@ VM_API int vm_vdp_init(vm_vdp *v)
     return VM_OK;
 }
 
-/* The drive 2 feed - (2r - 1) m', N s/m, which on average feeds a small vibration */
+/* The drive 2 feed - (2r - 1) m', N s/m, which on average feeds energy to a small vibration */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
@@ -11092,7 +11159,7 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
-/* Whether the closed forms hold: they know the terms feed and c, of an oscillator that is prepared */
+/* Whether the closed forms below may be used: whether vm_vdp_init has prepared the oscillator */
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.
@@ -11232,7 +11299,7 @@ typedef struct VM_TAG(vm_jeffcott) {
     vm_jeffcott_force force; /* external force F_z, or null; it must be small where equations are averaged */
     void *force_ctx;         /* the user's pointer, handed to force */
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
-    vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where with the disc's own velocity */
+    vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
     int nodes;               /* number of phases in a mean over a period; 0 means 32 */
 } vm_jeffcott;
@@ -11435,7 +11502,7 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
 /* Number of phases of a period that enter a mean value */
 VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
-    const int usual = 32; /* then the mean is exact for polynomials of degree 15 in z and z' */
+    const int usual = 32; /* exact means for forces that are polynomials in z and z' of degree <= 15 */
     if (r->nodes > 0) return r->nodes;
     return usual;
 }
@@ -11573,16 +11640,16 @@ VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *d
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87. State, error and statuses are those of
-   vm_jeffcott_forward_whirl_rhs, but W < 0. */
+/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87. State, error and statuses are as in
+   vm_jeffcott_forward_whirl_rhs, except that the whirl's frequency W is negative. */
 VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* The search for the radius A of circular whirl after a change of the mass: A^4 (g^2 + m F_e'(A)) is an invariant,
-   which keeps its value */
+/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m F_e'(A)) is an invariant: it
+   keeps its value during the change. */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
@@ -11608,9 +11675,9 @@ typedef struct VM_TAG(vmi_jeffcott_bracket) {
     vm_real a, b, at_a, at_b;
 } vmi_jeffcott_bracket;
 
-/* Walks from x = 0, where vmi_jeffcott_invariant is b->at_a, until its sign changes, with steps that double. A step
-   to a place where it is NaN is halved, and from then on steps no longer double. Returns 0 where the walk ends at
-   such a place, and 1 where it finds a change of sign. */
+/* Searches from x = 0, where vmi_jeffcott_invariant is b->at_a, until the sign of this function changes, with steps
+   that double. A step to an x where the function is NaN is halved, and from then on steps no longer double. Returns 1
+   where a change of sign is found, and 0 where halved steps still lead to NaN. */
 VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
 {
     vm_real step = VM_C(0.0625); /* changes the radius by 6 % */
@@ -11640,8 +11707,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
      A^4 (g^2 + m F_e'(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius changes by vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
    error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, since the radius then depends on all
-   masses between; where no radius is found on the way from first_A; for null pointers, for a rotor without stiffness,
-   and for a radius or masses that are not positive and finite. */
+   masses in between; where no radius is found on the way from first_A; for null pointers, for a rotor without
+   stiffness, and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -11654,7 +11721,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
     o.r = r;
     o.first_A = first_A;
     o.mass = mass;
-    if (r->gyro == 0) { /* m^(2r-1) replaces m in the invariant */
+    if (r->gyro == 0) { /* for g = 0, m^(2r-1) replaces m in the invariant */
         o.mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
         first_mass = 1;
     }
@@ -11703,8 +11770,8 @@ enum {
     VMI_PAIR_MODES = 4
 };
 
-/* Writes the mass and its rate at time t, and checks them, the pair and the four numbers of a state. A right-hand
-   side gives no state to check: where a trial step of an integrator overflows, the integrator repeats the step. */
+/* Writes the mass and its rate at time t, and checks them, the pair and the four numbers of a state. Right-hand
+   sides pass NULL for the state: where a trial step of an integrator overflows, the integrator repeats the step. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
     const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
@@ -11889,7 +11956,7 @@ typedef struct VM_TAG(vm_forced) {
     vm_law frequency;  /* frequency nu of the force, rad/s, > 0 */
     vm_law force;      /* amplitude F of the force, N, of either sign */
     vm_real pi;        /* Pi_alpha; vm_forced_init writes this field and those below */
-    vm_real Om1;       /* factor of the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
+    vm_real Om1;       /* the constant of the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
     vm_real G;         /* share of the force that acts on the mean motion */
     /* Fourier coefficients: ca is the sum of c[j] cos((2j+1) phi), sa the sum of s[j] sin((2j+1) phi). */
     vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS];
@@ -11926,7 +11993,7 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
     const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* number of points of the rule in an interval of t of length 1 */
-    const int n = 13 * steps / 4;                /* |t| is at most 3.25; beyond, the integral is below eps */
+    const int n = 13 * steps / 4;                /* |t| is at most 3.25; the rest of the integral is below eps */
     vm_real sum[VMI_FORCED_HARMONICS] = {0, 0, 0, 0, 0}, total = 0;
     int i, j;
     for (i = -n; i <= n; i++) {
@@ -12087,7 +12154,7 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     phi *= VM_PI / f->pi;
     A = exact;
     for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
+    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* then the motion is smaller than its ripple */
     y[0] = A;
     y[1] = phi - theta;
     y[2] = theta;
@@ -12141,11 +12208,11 @@ typedef struct VM_TAG(vm_steady_state) {
 /* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
     vm_real A;              /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
-    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can hold. Below 1 the vibration
-                               may be captured and follow A; above 1 it passes through the resonance */
+    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can balance. Below 1 the vibration
+                               may be captured, so that it follows A; above 1 it passes through the resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
-    vm_real amplitude_jump; /* relative change of the amplitude in a quick passage (drift_ratio much larger than 1):
-                               half its range over all phases at the start */
+    vm_real amplitude_jump; /* relative change of the amplitude in a quick passage (drift_ratio much larger than 1).
+                               It depends on the phase at the start; this is half of its range */
 } vm_passage;
 
 /* The quantities that determine the resonance at one time */
@@ -12362,13 +12429,13 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Whether the kind exists, and there may be `room` samples */
+/* Whether the kind of sample exists and `room` is not negative; for room > 0 samples must not be null. */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
 }
 
-/* A search for samples along a trajectory */
+/* A search for turning points or zero crossings along a trajectory */
 typedef struct VM_TAG(vmi_sample_search) {
     vm_motion_function motion;
     void *ctx;
@@ -12391,7 +12458,7 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
    written to samples, in the order in which they are met. Returns how many samples there are, which may be more than
    room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an unknown kind or a negative room, VM_NOT_FINITE for
    a step of 0, of the wrong sign or infinite, for more than 2e9 steps, or where the trajectory is not finite. Samples
-   found before such a place stay in samples. */
+   found before the error stay in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -12448,7 +12515,7 @@ VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
    those of vm_find_samples. Returns VM_BAD_ARGUMENT also for indices outside the state, and 0 before the first step. */
 VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *samples)
 {
-    const vm_real parts = 4; /* the step is searched for changes of sign in 4 equal parts */
+    const vm_real parts = 4; /* a change of sign is looked for in each of 4 equal parts of the step */
     vmi_step_motion m;
     vm_real length;
     if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;

@@ -1,9 +1,9 @@
 /* oscillators/routes.h - the motion x(t) of an oscillator at any time, by a given route or by the cheapest
 
-   Seven routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
-   in oscillators/problem.h). vm_osc_within takes the cheapest whose error is estimated to be within a tolerance,
-   vm_osc_by_route takes the route that its argument names; vm_osc_plan_within and vm_osc_plan_by_route do this for many
-   times of one problem. The shortest useful call:
+   Ten routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
+   in oscillators/problem.h). vm_osc_within takes the cheapest route whose error is estimated to be within a tolerance.
+   vm_osc_by_route takes the route that its argument names. vm_osc_plan_within and vm_osc_plan_by_route do the same from
+   a plan, for many times of one problem. The shortest useful call:
        vm_osc_problem bucket = {1, vm_law_linear(10, -0.1), vm_law_linear(250, 0), 0, 0, 0.05, 0, NULL, NULL};
        vm_osc_motion motion;
        if (vm_osc_within(&bucket, 70, 1e-6, &motion) == VM_OK) printf("%g m\n", motion.x);
@@ -22,41 +22,49 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* -- Which route for what, and what the estimate of the error covers --
+/* -- What each route costs, which one is chosen, what its estimate covers, and how good the estimate is --
 
-   Cost. Without a force F the first four routes are averaged solutions in closed form: they need one or two
-   evaluations of sa and ca and the integrals of the laws of mass and stiffness, whatever t and the tolerance are. The
-   other routes integrate from 0 to t to the tolerance. Each of them runs twice, the second time with a stricter
-   tolerance, and the difference of the two runs gives the error. With F the averaged equations of the first three
-   routes are integrated, too, and the second-order law does not exist. docs/cost.md has the times.
+   The routes, and what they cost (docs/cost.md has the times):
+     cos, cn, ca           First-order averaging. Without a force F they need one value of the wave and the integrals of
+                           the laws of mass and stiffness from 0 to t, for every t and every tolerance.
+     order 2, 3, 4, 5      The law of order five, cut off after this order. It needs the same integrals and the Ateb
+                           functions at one or two phases, and exists only without F. Orders 3 to 5 also need the
+                           polynomials of oscillators/ripple.h, which a plan makes only once.
+     collocation           It integrates from each zero of x to the next, so its cost grows with the number of periods.
+     rk45, rk87            They integrate the equation of motion, which takes far more evaluations a period.
+   With F the routes cos, cn and ca integrate their averaged equations. Integrations run twice with different accuracy,
+   and their error is estimated from the difference of the two runs; if it is too large, they repeat this more strictly.
 
-   Choice. vm_osc_within takes the first of these four solutions that is within the tolerance. Where none is, or where
-   F is given, it integrates: by rk87 for odd alpha without F, and by the variation of constants in all other cases.
+   Choice. Without F vm_osc_within tries cos, cn, ca and the orders 2 to 5, and takes the first whose estimated error is
+   within the tolerance. Where there is none, and always with F, it integrates by collocation. Where collocation fails
+   or misses the tolerance, it integrates by rk87. It never takes rk45.
 
-   What the estimate covers. For averaged solutions it covers what the solution leaves out, and the fastest changes of
-   mass and stiffness between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from
-   point to point. A change within a period makes the estimate large; vm_osc_within then integrates, in steps of at
-   most a quarter of the shortest panel. For averaged equations with F the estimate covers the error of their
-   integration, of averaging, and of cos and cn in place of the Ateb functions. Averaging leaves out the ripple within
-   a period, its effect on phase and amplitude at the start, its square, and a force that changes within a period, as
-   in a resonance. For this estimate F is called over a period at the start and at eight later times: it misses a
-   force that acts only for a short time between them.
+   What the estimate of an averaged solution covers:
+     - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
+     - fast changes of mass and stiffness between 0 and t. The walk along the laws looks for them panel by panel (for
+       laws by functions see vm_law_user), and in tables from one point to the next. A change within a period makes the
+       estimate large, so that vm_osc_within integrates. For a law by a function its steps are then limited by the
+       shortest panel, so that no step skips the change.
+   What the estimate of averaged equations with F covers:
+     - the error of their integration, and the error of cos and cn in place of ca;
+     - what averaging leaves out: the ripple within a period, its effect on phase and amplitude at the start, and terms
+       of second order in this ripple;
+     - a force that changes within a period, as in a resonance. For this the estimate calls F over a period at the start
+       and over periods at eight later times, so it misses a force that acts only for a short time between them.
 
-   How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
-   1/8 to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. In double its bounds are, for
-     the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
-     the largest ratio of true error to estimate: 30 by rk87, 40 by rk45 and variation of constants, else 10,
-     the median ratio of estimate to true error: 25 by rk87, 13 by rk45 and variation of constants, 15 with F, else 10.
-   The estimate is worse for rk87, because its errors are not proportional to the tolerance if alpha is not an odd
-   integer. */
+   How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from 1/8
+   to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. By vm_osc_within the true error is at most 3 times the
+   estimate in 99 % of the problems, and at most 10 times the estimate in all of them. Estimates of rk45 and rk87 are
+   less reliable where alpha is not an odd integer: their errors are then not proportional to the tolerance, and two
+   runs may agree by chance. */
 
 /* -- The table of routes -- */
 
-/* The solution at t of averaged equations without a force; *mean is the mean motion at t */
+/* A function that computes the motion at t from the mean motion *mean at t, for a problem without a force */
 typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion);
 
-/* A function that integrates from 0 to t to a tolerance */
+/* A function that computes the motion at t by integration from 0 to t, to a tolerance */
 typedef int (*vmi_osc_integration)(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                    vm_osc_motion *motion);
 
@@ -125,7 +133,7 @@ VM_API const char *vm_osc_route_name(int route) { return vmi_osc_route_of(route)
 
 /* -- One route -- */
 
-/* Checks the arguments that all calls share, apart from the problem. */
+/* Checks the arguments that all calls share, except for the problem or the plan. */
 VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, const vm_osc_motion *motion)
 {
     if (!motion || route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
@@ -145,8 +153,8 @@ VM_API int vmi_osc_check_call(const vm_osc_plan *p, int route, vm_real t, vm_rea
     return vmi_first_error(status, vmi_osc_check_laws(&p->problem, t));
 }
 
-/* The motion of a body at rest at x = 0: it stays at rest, unless a force starts a motion, which no route can
-   compute */
+/* Writes the motion of a body at rest at x = 0, which stays at rest. With a force it returns VM_NO_LAW, since no route
+   can compute the motion that the force starts. */
 VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motion)
 {
     if (p->problem.force) return VM_NO_LAW;
@@ -160,19 +168,20 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. route is one of VM_ROUTE_....
-   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
-   it that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). The comment at
-   the top of this file says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but
-   the error of integration is larger than the tolerance.
-   An error leaves *motion untouched; it returns
+   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of it
+   that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment at the
+   start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
+   computed but the error of integration is larger than the tolerance. An error leaves *motion untouched; it returns
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, a user's function of a law that fails,
        or a change_time that is negative or too short,
-     VM_NO_LAW for the second-order law with F, and for F on a body at rest at x = 0,
-     VM_NOT_INTEGRATED where the integrator gives up, or would need too many steps: more than 2^13 a period plus four
-       times what its longest step asks for, or more than 2^23 of the present periods. Thus every call ends. */
+     VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 with F, and for F on a body at rest at x = 0,
+     VM_NOT_INTEGRATED where the integrator gives up or needs too many steps, so that every call ends. The limit of rk45
+       and rk87 is 2^13 steps a period plus four times what the longest allowed step asks for, and 2^23 of the present
+       periods; that of collocation is 2^24 steps. Collocation also gives up where the laws or F change as fast as the
+       phase. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
@@ -192,7 +201,7 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* Writes the motion at t by the averaged solution of the lowest order whose error is estimated to be within the
+/* Writes the motion at t by the first of cos, cn, ca and the orders 2 to 5 whose error is estimated to be within the
    tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
@@ -202,7 +211,7 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     int route, order, status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     first = vmi_osc_first_error(p, &mean);
-    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB, whose wave has no error */
+    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB: ca has no error */
         w = vmi_osc_wave_of(p, route);
         if (first + vmi_osc_wave_error(&w, p->ripple.mean2) <= tolerance)
             return vmi_osc_first_order(p, route, &w, &mean, motion);
@@ -241,7 +250,7 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 /* -- Without a plan -- */
 
 /* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
-   many calls. `complete` asks for the polynomials that orders 3 to 5 need. */
+   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
