@@ -46,8 +46,7 @@ typedef struct VM_TAG(vm_torque_free) {
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum (or
                                     opposite, s = -1) */
     vm_real spin[3];             /* omega along axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
-    vm_real lean[3];             /* y, x, w - 1 of M = (w, x, y, 0)/sqrt(2 w) in (B): lean[0] cn, lean[1] sn, lean[2]
-                                    dn */
+    vm_real lean[3];             /* y, x, w - 1 of M = (w, x, y, 0)/sqrt(2 w): lean[0] cn, lean[1] sn, lean[2] dn */
     vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
     vm_two phase_rate;           /* rate of the phase, per second */
     vm_two K;                    /* quarter period of sn in u; 0 on the separatrix */
