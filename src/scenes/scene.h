@@ -106,8 +106,7 @@ struct VM_TAG(vm_scene_body) {
     void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes *now to the state */
     void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads *now from the state */
     int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
-    vm_body start;                      /* motion at the start; a line uses mass, r.x, v.x; an axle mass (kg m^2),
-                                           omega.z */
+    vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
     vm_real law_offset;     /* kg: added to the value of the mass law, which does not know of jumps and switching */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
