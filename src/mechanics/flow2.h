@@ -100,7 +100,7 @@ typedef struct VM_TAG(vmi_stream_seen2) {
 /* The sums over the streams of a body in the plane, in body axes except fx, fy. The letters M', u, v, d, kappa,
    omega2 are explained at vm_reactive. */
 typedef struct VM_TAG(vmi_stream_sum2) {
-    vm_real rate;    /* sum of M' */
+    vm_real rate;    /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
     vm_real px, py;  /* sum of M' (u - v) of the streams whose velocity is relative to the body */
     vm_real fx, fy;  /* sum of M' u of the streams whose velocity is absolute, inertial axes, plus the outer force */

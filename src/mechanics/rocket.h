@@ -22,8 +22,8 @@
 #include "vectors.h"
 
 /* A spinning axisymmetric body. Its mass comes from around the mass centre and leaves through a nozzle on the axis
-   (rate < 0), or flows the opposite way (rate > 0). The mass centre keeps its place in the body. The z axis is the
-   axis of symmetry. */
+   (rate < 0), or flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis is the axis
+   of symmetry. */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
     vm_real axial;               /* moment of inertia C0 about the axis at t = 0, kg m^2 */

@@ -34,8 +34,8 @@ enum {
     VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
 };
 
-/* The place in a body from which mass is taken, or into which it is put, if this is not the point at which the stream
-   enters or leaves the body */
+/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if this is
+   not the point at which the stream enters or leaves the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -71,7 +71,7 @@ typedef struct VM_TAG(vm_reactive) {
     vm_vec3 moment;          /* reactive moment about the mass centre, N m */
     vm_vec3 torque;          /* reactive torque, N m */
     vm_vec3 drift;           /* velocity of the mass centre relative to the body's material, m/s */
-    vm_real mass_rate;       /* rate of the body's mass, the sum of M', kg/s */
+    vm_real mass_rate;       /* rate of the body's mass, the sum of M' over all streams, kg/s */
     vm_inertia inertia_rate; /* rate of the body's inertia, kg m^2/s, body axes */
 } vm_reactive;
 
@@ -133,7 +133,7 @@ typedef struct VM_TAG(vmi_stream_seen) {
    are explained at vm_reactive. For mass that moves with the body the sums use its velocity relative to the body, so
    that they lose no digits if the body is fast. */
 typedef struct VM_TAG(vmi_stream_sum) {
-    vm_real rate;       /* sum of M' */
+    vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* sum of M' (u - v) of the streams whose velocity is relative to the body */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity is absolute, inertial axes */

@@ -1,9 +1,9 @@
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates, together with the motion of its bodies, what comes in from outside: the
-   impulse and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of
-   the bodies must equal those at the start plus what came in. The difference is called the defect. It shows the error
-   of a run and the reactions of constraints.
+   A scene that keeps a budget integrates its supply from outside together with the motion of its bodies: the impulse
+   and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of the
+   bodies must equal those at the start plus this supply. The difference is called the defect. It shows the error of a
+   run and the reactions of constraints.
 
        vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
@@ -141,10 +141,11 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t: what the bodies have, what came in since the start, and the defects.
-   Defects come from rounding, from the errors of the integrator, and from constraints: a line, an axle and the plane
-   hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative,
-   VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite, and else VM_OK. */
+/* The budget of a scene in the state y at time t. It has the momentum and energy of the bodies, the supply from
+   outside since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
+   constraints: a line, an axle and the plane hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget,
+   a pointer is NULL or a count is negative, VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite,
+   and else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;

@@ -1,8 +1,8 @@
 /* scenes/mass.h - mass that follows a law, and its reactive force
 
    A mass law M(t, x, v) gives the mass of a body at any time; the mass is then not a number of the state. The mass
-   that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. So the equation of
-   motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
+   that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. Therefore the
+   equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
      reactive = 1  the absolute velocity u: the full reactive force (156), with u = 0 Levi-Civita's (167)-(169);
      reactive = 0  the velocity u relative to the body: no reactive force if u = 0 (166).
    Only on a line or an axle may a law depend on position x and velocity v; on an axle it gives the moment of inertia
@@ -13,8 +13,8 @@
 
    A law stands before all other effects on its body, and a body has at most one law. Mass that a jump adds to the
    body is added to the mass of the law. If an event switches a law off, the mass remains constant; if it switches a
-   law on, the law continues from the present mass (of a law M0 + c t only c then has an effect). So a switch never
-   changes a mass suddenly.
+   law on, the law continues from the present mass (of a law M0 + c t only c then has an effect). Therefore switching
+   never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H

@@ -222,8 +222,8 @@ struct VM_TAG(vm_event) {
 
 typedef struct VM_TAG(vm_budget) vm_budget;
 
-/* The budget of momentum, angular momentum and energy of a scene: what the bodies have, what came in from outside, and
-   the difference. vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
+/* The budget of momentum, angular momentum and energy of a scene: the amounts of the bodies, the supply from outside,
+   and the difference. vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
     vm_vec3 impulse;          /* N s: impulse of the effects and of the external impulses of jumps */
     vm_vec3 angular_impulse;  /* N m s: angular impulse about the origin of effects and of external impulses of jumps */

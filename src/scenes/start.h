@@ -101,10 +101,10 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
     }
 }
 
-/* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns VM_OK,
-   or a status of vm_scene_check, with the place of the fault in *fault_or_NULL; VM_BAD_ARGUMENT if y is NULL;
-   VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the start
-   fails. After the start the arrays of the scene must stay where they are. */
+/* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns
+   VM_OK, or a status of vm_scene_check, which writes to *fault_or_NULL where the fault is; VM_BAD_ARGUMENT if y is
+   NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the
+   start fails. After the start the arrays of the scene must stay where they are. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);
