@@ -23,31 +23,31 @@
      rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
             time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
-            and none for the solution between steps. Begin with this method. It is also the best one in float,
-            for an f that is not smooth, for loose tolerances, for many events and for output at many times.
+            and none for the solution between steps. It is the method to begin with, and the best one in float, for an
+            f that is not smooth, for loose tolerances, for many events and for output at many times.
      rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside it
             is asked for. It is the fastest for a smooth f in double. Its roundings are larger: rtol is at least
-            256 eps, which is too coarse for most uses in float.
-     None of these methods is meant for stiff equations, which need an implicit method; rk45 and rk87 report an equation
-     that looks stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
+            256 eps, so that it has no use in float.
+     None of them is meant for stiff equations, which want an implicit method; rk45 and rk87 tell when an equation looks
+     stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
 
    CONVENTIONS
      The right-hand side f gets t, the n numbers y, room for the n derivatives, and the caller's pointer ctx. It returns
      0, or any other number to stop the run. t may run backward. All times and steps have the unit of t.
      The caller owns the memory: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
-     rk45 does. An rk45, its work and its events hold the whole state of a run. An rk87 is an rk45 that rk87_init made;
-     the functions of the other method refuse it.
+     rk45 does. An rk45, its work and its events are all the state there is. An rk87 is an rk45 that rk87_init made; the
+     functions of the other method refuse it.
 
    STEP SIZE CONTROL
      The difference of the pair's two orders is the estimate of the error; the run goes on with the higher order. A step
      is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component i. PI control
      chooses the next step. Its size stays the same after an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
      The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
-     A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in
-     the defaults.
+     A zero in rk45_options means the default, and a negative tolerance means none. rk45_defaults() fills in the
+     defaults.
      No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
-     misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
-     the jump. If another such step misses before three steps have kept the tolerance, f is singular
+     misses the tolerance, the run takes the cause to be a jump of f: it accepts the step, counts it in s.missed, and
+     goes on behind the jump. If another such step misses before three steps have kept the tolerance, f is singular
      there, or too stiff for t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other directly,
      in one call of rk45_solve without events, both are dropped, so that s.t and s.y are where the trouble begins.
 
@@ -67,8 +67,8 @@
      or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
      happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
      motion that is reversed on contact does not touch twice.
-     Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
-     h_max makes evaluations more frequent.
+     Two zeros between two looks at g are not seen, nor is any even number. Set `checks` to look more often, or a
+     smaller h_max.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH
      The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
@@ -80,24 +80,23 @@
 
    STATUS
      0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
-     an error s.t and s.y are those of the last accepted step, also if f itself refused (the value that f returned
-     is in s.rhs_status). Where f or the state is not finite, the step is shortened until it is too small, so that a run
-     ends next to the place where f ceases to exist. A call that refuses its arguments changes nothing.
+     an error s.t and s.y are those of the last accepted step, also if f itself refused (its value is in s.rhs_status).
+     Where f or the state is not finite the step is shortened until it is too small, so that a run ends next to the
+     place where f ceases to exist. A call that refuses its arguments changes nothing.
 
    SPEED
-     The compiler inlines f and keeps the state in registers if f is static, n <= 8 is a constant, and one function
-     calls rk45_init, tests its status, and calls rk45_solve. Where the compiler cannot see which f and n belong to s,
-     name them once more: rk45_solve_with. Otherwise f is called through a pointer, and the state is in work.
+     f is inlined, and the state is in registers, where f is static, n <= 8 is a constant, and the same function calls
+     rk45_init, looks at its status, and calls rk45_solve. Where the compiler cannot see which f and n s has, name them
+     once more: rk45_solve_with. Otherwise f is called through a pointer, and the state is in work.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
      VM_INLINE            linkage of what has to be inlined for speed; VM_API makes smaller code with the same results
-     VM_SQRT, VM_FABS     the functions of the C library that are used; define these two and VM_FLOOR and
-                          VM_COPYSIGN, or none of the four
+     VM_SQRT, VM_FABS     the functions of the C library that are used (all of the shared block's, if any)
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
                           and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although the checks for NaN do not work then
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where the checks for NaN do not work
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -131,19 +130,21 @@
        rk4_solve                      Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method
        rk4_solve_compensated          Equal steps with compensated summation [3], so that roundings do not add up
 
-     integrators/adaptive: adaptive runs: rk45 and rk87, whose steps keep a tolerance
+     integrators/rk45: rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
        rk45_defaults                  Options of rk45 with each zero replaced by its default, as rk45_init uses them
        rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
-       rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
        rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
-       rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
        rk45_step                      One accepted step of rk45, or the part of it before an event that ends the step
-       rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
-       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event
-       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event
        rk45_solve_with                Steps of rk45 to t_end, with f and n named again so that f is inlined
-       rk87_solve_with                Steps of rk87 to t_end, with f and n named again so that f is inlined
+       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event
        rk45_interpolate               State y(t) at a time t within the last step of rk45, accurate to order 4
+
+     integrators/rk87: rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
+       rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
+       rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
+       rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
+       rk87_solve_with                Steps of rk87 to t_end, with f and n named again so that f is inlined
+       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event
        rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8 */
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
@@ -775,8 +776,8 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
    and estimates the error by another sum of the k_i. A file for each pair has its coefficients and its descriptor, a
-   vmi_rk_pair, with all that an adaptive run needs to know of it: rk45_pair.h, rk87_pair.h. To add a pair, write such
-   a file, enter the pair in pair_list.h, and give it public functions in adaptive.h.
+   vmi_rk_pair, with all that an adaptive run needs to know of it, and its public functions: rk45.h, rk87.h. To
+   add a pair, write such a file and include it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -798,8 +799,7 @@ typedef struct VM_TAG(vmi_rk_system) {
     ptrdiff_t m;
 } vmi_rk_system;
 
-/* What a run needs to know of its pair. Two more functions, the stages and the estimate of the error, are called
-   directly, by pair_list.h, because they must be inlined into the loop over the steps. */
+/* What a run needs to know of its pair */
 typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
@@ -819,6 +819,20 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
+/* A pair as the loop over the steps takes it. It is a constant of the call, and so the compiler inlines both functions
+   into the loop. They are no part of vmi_rk_pair, which each run holds: there they would be compiled a second time. */
+typedef struct VM_TAG(vmi_rk_stepper) {
+    vmi_rk_pair pair;
+    /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
+       Adds the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
+    int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
+    /* The largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error or the
+       new state is not finite */
+    vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
+} vmi_rk_stepper;
+
+#define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
+
 /* Linkage of descriptors and of the parts of vmi_advance. Inlining turns the descriptors into constants, and each part
    is called in one place only, so that inlining makes the code smaller. These functions are therefore inlined even
    where VM_INLINE does not inline, in order to keep the code small. */
@@ -826,6 +840,14 @@ typedef struct VM_TAG(vmi_rk_pair) {
 #define VMI_FOLDED static inline __attribute__((always_inline))
 #else
 #define VMI_FOLDED VM_INLINE
+#endif
+
+/* Linkage of the loop over the steps of one pair. It is inlined where it is to be fast, and never where it is to be
+   short: there one copy for any n is enough. */
+#ifdef __OPTIMIZE_SIZE__
+#define VMI_LOOP VMI_APART
+#else
+#define VMI_LOOP VM_INLINE
 #endif
 
 /* The index of the part of work that holds f at the end of a step */
@@ -864,7 +886,7 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
 #endif
 /* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
    An rk45 holds the state of a run by rk45 or by rk87. Its `work`, which the caller provides, holds the arrays of n
-   numbers. The functions that make and use an rk45 are in adaptive.h.
+   numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RUNS_H
@@ -990,7 +1012,7 @@ VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 #endif
 /* integrators/dense.h - the solution inside the last step of an adaptive run
    After each step of rk45 or rk87 its continuous extension, a polynomial in time, gives the state at any time within
-   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate of adaptive.h.
+   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate.
 
    Tests: tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_DENSE_H
@@ -1121,489 +1143,6 @@ typedef int64_t vmi_signed_bits;
 typedef int32_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)127 << 23)
 #endif
-
-#endif
-/* integrators/rk45_pair.h - coefficients of rk45, the Runge-Kutta pair of orders 5 and 4
-   Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4 takes none. Users call the functions of adaptive.h.
-
-   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c. */
-#ifndef VARMASS_INTEGRATORS_RK45_PAIR_H
-#define VARMASS_INTEGRATORS_RK45_PAIR_H
-
-enum { VMI_RK45 = 45 }; /* the number of this pair */
-
-/* Computes stages 2 to 7 of a step [1], for vmi_make_stages. The coefficients, which [1] gives to 16 digits, satisfy
-   the order conditions to 2e-14. */
-VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
-{
-    const ptrdiff_t m = sys.m;
-    const vm_real *y = sys.w + VMI_Y * m;
-    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
-            *k6 = k5 + m, *k7 = k6 + m;
-    int i;
-    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.161) * k1[i];
-    VMI_EVAL(t + VMI_H(0.161), z, k2);
-    VMI_EACH(i, sys.n) z[i] = y[i] - VMI_H(0.008480655492356989) * k1[i] + VMI_H(0.335480655492357) * k2[i];
-    VMI_EVAL(t + VMI_H(0.327), z, k3);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] + VMI_H(2.8971530571054935) * k1[i] - VMI_H(6.359448489975075) * k2[i] +
-           VMI_H(4.3622954328695815) * k3[i];
-    VMI_EVAL(t + VMI_H(0.9), z, k4);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] + VMI_H(5.325864828439257) * k1[i] - VMI_H(11.748883564062828) * k2[i] +
-           VMI_H(7.4955393428898365) * k3[i] - VMI_H(0.09249506636175525) * k4[i];
-    VMI_EVAL(t + VMI_H(0.9800255409045097), z, k5);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] + VMI_H(5.86145544294642) * k1[i] - VMI_H(12.92096931784711) * k2[i] +
-           VMI_H(8.159367898576159) * k3[i] - VMI_H(0.071584973281401) * k4[i] -
-           VMI_H(0.028269050394068383) * k5[i];
-    VMI_EVAL(t_new, z, k6);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] + VMI_H(0.09646076681806523) * k1[i] + VMI_H(0.01) * k2[i] + VMI_H(0.4798896504144996) * k3[i] +
-           VMI_H(1.379008574103742) * k4[i] - VMI_H(3.290069515436081) * k5[i] + VMI_H(2.324710524099774) * k6[i];
-    VMI_EVAL(t_new, z, k7);
-    return 0;
-}
-
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 5 and 4. */
-VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
-{
-    const ptrdiff_t m = sys.m;
-    const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m,
-                  *k4 = k3 + m, *k5 = k4 + m, *k6 = k5 + m, *k7 = k6 + m;
-    vm_real worst = 0, bad = 0;
-    int i;
-    VMI_EACH(i, sys.n)
-    vmi_weigh(o, i,
-              h * (VM_C(-0.00178001105222577714) * k1[i] - VM_C(0.0008164344596567469) * k2[i] +
-                   VM_C(0.007880878010261995) * k3[i] - VM_C(0.1447110071732629) * k4[i] +
-                   VM_C(0.5823571654525552) * k5[i] - VM_C(0.45808210592918697) * k6[i] +
-                   VM_C(0.01515151515151515152) * k7[i]),
-              y[i], z[i], &worst, &bad);
-    return VMI_SMALLER(worst, VMI_WORST) + bad;
-}
-
-/* For the test of stiffness: the weight of k_{j+1} in stage 7 minus its weight in stage 6. Both stages evaluate f at
-   the end of the step. */
-VM_API vm_real vmi_rk45_end_difference(int j)
-{
-    VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
-                                   VM_C(1.4505935473851428), VM_C(-3.2618004650420125), VM_C(2.324710524099774)};
-    return VM_READ(weights[j]);
-}
-
-/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 4 [1], at the fraction x of
-   the step */
-VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
-{
-    const vm_real xx = x * x;
-    b[0] = VM_C(-1.0530884977290216) * x * (x - VM_C(1.3299890189751412)) *
-           ((x - VM_C(1.4364028541716351)) * x + VM_C(0.7139816917074209));
-    b[1] = VM_C(0.1017) * xx * ((x - VM_C(2.1966568338249754)) * x + VM_C(1.2949852507374631));
-    b[2] = VM_C(2.490627285651252793) * xx * ((x - VM_C(2.38535645472061657)) * x + VM_C(1.57803468208092486));
-    b[3] = VM_C(-16.54810288924490272) * xx * (x - VM_C(1.21712927295533244)) * (x - VM_C(0.61620406037800089));
-    b[4] = VM_C(47.37952196281928122) * xx * (x - VM_C(1.203071208372362603)) * (x - VM_C(0.658047292653547382));
-    b[5] = VM_C(-34.87065786149660974) * xx * (x - VM_C(1.2)) * (x - VM_C(0.666666666666666667));
-    b[6] = VM_C(2.5) * xx * (x - 1) * (x - VM_C(0.6));
-}
-
-/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
-   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
-VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
-{
-    vm_real b[7];
-    vmi_rk45_weights(x, b);
-    vmi_weigh_inside(s, 7, b, x, y);
-}
-
-/* The descriptor of rk45 */
-VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
-{
-    vmi_rk_pair pair;
-    pair.method = VMI_RK45;
-    pair.order = 5;
-    pair.stages = 7;
-    pair.last_is_first = 1;
-    pair.derivatives = 7;
-    pair.rounding = 16;
-    pair.keep_from = VM_C(0.25);
-    pair.stiff_beyond = VM_C(3.4);
-    pair.end_difference = vmi_rk45_end_difference;
-    pair.inside = vmi_rk45_inside;
-    pair.extend = NULL;
-    return pair;
-}
-
-#endif
-/* integrators/rk87_pair.h - coefficients of rk87, the Runge-Kutta pair of orders 8 and 7
-   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
-   f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
-   those of rk45. Users call the functions of adaptive.h.
-
-   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
-#ifndef VARMASS_INTEGRATORS_RK87_PAIR_H
-#define VARMASS_INTEGRATORS_RK87_PAIR_H
-
-enum { VMI_RK87 = 87 }; /* the number of this pair */
-
-/* Computes stages 2 to 7 of a step [4]. Returns 0, or the number with which f has stopped the run. */
-VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
-{
-    const ptrdiff_t m = sys.m;
-    const vm_real *y = sys.w + VMI_Y * m;
-    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
-            *k6 = k5 + m, *k7 = k6 + m;
-    int i;
-    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.05) * k1[i];
-    VMI_EVAL(t + VMI_H(0.05), z, k2);
-    VMI_EACH(i, sys.n) z[i] = y[i] - VMI_H(0.0069931640625) * k1[i] + VMI_H(0.1135556640625) * k2[i];
-    VMI_EVAL(t + VMI_H(0.1065625), z, k3);
-    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.0399609375) * k1[i] + VMI_H(0.1198828125) * k3[i];
-    VMI_EVAL(t + VMI_H(0.15984375), z, k4);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] + h * (VM_C(0.36139756280045751241) * k1[i] - VM_C(1.3415240667004927718) * k3[i]) +
-           VMI_H(1.3701265039000352594) * k4[i];
-    VMI_EVAL(t + VMI_H(0.39), z, k5);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] + h * (VM_C(0.049047202797202797203) * k1[i] + VM_C(0.23509720422144047399) * k4[i]) +
-           VMI_H(0.18085559298135672881) * k5[i];
-    VMI_EVAL(t + VMI_H(0.465), z, k6);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] +
-           h * (VM_C(0.06169289044289044289) * k1[i] + VM_C(0.11236568314640276623) * k4[i] -
-                VM_C(0.03885046071451366767) * k5[i]) +
-           VMI_H(0.019791887125220458554) * k6[i];
-    VMI_EVAL(t + VMI_H(0.155), z, k7);
-    return 0;
-}
-
-/* Computes stages 8 to 13 [4] and the new state, whose derivative is evaluated only after the step is accepted. Large
-   coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use the differences of such k,
-   which are exact, so that roundings remain small. Returns 0, or the number with which f has stopped the run. */
-VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
-{
-    const ptrdiff_t m = sys.m;
-    const vm_real *y = sys.w + VMI_Y * m;
-    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k4 = k1 + 3 * m, *k5 = k4 + m, *k6 = k5 + m, *k7 = k6 + m,
-            *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m, *k13 = k12 + m;
-    int i;
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] +
-           h * (VM_C(-1.7676302402223268757) * k1[i] - VM_C(6.0618893773766691008) * k5[i] +
-                VM_C(5.6508231982227631386) * k6[i] + VM_C(3.121696419376232838) * k7[i]) -
-           VMI_H(62.5) * (k4[i] - k7[i]);
-    VMI_EVAL(t + VMI_H(0.943), z, k8);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] +
-           h * (VM_C(-1.1809450665549707998) * k1[i] - VM_C(4.4344383191037250112) * k5[i] +
-                VM_C(4.2604081885861330248) * k6[i] + VM_C(2.2489058133185074338) * k7[i] -
-                VM_C(41.504734411143208416) * (k4[i] - k7[i])) +
-           VMI_H(0.0078714254899123106874) * k8[i];
-    VMI_EVAL(t + VMI_H(0.90180204173585695826), z, k9);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] +
-           h * (VM_C(-1.2814059994414884055) * k1[i] - VM_C(4.7313620694495764773) * k5[i] +
-                VM_C(4.5149670165938078412) * k6[i] + VM_C(2.4019556115899850465) * k7[i] -
-                VM_C(45.047139960139866302) * (k4[i] - k7[i]) + VM_C(0.010592282971116611357) * k8[i]) -
-           VMI_H(0.0057468422638446162544) * k9[i];
-    VMI_EVAL(t + VMI_H(0.909), z, k10);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] +
-           h * (VM_C(-1.7244701342624851918) * k1[i] - VM_C(5.9515183762223924552) * k5[i] +
-                VM_C(5.556523730698456236) * k6[i] + VM_C(3.0595218955025132032) * k7[i] -
-                VM_C(60.923490084830540165) * (k4[i] - k7[i]) + VM_C(0.014642028250414961593) * k8[i] +
-                VM_C(0.064604087723582036036) * k9[i]) -
-           VMI_H(0.07930323169008878984) * k10[i];
-    VMI_EVAL(t + VMI_H(0.94), z, k11);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] +
-           h * (VM_C(-3.3016226677470790164) * k1[i] - VM_C(10.141422388456112486) * k5[i] +
-                VM_C(9.1393113322320579235) * k6[i] + VM_C(5.3646704686517598018) * k7[i] -
-                VM_C(118.01127235975250857) * (k4[i] - k7[i]) + VM_C(4.6232443788745804748) * k8[i] -
-                VM_C(3.3832777380682019237) * k9[i] + VM_C(4.5275921003246181895) * k10[i]) -
-           VMI_H(5.8284954858116229632) * k11[i];
-    VMI_EVAL(t_new, z, k12);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] +
-           h * (VM_C(-3.03951503376630903) * k1[i] - VM_C(9.2906424974002934497) * k5[i] +
-                VM_C(8.4305049817649111421) * k6[i] + VM_C(4.9401329484155058871) * k7[i] -
-                VM_C(109.26086808941762547) * (k4[i] - k7[i]) - VM_C(0.96372713421454793582) * k8[i] -
-                VM_C(5.0348840888021897912) * k9[i]) +
-           VMI_H(5.9581308240029231775) * k10[i];
-    VMI_EVAL(t_new, z, k13);
-    VMI_EACH(i, sys.n)
-    z[i] = y[i] +
-           h * (VM_C(0.044279894190079510747) * k1[i] + VM_C(0.35410493917244487448) * k6[i] +
-                VM_C(0.24796921549564378287) * k7[i] - VM_C(6.6543028207017138549) * k10[i] +
-                VM_C(25.084064965558562613) * (k9[i] - k10[i]) + VM_C(7.2440812351506999013) * k11[i] -
-                VM_C(15.694202038838084051) * (k8[i] - k11[i])) -
-           VMI_H(0.23613246330715421453) * k12[i];
-    return 0;
-}
-
-/* Computes stages 2 to 13 and the new state of a step, for vmi_make_stages */
-VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
-{
-    const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
-    if (stopped) return stopped;
-    return vmi_rk87_late_stages(sys, t, t_new, h, evals);
-}
-
-/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
-   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: its weights before the jump add up
-   to 4e-4 at most, while the error is a quarter of the jump. The weights used here, of order 5, add up to 0.1, -0.17 or
-   0.25. If f is smooth, their sum `seen` is much smaller than `change`, the change of f along the step. The result
-   seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
-   loose. */
-VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
-{
-    const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
-                                 VM_C(1.2953622033829957737) * (k10 - k6) + VM_C(1.5453622033829957737) * (k13 - k6) +
-                                 VM_C(30.024202087387960709) * (k9 - k10));
-    const vm_real change = VM_FABS(k1 - k6) + VM_FABS(k13 - k6);
-    return seen * (seen / (seen + change + VM_MIN));
-}
-
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 8 and 7, or the
-   error that a jump of f may cause (vmi_rk87_jump), whichever is larger. */
-VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
-{
-    const ptrdiff_t m = sys.m;
-    const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m;
-    const vm_real *k6 = k1 + 5 * m, *k7 = k6 + m, *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m,
-                  *k12 = k11 + m, *k13 = k12 + m;
-    vm_real worst = 0, bad = 0;
-    int i;
-    VMI_EACH(i, sys.n)
-    {
-        const vm_real smooth = VM_C(-0.000032721039010281377697) * k1[i] - VM_C(0.00050462506187777030476) * k6[i] +
-                               VM_C(0.00012117235897847590476) * k7[i] - VM_C(20.142336771313868544) * k8[i] +
-                               VM_C(5.2371785994398289141) * k9[i] - VM_C(8.1567444087946580486) * k10[i] +
-                               VM_C(22.938283273988783952) * k11[i] - VM_C(0.23613246330715421453) * k12[i] +
-                               VM_C(0.36016794372897751621) * k13[i];
-        const vm_real jump = vmi_rk87_jump(k1[i], k6[i], k7[i], k9[i], k10[i], k13[i]);
-        vmi_weigh(o, i, h * (jump > VM_FABS(smooth) ? jump : smooth), y[i], z[i], &worst, &bad);
-    }
-    return VMI_SMALLER(worst, VMI_WORST) + bad;
-}
-
-/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. For both states f is
-   evaluated at the end of the step. */
-VM_API vm_real vmi_rk87_end_difference(int j)
-{
-    VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
-                                    0,
-                                    0,
-                                    VM_C(109.26086808941762547),
-                                    VM_C(9.2906424974002934497),
-                                    VM_C(-8.0764000425924662677),
-                                    VM_C(-113.95303182233748757),
-                                    VM_C(-14.730474904623536115),
-                                    VM_C(30.118949054360752405),
-                                    VM_C(-37.696498610263199646),
-                                    VM_C(22.938283273988783952),
-                                    VM_C(-0.23613246330715421453),
-                                    0};
-    return VM_READ(weights[j]);
-}
-
-/* Numbers of k_i: those that a step itself makes, and those that the continuous extension adds */
-#define VMI_RK87_OWN 14
-#define VMI_RK87_EXTRA 7
-
-/* The coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage} */
-VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
-{
-    VM_TABLE vm_real a[7][20] = {
-        {VM_C(0.046207006467549631017), 0, 0, 0, 0, VM_C(0.045039041608424808668), VM_C(0.23368166977134244108),
-         VM_C(37.839013684210674108), VM_C(-15.949113289454246103), VM_C(23.028368351816102851),
-         VM_C(-44.855785077694125248), VM_C(-0.063798587686474440095), 0, VM_C(-0.012595035543861662682)},
-        {VM_C(0.050379468554820409931), 0, 0, 0, 0, VM_C(0.041098361310460793399), VM_C(0.17180541533481957833),
-         VM_C(4.6141053199815188697), VM_C(-1.7916678830853964497), VM_C(2.5316589304850414085),
-         VM_C(-5.3249778602057307193), VM_C(-0.030655325953856347349), 0, VM_C(-0.0052544799794296135705),
-         VM_C(-0.083991946442247929975)},
-        {VM_C(0.040828971329970796202), 0, 0, 0, 0, VM_C(0.42444795142476322189), VM_C(0.23260915312752345395),
-         VM_C(2.6779825207118060628), VM_C(0.74208266573389452165), VM_C(0.14603778479414611939),
-         VM_C(-3.579344509890565218), VM_C(0.11388443896001737045), 0, VM_C(0.012677906510331900474),
-         VM_C(-0.074434363499466744298), VM_C(0.047827480797578515546)},
-        {VM_C(0.052126823936684136299), 0, 0, 0, 0, VM_C(0.053925083967447977182), VM_C(0.016607580974346408285),
-         VM_C(-4.4544857579267796554), VM_C(6.8352182786321463817), VM_C(-8.7113348221819937398),
-         VM_C(6.4916358392329170537), VM_C(-0.070725518098443464221), 0, VM_C(-0.018540314919932164291),
-         VM_C(0.023504021054353846451), VM_C(0.23447951034078220906), VM_C(-0.082410725011528988858)},
-        {VM_C(0.050201028703557135987), 0, 0, 0, 0, VM_C(0.15522090347954981149), VM_C(0.12642684240892349147),
-         VM_C(-5.149206303539847017), VM_C(8.4683409990369292661), VM_C(-10.662130681081495275),
-         VM_C(7.5418332249597283629), VM_C(-0.074369681138321424394), 0, VM_C(-0.020558876866183826193),
-         VM_C(0.077537952647102980726), VM_C(0.10462592203525442963), VM_C(-0.11792133064519793521)},
-        {VM_C(0.037373414464578256928), 0, 0, 0, 0, VM_C(0.35049307053383164068), VM_C(0.49226528193730254333),
-         VM_C(8.5536954393593122423), VM_C(-10.353172990305913485), VM_C(13.833204272529149904),
-         VM_C(-12.280924330784618637), VM_C(0.17191515956565097627), 0, VM_C(0.036415831143144963801),
-         VM_C(0.029619205802887630549), VM_C(-0.26517939386270670026), VM_C(0.094295039617380665532)},
-        {VM_C(0.039390583455282509434), 0, 0, 0, 0, VM_C(0.35585161412344241831), VM_C(0.41973822259526100294),
-         VM_C(0.87204497780719416629), VM_C(0.89895208348765948613), VM_C(-0.63058061610598835902),
-         VM_C(-1.1218872205954835507), VM_C(0.04298219512400197177), 0, VM_C(0.01332557566873915707),
-         VM_C(0.018762270539641480344), VM_C(-0.18594111329221055705), VM_C(0.17736142719246027452)}};
-    return VM_READ(a[stage][j]);
-}
-
-/* Evaluates the seven further stages that the continuous extension of order 8 needs. Returns a status: ODE_NOT_FINITE
-   if one of them leaves the domain of f, which may happen even if no stage of the step itself does. */
-VM_API int vmi_rk87_extend(rk45 *s)
-{
-    VM_TABLE vm_real c[7] = {
-        VM_C(0.31101776349538638639), VM_C(0.1725), VM_C(0.7846), VM_C(0.37), VM_C(0.5), VM_C(0.7), VM_C(0.9)};
-    const vm_real *k1 = vmi_part(s, VMI_K), *y_old = vmi_part(s, VMI_Y_OLD);
-    vm_real *z = vmi_part(s, VMI_Z);
-    int i, j, stage;
-    for (stage = 0; stage < VMI_RK87_EXTRA; stage++) {
-        vm_real *k = vmi_part(s, VMI_K + VMI_RK87_OWN + stage);
-        int status;
-        for (i = 0; i < s->n; i++) {
-            vm_real sum = 0;
-            for (j = 1; j < VMI_RK87_OWN + stage; j++)
-                sum += vmi_rk87_extra_coefficient(stage, j) * (vmi_part(s, VMI_K + j)[i] - k1[i]);
-            z[i] = y_old[i] + s->h_done * (VM_READ(c[stage]) * k1[i] + sum);
-        }
-        status = vmi_eval(s, s->t_old + VM_READ(c[stage]) * s->h_done, z, k);
-        if (status) return status;
-        if (!vmi_all_finite(s->n, k)) return ODE_NOT_FINITE;
-    }
-    return ODE_OK;
-}
-
-/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7; b_{j+1} is the weight of k_{j+1} in the
-   continuous extension. Coefficients of powers of x would be larger [4]. */
-VM_API vm_real vmi_rk87_bernstein(int i, int j)
-{
-    VM_TABLE vm_real c[8][21] = {
-        {VM_C(1.0)},
-        {VM_C(-0.43416495007921699754), 0, 0, 0, 0, VM_C(22.599667701739659115), VM_C(15.825878858282545737),
-         VM_C(-1001.6345768873305842), VM_C(1600.9139385497353343), VM_C(-2025.6045200650977012),
-         VM_C(1463.9659668459635268), VM_C(-15.07043425264423982), 0, VM_C(-2.1233733390382044607),
-         VM_C(2.0499551075579231761), VM_C(-14.649321001586286937), VM_C(-5.4474375904092477119),
-         VM_C(-9.4832565472422686612), VM_C(-12.916982247390083982), VM_C(-8.5341205186269588664),
-         VM_C(-8.4572196638341962641)},
-        {VM_C(0.69319890739505714536), 0, 0, 0, 0, VM_C(-28.322636845067825264), VM_C(-19.833504880369087028),
-         VM_C(1255.2809513415663983), VM_C(-2006.3172919246540112), VM_C(2538.5533084238865914),
-         VM_C(-1834.6896502962782204), VM_C(18.886757189012005795), 0, VM_C(2.6943768290163844672),
-         VM_C(-3.0569914252730377376), VM_C(21.845770438002692514), VM_C(8.1234803348592602041),
-         VM_C(9.4063330192350021072), VM_C(18.54462542925865921), VM_C(8.8787596622304847795),
-         VM_C(10.312513797179645635)},
-        {VM_C(-0.3338485911070980487), 0, 0, 0, 0, VM_C(25.558764868971263012), VM_C(17.898047082901598187),
-         VM_C(-1132.7840290910181075), VM_C(1810.5302905715595678), VM_C(-2290.8279152212470487),
-         VM_C(1655.6509775545015219), VM_C(-17.043688014358484614), 0, VM_C(-2.3369125341274148978),
-         VM_C(2.6643387606508049922), VM_C(-19.039809026959079785), VM_C(-7.0800668096793834609),
-         VM_C(-5.8665758746530908169), VM_C(-18.840844904715375167), VM_C(-7.4879415981794647994),
-         VM_C(-9.6607871725402081249)},
-        {VM_C(0.28379400641185437856), 0, 0, 0, 0, VM_C(-12.759481686923881245), VM_C(-8.9350876365402469061),
-         VM_C(565.50999817576301139), VM_C(-903.85541729421673952), VM_C(1143.6302568613132692),
-         VM_C(-826.5363540196210053), VM_C(8.5085733294123855395), 0, VM_C(1.0603712833693789051),
-         VM_C(-1.4442533272143088419), VM_C(10.320875086467535406), VM_C(3.837879100734673622),
-         VM_C(2.5580949193757614888), VM_C(11.224293673899100669), VM_C(2.4797359224550151757),
-         VM_C(5.1167216053141960113)},
-        {VM_C(0.0072914402964293461022), 0, 0, 0, 0, VM_C(3.7687355910342448606), VM_C(2.6391340660294149651),
-         VM_C(-167.03324707890411572), VM_C(266.9694713223930137), VM_C(-337.79115467001014473),
-         VM_C(244.13193663420704719), VM_C(-2.5131556220142955157), 0, VM_C(-0.17281686321712024563),
-         VM_C(0.3583670958947128915), VM_C(-2.5609510202503622271), VM_C(-0.95230494665234715357),
-         VM_C(-0.5896647722763897408), VM_C(-2.8631165722737584704), VM_C(-0.47177361047292321216),
-         VM_C(-1.9267509937834059465)},
-        {VM_C(0.050605593360090869425), 0, 0, 0, 0, VM_C(0.40469135905422271369), VM_C(0.28339338913787860899),
-         VM_C(-17.936230901529238915), VM_C(28.667502817781214415), VM_C(-36.272420327154601678),
-         VM_C(26.215180884558610231), VM_C(-0.26986567235103338803), 0, VM_C(-0.14285714285714285714)},
-        {VM_C(0.044279894190079510747), 0, 0, 0, 0, VM_C(0.35410493917244487448), VM_C(0.24796921549564378287),
-         VM_C(-15.694202038838084051), VM_C(25.084064965558562613), VM_C(-31.738367786260276468),
-         VM_C(22.938283273988783952), VM_C(-0.23613246330715421453)}};
-    return VM_READ(c[i][j]);
-}
-
-/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 8 [4], at the fraction x of
-   the step */
-VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
-{
-    VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
-    const int count = VMI_RK87_OWN + VMI_RK87_EXTRA;
-    const vm_real u = 1 - x;
-    vm_real powers[8], power = x; /* powers[i] is u^i, and power is x^(i + 1) */
-    int i, j;
-    powers[0] = 1;
-    for (i = 1; i < 8; i++) powers[i] = powers[i - 1] * u;
-    for (j = 0; j < count; j++) b[j] = 0;
-    for (i = 0; i < 8; i++) {
-        const vm_real bernstein = VM_READ(binomial[i]) * power * powers[7 - i];
-        for (j = 0; j < count; j++) b[j] += bernstein * vmi_rk87_bernstein(i, j);
-        power *= x;
-    }
-}
-
-/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
-   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
-VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
-{
-    vm_real b[VMI_RK87_OWN + VMI_RK87_EXTRA];
-    vmi_rk87_weights(x, b);
-    vmi_weigh_inside(s, VMI_RK87_OWN + VMI_RK87_EXTRA, b, x, y);
-}
-
-/* The descriptor of rk87 */
-VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
-{
-    vmi_rk_pair pair;
-    pair.method = VMI_RK87;
-    pair.order = 8;
-    pair.stages = 13;
-    pair.last_is_first = 0;
-    pair.derivatives = VMI_RK87_OWN + VMI_RK87_EXTRA;
-    pair.rounding = 256;
-    pair.keep_from = VM_C(0.1);
-    pair.stiff_beyond = VM_C(5.69);
-    pair.end_difference = vmi_rk87_end_difference;
-    pair.inside = vmi_rk87_inside;
-    pair.extend = vmi_rk87_extend;
-    return pair;
-}
-
-#endif
-/* integrators/pair_list.h - the list of the Runge-Kutta pairs
-   The functions of this file choose a pair by its number, `method`. All other functions of the integrators work for any
-   pair. Where method is a constant, as in the loop over the steps, the compiler removes the choice.
-
-   Tests: tests/test_adaptive.c. */
-#ifndef VARMASS_INTEGRATORS_PAIR_LIST_H
-#define VARMASS_INTEGRATORS_PAIR_LIST_H
-
-#define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
-
-/* The descriptor of the pair with the number `method` */
-VMI_FOLDED vmi_rk_pair vmi_pair_of(int method)
-{
-    switch (method) {
-    case VMI_RK87: return vmi_rk87_pair();
-    case VMI_RK45:
-    default: return vmi_rk45_pair();
-    }
-}
-
-/* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state. Adds
-   the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
-VMI_FOLDED int vmi_make_stages(int method, vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
-{
-    switch (method) {
-    case VMI_RK87: return vmi_rk87_stages(sys, t, t_new, h, evals);
-    case VMI_RK45:
-    default: return vmi_rk45_stages(sys, t, t_new, h, evals);
-    }
-}
-
-/* The largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error or the new
-   state is not finite */
-VMI_FOLDED vm_real vmi_step_error(int method, const rk45_options *o, vmi_rk_system sys, vm_real h)
-{
-    switch (method) {
-    case VMI_RK87: return vmi_rk87_error(o, sys, h);
-    case VMI_RK45:
-    default: return vmi_rk45_error(o, sys, h);
-    }
-}
 
 #endif
 /* integrators/steps.h - steps of an adaptive run and the control of their size
@@ -1889,13 +1428,13 @@ VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *t
 
 /* Makes steps until t_end is reached or a test of stiffness is due, or one accepted step if `single` is not 0. Returns
    a status. */
-VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end, int single)
+VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
 {
     const rk45_options o = s->options;
-    const vmi_rk_pair pair = vmi_pair_of(method);
+    const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* apart from p, so that vmi_make_stages does not get the address of p */
+    long evals = 0; /* apart from p, so that make_stages does not get the address of p */
     int status;
     for (;;) {
         vmi_trial trial;
@@ -1903,9 +1442,9 @@ VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end,
         int misses = 0; /* whether the step is accepted though it misses the tolerance */
         status = vmi_choose_step(&o, t_end, &p, &trial);
         if (status) break;
-        p.stopped = vmi_make_stages(method, sys, p.t, trial.t_new, trial.h, &evals);
+        p.stopped = stepper.make_stages(sys, p.t, trial.t_new, trial.h, &evals);
         if (p.stopped) break;
-        error = vmi_step_error(method, &o, sys, trial.h);
+        error = stepper.step_error(&o, sys, trial.h);
         if (!(error <= 1)) {
             misses = error > 1 && trial.shortest && p.steps >= p.next_miss;
             if (!misses) {
@@ -1948,9 +1487,9 @@ VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end,
 }
 
 /* Does the work of vmi_advance in a local array, which the compiler keeps in registers if it knows that n is small */
-VM_INLINE int vmi_advance_small(rk45 *s, int method, vmi_rk_system sys, vm_real t_end, int single)
+VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
 {
-    const vmi_rk_pair pair = vmi_pair_of(method);
+    const vmi_rk_pair pair = stepper.pair;
     vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* 0, because parts that were never written are copied too */
     const int n = sys.n;
     int part, status;
@@ -1958,7 +1497,7 @@ VM_INLINE int vmi_advance_small(rk45 *s, int method, vmi_rk_system sys, vm_real 
     vmi_copy(n, vmi_part(s, VMI_K), w + VMI_K * n);
     sys.w = w;
     sys.m = n;
-    status = vmi_advance(s, method, sys, t_end, single);
+    status = vmi_advance(s, stepper, sys, t_end, single);
     vmi_copy(n, w, vmi_part(s, VMI_Y));
     if (s->k1 == VMI_K1_IS_LAST) {
         vmi_copy(n, w + VMI_Y_OLD * n, vmi_part(s, VMI_Y_OLD));
@@ -2378,7 +1917,7 @@ VM_API int vmi_events(rk45 *s)
 
 #endif
 /* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
-   Users call the functions of adaptive.h, which choose the pair.
+   Each pair has functions for users, which call these: rk45.h, rk87.h.
 
    Tests: tests/test_adaptive.c, tests/test_events.c. */
 #ifndef VARMASS_INTEGRATORS_LOOP_H
@@ -2492,7 +2031,7 @@ VMI_APART int vmi_after_step(rk45 *s)
 VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end || -s->t_low * s->h > 0; }
 
 /* Makes steps to t_end, or one accepted step if `single` is not 0. f and n are those of s. Returns a status. */
-VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
+VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_real t_end, int single)
 {
     const int was_stiff = s->stiff;
     const int apart = single || s->options.n_events; /* 1: vmi_advance returns after each step, for vmi_after_step */
@@ -2507,62 +2046,167 @@ VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int 
     while (status == ODE_OK && vmi_is_before(s, t_end)) {
         status = vmi_prepare(s, t_end);
         if (status) break;
-        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, sys, t_end, apart);
-        else status = vmi_advance(s, method, sys, t_end, apart);
+        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, stepper, sys, t_end, apart);
+        else status = vmi_advance(s, stepper, sys, t_end, apart);
         if (status == ODE_OK) status = vmi_after_step(s);
         if (single && s->failure == VMI_NONE_FAILED) break;
     }
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Does the work of rk45_step for any pair */
-VM_INLINE int vmi_step(rk45 *s, int method)
+/* Does what comes before the step in rk45_step, for the pair whose number is `method`. *t_end becomes the last number
+   in the direction of s. Returns a status; s may go on if that is ODE_OK. */
+VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 {
-    vm_real t_end = VM_MAX;
     if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
-    if (s->h < 0) t_end = -VM_MAX;
-    if (s->t == t_end) return ODE_STEP_TOO_SMALL;
+    *t_end = VM_MAX;
+    if (s->h < 0) *t_end = -VM_MAX;
+    if (s->t == *t_end) return ODE_STEP_TOO_SMALL;
     s->attempts = -1;
-    return vmi_run(s, method, s->f, s->n, t_end, 1);
+    return ODE_OK;
 }
 
-/* Does the work of rk45_solve_with for any pair */
-VM_INLINE int vmi_solve_with(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
+/* Does what comes before the steps in rk45_solve_with, for the pair whose number is `method`. Returns a status; s may
+   go on if that is ODE_OK. */
+VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
     if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
     s->attempts = s->options.max_steps;
-    return vmi_run(s, method, f, n, t_end, 0);
-}
-
-/* Does the work of rk45_solve for any pair */
-VM_INLINE int vmi_solve(rk45 *s, int method, vm_real t_end)
-{
-    if (!s) return ODE_BAD_ARGUMENT;
-    return vmi_solve_with(s, method, s->f, s->n, t_end);
+    return ODE_OK;
 }
 
 #endif
-/* integrators/adaptive.h - adaptive runs: rk45 and rk87, whose steps keep a tolerance
-   rk45 is Tsitouras' pair of orders 5 and 4 [1]. It takes six evaluations of f in a step, and none for states between
-   steps. It is the pair to begin with, and the better one in float, for loose tolerances, for right-hand sides that are
-   not smooth, and for many events. rk87 is Verner's pair of orders 8 and 7 [4]. It takes 13 evaluations in a step, and
-   seven more for states between steps. It is the pair for a smooth f in double and small errors.
+/* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
+   Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
+   evaluations of f. The continuous extension of order 4 takes none. It is the pair to begin with, and the better one in
+   float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
        rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
        if (rk45_solve(&s, 10.0) >= 0) printf("x(10) = %g\n", s.y[0]);
 
-   Tests: tests/test_adaptive.c, tests/test_dense.c, tests/test_events.c. */
-#ifndef VARMASS_INTEGRATORS_ADAPTIVE_H
-#define VARMASS_INTEGRATORS_ADAPTIVE_H
+   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_RK45_H
+#define VARMASS_INTEGRATORS_RK45_H
+
+enum { VMI_RK45 = 45 }; /* the number of this pair */
+
+/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy
+   the order conditions to 2e-14. */
+VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m;
+    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
+            *k6 = k5 + m, *k7 = k6 + m;
+    int i;
+    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.161) * k1[i];
+    VMI_EVAL(t + VMI_H(0.161), z, k2);
+    VMI_EACH(i, sys.n) z[i] = y[i] - VMI_H(0.008480655492356989) * k1[i] + VMI_H(0.335480655492357) * k2[i];
+    VMI_EVAL(t + VMI_H(0.327), z, k3);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + VMI_H(2.8971530571054935) * k1[i] - VMI_H(6.359448489975075) * k2[i] +
+           VMI_H(4.3622954328695815) * k3[i];
+    VMI_EVAL(t + VMI_H(0.9), z, k4);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + VMI_H(5.325864828439257) * k1[i] - VMI_H(11.748883564062828) * k2[i] +
+           VMI_H(7.4955393428898365) * k3[i] - VMI_H(0.09249506636175525) * k4[i];
+    VMI_EVAL(t + VMI_H(0.9800255409045097), z, k5);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + VMI_H(5.86145544294642) * k1[i] - VMI_H(12.92096931784711) * k2[i] +
+           VMI_H(8.159367898576159) * k3[i] - VMI_H(0.071584973281401) * k4[i] -
+           VMI_H(0.028269050394068383) * k5[i];
+    VMI_EVAL(t_new, z, k6);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + VMI_H(0.09646076681806523) * k1[i] + VMI_H(0.01) * k2[i] + VMI_H(0.4798896504144996) * k3[i] +
+           VMI_H(1.379008574103742) * k4[i] - VMI_H(3.290069515436081) * k5[i] + VMI_H(2.324710524099774) * k6[i];
+    VMI_EVAL(t_new, z, k7);
+    return 0;
+}
+
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 5 and 4. */
+VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m,
+                  *k4 = k3 + m, *k5 = k4 + m, *k6 = k5 + m, *k7 = k6 + m;
+    vm_real worst = 0, bad = 0;
+    int i;
+    VMI_EACH(i, sys.n)
+    vmi_weigh(o, i,
+              h * (VM_C(-0.00178001105222577714) * k1[i] - VM_C(0.0008164344596567469) * k2[i] +
+                   VM_C(0.007880878010261995) * k3[i] - VM_C(0.1447110071732629) * k4[i] +
+                   VM_C(0.5823571654525552) * k5[i] - VM_C(0.45808210592918697) * k6[i] +
+                   VM_C(0.01515151515151515152) * k7[i]),
+              y[i], z[i], &worst, &bad);
+    return VMI_SMALLER(worst, VMI_WORST) + bad;
+}
+
+/* For the test of stiffness: the weight of k_{j+1} in stage 7 minus its weight in stage 6. Both stages evaluate f at
+   the end of the step. */
+VM_API vm_real vmi_rk45_end_difference(int j)
+{
+    VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
+                                   VM_C(1.4505935473851428), VM_C(-3.2618004650420125), VM_C(2.324710524099774)};
+    return VM_READ(weights[j]);
+}
+
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 4 [1], at the fraction x of
+   the step */
+VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
+{
+    const vm_real xx = x * x;
+    b[0] = VM_C(-1.0530884977290216) * x * (x - VM_C(1.3299890189751412)) *
+           ((x - VM_C(1.4364028541716351)) * x + VM_C(0.7139816917074209));
+    b[1] = VM_C(0.1017) * xx * ((x - VM_C(2.1966568338249754)) * x + VM_C(1.2949852507374631));
+    b[2] = VM_C(2.490627285651252793) * xx * ((x - VM_C(2.38535645472061657)) * x + VM_C(1.57803468208092486));
+    b[3] = VM_C(-16.54810288924490272) * xx * (x - VM_C(1.21712927295533244)) * (x - VM_C(0.61620406037800089));
+    b[4] = VM_C(47.37952196281928122) * xx * (x - VM_C(1.203071208372362603)) * (x - VM_C(0.658047292653547382));
+    b[5] = VM_C(-34.87065786149660974) * xx * (x - VM_C(1.2)) * (x - VM_C(0.666666666666666667));
+    b[6] = VM_C(2.5) * xx * (x - 1) * (x - VM_C(0.6));
+}
+
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
+VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
+{
+    vm_real b[7];
+    vmi_rk45_weights(x, b);
+    vmi_weigh_inside(s, 7, b, x, y);
+}
+
+/* The descriptor of rk45 */
+VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
+{
+    vmi_rk_pair pair;
+    pair.method = VMI_RK45;
+    pair.order = 5;
+    pair.stages = 7;
+    pair.last_is_first = 1;
+    pair.derivatives = 7;
+    pair.rounding = 16;
+    pair.keep_from = VM_C(0.25);
+    pair.stiff_beyond = VM_C(3.4);
+    pair.end_difference = vmi_rk45_end_difference;
+    pair.inside = vmi_rk45_inside;
+    pair.extend = NULL;
+    return pair;
+}
+
+/* Steps of rk45 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+{
+    vmi_rk_stepper stepper;
+    stepper.pair = vmi_rk45_pair();
+    stepper.make_stages = vmi_rk45_stages;
+    stepper.step_error = vmi_rk45_error;
+    return vmi_run(s, stepper, f, n, t_end, single);
+}
+
+/* -- Functions for users -- */
 
 #define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
-#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
-
-/* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
-typedef rk45_options rk87_options;
-typedef rk45 rk87;
 
 /* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
    If options_or_NULL is NULL, all options have their defaults. */
@@ -2581,6 +2225,389 @@ VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
     return vmi_ode_init(s, vmi_rk45_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
+/* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
+   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
+   ODE_BAD_ARGUMENT. */
+VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
+
+/* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
+   positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
+VM_INLINE int rk45_step(rk45 *s)
+{
+    vm_real t_end;
+    const int status = vmi_begin_step(s, VMI_RK45, &t_end);
+    if (status) return status;
+    return vmi_rk45_run(s, s->f, s->n, t_end, 1);
+}
+
+/* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
+   constants in this call; rk45_init may have been called anywhere. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
+   all else is as in rk45_solve. */
+VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
+{
+    const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
+    if (status) return status;
+    return vmi_rk45_run(s, f, n, t_end, 0);
+}
+
+/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
+   t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
+   is after options.max_steps attempts, another call continues the run. */
+VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return rk45_solve_with(s, s->f, s->n, t_end);
+}
+
+/* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
+   Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
+VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
+
+#endif
+/* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
+   those of rk45. It is the pair for a smooth f in double and small errors.
+
+   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
+#ifndef VARMASS_INTEGRATORS_RK87_H
+#define VARMASS_INTEGRATORS_RK87_H
+
+enum { VMI_RK87 = 87 }; /* the number of this pair */
+
+/* Computes stages 2 to 7 of a step [4]. Returns 0, or the number with which f has stopped the run. */
+VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m;
+    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
+            *k6 = k5 + m, *k7 = k6 + m;
+    int i;
+    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.05) * k1[i];
+    VMI_EVAL(t + VMI_H(0.05), z, k2);
+    VMI_EACH(i, sys.n) z[i] = y[i] - VMI_H(0.0069931640625) * k1[i] + VMI_H(0.1135556640625) * k2[i];
+    VMI_EVAL(t + VMI_H(0.1065625), z, k3);
+    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.0399609375) * k1[i] + VMI_H(0.1198828125) * k3[i];
+    VMI_EVAL(t + VMI_H(0.15984375), z, k4);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + h * (VM_C(0.36139756280045751241) * k1[i] - VM_C(1.3415240667004927718) * k3[i]) +
+           VMI_H(1.3701265039000352594) * k4[i];
+    VMI_EVAL(t + VMI_H(0.39), z, k5);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + h * (VM_C(0.049047202797202797203) * k1[i] + VM_C(0.23509720422144047399) * k4[i]) +
+           VMI_H(0.18085559298135672881) * k5[i];
+    VMI_EVAL(t + VMI_H(0.465), z, k6);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(0.06169289044289044289) * k1[i] + VM_C(0.11236568314640276623) * k4[i] -
+                VM_C(0.03885046071451366767) * k5[i]) +
+           VMI_H(0.019791887125220458554) * k6[i];
+    VMI_EVAL(t + VMI_H(0.155), z, k7);
+    return 0;
+}
+
+/* Computes stages 8 to 13 [4] and the new state, whose derivative is evaluated only after the step is accepted. Large
+   coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use the differences of such k,
+   which are exact, so that roundings remain small. Returns 0, or the number with which f has stopped the run. */
+VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m;
+    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k4 = k1 + 3 * m, *k5 = k4 + m, *k6 = k5 + m, *k7 = k6 + m,
+            *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m, *k13 = k12 + m;
+    int i;
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.7676302402223268757) * k1[i] - VM_C(6.0618893773766691008) * k5[i] +
+                VM_C(5.6508231982227631386) * k6[i] + VM_C(3.121696419376232838) * k7[i]) -
+           VMI_H(62.5) * (k4[i] - k7[i]);
+    VMI_EVAL(t + VMI_H(0.943), z, k8);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.1809450665549707998) * k1[i] - VM_C(4.4344383191037250112) * k5[i] +
+                VM_C(4.2604081885861330248) * k6[i] + VM_C(2.2489058133185074338) * k7[i] -
+                VM_C(41.504734411143208416) * (k4[i] - k7[i])) +
+           VMI_H(0.0078714254899123106874) * k8[i];
+    VMI_EVAL(t + VMI_H(0.90180204173585695826), z, k9);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.2814059994414884055) * k1[i] - VM_C(4.7313620694495764773) * k5[i] +
+                VM_C(4.5149670165938078412) * k6[i] + VM_C(2.4019556115899850465) * k7[i] -
+                VM_C(45.047139960139866302) * (k4[i] - k7[i]) + VM_C(0.010592282971116611357) * k8[i]) -
+           VMI_H(0.0057468422638446162544) * k9[i];
+    VMI_EVAL(t + VMI_H(0.909), z, k10);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.7244701342624851918) * k1[i] - VM_C(5.9515183762223924552) * k5[i] +
+                VM_C(5.556523730698456236) * k6[i] + VM_C(3.0595218955025132032) * k7[i] -
+                VM_C(60.923490084830540165) * (k4[i] - k7[i]) + VM_C(0.014642028250414961593) * k8[i] +
+                VM_C(0.064604087723582036036) * k9[i]) -
+           VMI_H(0.07930323169008878984) * k10[i];
+    VMI_EVAL(t + VMI_H(0.94), z, k11);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-3.3016226677470790164) * k1[i] - VM_C(10.141422388456112486) * k5[i] +
+                VM_C(9.1393113322320579235) * k6[i] + VM_C(5.3646704686517598018) * k7[i] -
+                VM_C(118.01127235975250857) * (k4[i] - k7[i]) + VM_C(4.6232443788745804748) * k8[i] -
+                VM_C(3.3832777380682019237) * k9[i] + VM_C(4.5275921003246181895) * k10[i]) -
+           VMI_H(5.8284954858116229632) * k11[i];
+    VMI_EVAL(t_new, z, k12);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-3.03951503376630903) * k1[i] - VM_C(9.2906424974002934497) * k5[i] +
+                VM_C(8.4305049817649111421) * k6[i] + VM_C(4.9401329484155058871) * k7[i] -
+                VM_C(109.26086808941762547) * (k4[i] - k7[i]) - VM_C(0.96372713421454793582) * k8[i] -
+                VM_C(5.0348840888021897912) * k9[i]) +
+           VMI_H(5.9581308240029231775) * k10[i];
+    VMI_EVAL(t_new, z, k13);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(0.044279894190079510747) * k1[i] + VM_C(0.35410493917244487448) * k6[i] +
+                VM_C(0.24796921549564378287) * k7[i] - VM_C(6.6543028207017138549) * k10[i] +
+                VM_C(25.084064965558562613) * (k9[i] - k10[i]) + VM_C(7.2440812351506999013) * k11[i] -
+                VM_C(15.694202038838084051) * (k8[i] - k11[i])) -
+           VMI_H(0.23613246330715421453) * k12[i];
+    return 0;
+}
+
+/* Computes stages 2 to 13 and the new state of a step */
+VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+{
+    const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
+    if (stopped) return stopped;
+    return vmi_rk87_late_stages(sys, t, t_new, h, evals);
+}
+
+/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
+   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: its weights before the jump add up
+   to 4e-4 at most, while the error is a quarter of the jump. The weights used here, of order 5, add up to 0.1, -0.17 or
+   0.25. If f is smooth, their sum `seen` is much smaller than `change`, the change of f along the step. The result
+   seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
+   loose. */
+VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
+{
+    const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
+                                 VM_C(1.2953622033829957737) * (k10 - k6) + VM_C(1.5453622033829957737) * (k13 - k6) +
+                                 VM_C(30.024202087387960709) * (k9 - k10));
+    const vm_real change = VM_FABS(k1 - k6) + VM_FABS(k13 - k6);
+    return seen * (seen / (seen + change + VM_MIN));
+}
+
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 8 and 7, or the
+   error that a jump of f may cause (vmi_rk87_jump), whichever is larger. */
+VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m;
+    const vm_real *k6 = k1 + 5 * m, *k7 = k6 + m, *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m,
+                  *k12 = k11 + m, *k13 = k12 + m;
+    vm_real worst = 0, bad = 0;
+    int i;
+    VMI_EACH(i, sys.n)
+    {
+        const vm_real smooth = VM_C(-0.000032721039010281377697) * k1[i] - VM_C(0.00050462506187777030476) * k6[i] +
+                               VM_C(0.00012117235897847590476) * k7[i] - VM_C(20.142336771313868544) * k8[i] +
+                               VM_C(5.2371785994398289141) * k9[i] - VM_C(8.1567444087946580486) * k10[i] +
+                               VM_C(22.938283273988783952) * k11[i] - VM_C(0.23613246330715421453) * k12[i] +
+                               VM_C(0.36016794372897751621) * k13[i];
+        const vm_real jump = vmi_rk87_jump(k1[i], k6[i], k7[i], k9[i], k10[i], k13[i]);
+        vmi_weigh(o, i, h * (jump > VM_FABS(smooth) ? jump : smooth), y[i], z[i], &worst, &bad);
+    }
+    return VMI_SMALLER(worst, VMI_WORST) + bad;
+}
+
+/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. For both states f is
+   evaluated at the end of the step. */
+VM_API vm_real vmi_rk87_end_difference(int j)
+{
+    VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
+                                    0,
+                                    0,
+                                    VM_C(109.26086808941762547),
+                                    VM_C(9.2906424974002934497),
+                                    VM_C(-8.0764000425924662677),
+                                    VM_C(-113.95303182233748757),
+                                    VM_C(-14.730474904623536115),
+                                    VM_C(30.118949054360752405),
+                                    VM_C(-37.696498610263199646),
+                                    VM_C(22.938283273988783952),
+                                    VM_C(-0.23613246330715421453),
+                                    0};
+    return VM_READ(weights[j]);
+}
+
+/* Numbers of k_i: those that a step itself makes, and those that the continuous extension adds */
+#define VMI_RK87_OWN 14
+#define VMI_RK87_EXTRA 7
+
+/* The coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage} */
+VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
+{
+    VM_TABLE vm_real a[7][20] = {
+        {VM_C(0.046207006467549631017), 0, 0, 0, 0, VM_C(0.045039041608424808668), VM_C(0.23368166977134244108),
+         VM_C(37.839013684210674108), VM_C(-15.949113289454246103), VM_C(23.028368351816102851),
+         VM_C(-44.855785077694125248), VM_C(-0.063798587686474440095), 0, VM_C(-0.012595035543861662682)},
+        {VM_C(0.050379468554820409931), 0, 0, 0, 0, VM_C(0.041098361310460793399), VM_C(0.17180541533481957833),
+         VM_C(4.6141053199815188697), VM_C(-1.7916678830853964497), VM_C(2.5316589304850414085),
+         VM_C(-5.3249778602057307193), VM_C(-0.030655325953856347349), 0, VM_C(-0.0052544799794296135705),
+         VM_C(-0.083991946442247929975)},
+        {VM_C(0.040828971329970796202), 0, 0, 0, 0, VM_C(0.42444795142476322189), VM_C(0.23260915312752345395),
+         VM_C(2.6779825207118060628), VM_C(0.74208266573389452165), VM_C(0.14603778479414611939),
+         VM_C(-3.579344509890565218), VM_C(0.11388443896001737045), 0, VM_C(0.012677906510331900474),
+         VM_C(-0.074434363499466744298), VM_C(0.047827480797578515546)},
+        {VM_C(0.052126823936684136299), 0, 0, 0, 0, VM_C(0.053925083967447977182), VM_C(0.016607580974346408285),
+         VM_C(-4.4544857579267796554), VM_C(6.8352182786321463817), VM_C(-8.7113348221819937398),
+         VM_C(6.4916358392329170537), VM_C(-0.070725518098443464221), 0, VM_C(-0.018540314919932164291),
+         VM_C(0.023504021054353846451), VM_C(0.23447951034078220906), VM_C(-0.082410725011528988858)},
+        {VM_C(0.050201028703557135987), 0, 0, 0, 0, VM_C(0.15522090347954981149), VM_C(0.12642684240892349147),
+         VM_C(-5.149206303539847017), VM_C(8.4683409990369292661), VM_C(-10.662130681081495275),
+         VM_C(7.5418332249597283629), VM_C(-0.074369681138321424394), 0, VM_C(-0.020558876866183826193),
+         VM_C(0.077537952647102980726), VM_C(0.10462592203525442963), VM_C(-0.11792133064519793521)},
+        {VM_C(0.037373414464578256928), 0, 0, 0, 0, VM_C(0.35049307053383164068), VM_C(0.49226528193730254333),
+         VM_C(8.5536954393593122423), VM_C(-10.353172990305913485), VM_C(13.833204272529149904),
+         VM_C(-12.280924330784618637), VM_C(0.17191515956565097627), 0, VM_C(0.036415831143144963801),
+         VM_C(0.029619205802887630549), VM_C(-0.26517939386270670026), VM_C(0.094295039617380665532)},
+        {VM_C(0.039390583455282509434), 0, 0, 0, 0, VM_C(0.35585161412344241831), VM_C(0.41973822259526100294),
+         VM_C(0.87204497780719416629), VM_C(0.89895208348765948613), VM_C(-0.63058061610598835902),
+         VM_C(-1.1218872205954835507), VM_C(0.04298219512400197177), 0, VM_C(0.01332557566873915707),
+         VM_C(0.018762270539641480344), VM_C(-0.18594111329221055705), VM_C(0.17736142719246027452)}};
+    return VM_READ(a[stage][j]);
+}
+
+/* Evaluates the seven further stages that the continuous extension of order 8 needs. Returns a status: ODE_NOT_FINITE
+   if one of them leaves the domain of f, which may happen even if no stage of the step itself does. */
+VM_API int vmi_rk87_extend(rk45 *s)
+{
+    VM_TABLE vm_real c[7] = {
+        VM_C(0.31101776349538638639), VM_C(0.1725), VM_C(0.7846), VM_C(0.37), VM_C(0.5), VM_C(0.7), VM_C(0.9)};
+    const vm_real *k1 = vmi_part(s, VMI_K), *y_old = vmi_part(s, VMI_Y_OLD);
+    vm_real *z = vmi_part(s, VMI_Z);
+    int i, j, stage;
+    for (stage = 0; stage < VMI_RK87_EXTRA; stage++) {
+        vm_real *k = vmi_part(s, VMI_K + VMI_RK87_OWN + stage);
+        int status;
+        for (i = 0; i < s->n; i++) {
+            vm_real sum = 0;
+            for (j = 1; j < VMI_RK87_OWN + stage; j++)
+                sum += vmi_rk87_extra_coefficient(stage, j) * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+            z[i] = y_old[i] + s->h_done * (VM_READ(c[stage]) * k1[i] + sum);
+        }
+        status = vmi_eval(s, s->t_old + VM_READ(c[stage]) * s->h_done, z, k);
+        if (status) return status;
+        if (!vmi_all_finite(s->n, k)) return ODE_NOT_FINITE;
+    }
+    return ODE_OK;
+}
+
+/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7; b_{j+1} is the weight of k_{j+1} in the
+   continuous extension. Coefficients of powers of x would be larger [4]. */
+VM_API vm_real vmi_rk87_bernstein(int i, int j)
+{
+    VM_TABLE vm_real c[8][21] = {
+        {VM_C(1.0)},
+        {VM_C(-0.43416495007921699754), 0, 0, 0, 0, VM_C(22.599667701739659115), VM_C(15.825878858282545737),
+         VM_C(-1001.6345768873305842), VM_C(1600.9139385497353343), VM_C(-2025.6045200650977012),
+         VM_C(1463.9659668459635268), VM_C(-15.07043425264423982), 0, VM_C(-2.1233733390382044607),
+         VM_C(2.0499551075579231761), VM_C(-14.649321001586286937), VM_C(-5.4474375904092477119),
+         VM_C(-9.4832565472422686612), VM_C(-12.916982247390083982), VM_C(-8.5341205186269588664),
+         VM_C(-8.4572196638341962641)},
+        {VM_C(0.69319890739505714536), 0, 0, 0, 0, VM_C(-28.322636845067825264), VM_C(-19.833504880369087028),
+         VM_C(1255.2809513415663983), VM_C(-2006.3172919246540112), VM_C(2538.5533084238865914),
+         VM_C(-1834.6896502962782204), VM_C(18.886757189012005795), 0, VM_C(2.6943768290163844672),
+         VM_C(-3.0569914252730377376), VM_C(21.845770438002692514), VM_C(8.1234803348592602041),
+         VM_C(9.4063330192350021072), VM_C(18.54462542925865921), VM_C(8.8787596622304847795),
+         VM_C(10.312513797179645635)},
+        {VM_C(-0.3338485911070980487), 0, 0, 0, 0, VM_C(25.558764868971263012), VM_C(17.898047082901598187),
+         VM_C(-1132.7840290910181075), VM_C(1810.5302905715595678), VM_C(-2290.8279152212470487),
+         VM_C(1655.6509775545015219), VM_C(-17.043688014358484614), 0, VM_C(-2.3369125341274148978),
+         VM_C(2.6643387606508049922), VM_C(-19.039809026959079785), VM_C(-7.0800668096793834609),
+         VM_C(-5.8665758746530908169), VM_C(-18.840844904715375167), VM_C(-7.4879415981794647994),
+         VM_C(-9.6607871725402081249)},
+        {VM_C(0.28379400641185437856), 0, 0, 0, 0, VM_C(-12.759481686923881245), VM_C(-8.9350876365402469061),
+         VM_C(565.50999817576301139), VM_C(-903.85541729421673952), VM_C(1143.6302568613132692),
+         VM_C(-826.5363540196210053), VM_C(8.5085733294123855395), 0, VM_C(1.0603712833693789051),
+         VM_C(-1.4442533272143088419), VM_C(10.320875086467535406), VM_C(3.837879100734673622),
+         VM_C(2.5580949193757614888), VM_C(11.224293673899100669), VM_C(2.4797359224550151757),
+         VM_C(5.1167216053141960113)},
+        {VM_C(0.0072914402964293461022), 0, 0, 0, 0, VM_C(3.7687355910342448606), VM_C(2.6391340660294149651),
+         VM_C(-167.03324707890411572), VM_C(266.9694713223930137), VM_C(-337.79115467001014473),
+         VM_C(244.13193663420704719), VM_C(-2.5131556220142955157), 0, VM_C(-0.17281686321712024563),
+         VM_C(0.3583670958947128915), VM_C(-2.5609510202503622271), VM_C(-0.95230494665234715357),
+         VM_C(-0.5896647722763897408), VM_C(-2.8631165722737584704), VM_C(-0.47177361047292321216),
+         VM_C(-1.9267509937834059465)},
+        {VM_C(0.050605593360090869425), 0, 0, 0, 0, VM_C(0.40469135905422271369), VM_C(0.28339338913787860899),
+         VM_C(-17.936230901529238915), VM_C(28.667502817781214415), VM_C(-36.272420327154601678),
+         VM_C(26.215180884558610231), VM_C(-0.26986567235103338803), 0, VM_C(-0.14285714285714285714)},
+        {VM_C(0.044279894190079510747), 0, 0, 0, 0, VM_C(0.35410493917244487448), VM_C(0.24796921549564378287),
+         VM_C(-15.694202038838084051), VM_C(25.084064965558562613), VM_C(-31.738367786260276468),
+         VM_C(22.938283273988783952), VM_C(-0.23613246330715421453)}};
+    return VM_READ(c[i][j]);
+}
+
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 8 [4], at the fraction x of
+   the step */
+VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
+{
+    VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
+    const int count = VMI_RK87_OWN + VMI_RK87_EXTRA;
+    const vm_real u = 1 - x;
+    vm_real powers[8], power = x; /* powers[i] is u^i, and power is x^(i + 1) */
+    int i, j;
+    powers[0] = 1;
+    for (i = 1; i < 8; i++) powers[i] = powers[i - 1] * u;
+    for (j = 0; j < count; j++) b[j] = 0;
+    for (i = 0; i < 8; i++) {
+        const vm_real bernstein = VM_READ(binomial[i]) * power * powers[7 - i];
+        for (j = 0; j < count; j++) b[j] += bernstein * vmi_rk87_bernstein(i, j);
+        power *= x;
+    }
+}
+
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
+VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
+{
+    vm_real b[VMI_RK87_OWN + VMI_RK87_EXTRA];
+    vmi_rk87_weights(x, b);
+    vmi_weigh_inside(s, VMI_RK87_OWN + VMI_RK87_EXTRA, b, x, y);
+}
+
+/* The descriptor of rk87 */
+VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
+{
+    vmi_rk_pair pair;
+    pair.method = VMI_RK87;
+    pair.order = 8;
+    pair.stages = 13;
+    pair.last_is_first = 0;
+    pair.derivatives = VMI_RK87_OWN + VMI_RK87_EXTRA;
+    pair.rounding = 256;
+    pair.keep_from = VM_C(0.1);
+    pair.stiff_beyond = VM_C(5.69);
+    pair.end_difference = vmi_rk87_end_difference;
+    pair.inside = vmi_rk87_inside;
+    pair.extend = vmi_rk87_extend;
+    return pair;
+}
+
+/* Steps of rk87 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+{
+    vmi_rk_stepper stepper;
+    stepper.pair = vmi_rk87_pair();
+    stepper.make_stages = vmi_rk87_stages;
+    stepper.step_error = vmi_rk87_error;
+    return vmi_run(s, stepper, f, n, t_end, single);
+}
+
+/* -- Functions for users -- */
+
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
+
+/* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
+typedef rk45_options rk87_options;
+typedef rk45 rk87;
+
 /* Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45. work has RK87_WORK(n) numbers, and rtol
    becomes at least 256 VM_EPSILON. */
 VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
@@ -2589,47 +2616,33 @@ VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
     return vmi_ode_init(s, vmi_rk87_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
-/* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
-   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
-   ODE_BAD_ARGUMENT. */
-VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
-
 /* Continues a run of rk87 from another time or state, such as after a jump. All else is as in rk45_restart. */
 VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
-   positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
-VM_INLINE int rk45_step(rk45 *s) { return vmi_step(s, VMI_RK45); }
-
 /* One accepted step of rk87, or the part of it before an event that ends the step. All else is as in rk45_step. */
-VM_INLINE int rk87_step(rk87 *s) { return vmi_step(s, VMI_RK87); }
-
-/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
-   t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
-   is after options.max_steps attempts, another call continues the run. */
-VM_INLINE int rk45_solve(rk45 *s, vm_real t_end) { return vmi_solve(s, VMI_RK45, t_end); }
-
-/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
-   rk45_solve. */
-VM_INLINE int rk87_solve(rk87 *s, vm_real t_end) { return vmi_solve(s, VMI_RK87, t_end); }
-
-/* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
-   constants in this call; rk45_init may have been called anywhere. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
-   all else is as in rk45_solve. */
-VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
+VM_INLINE int rk87_step(rk87 *s)
 {
-    return vmi_solve_with(s, VMI_RK45, f, n, t_end);
+    vm_real t_end;
+    const int status = vmi_begin_step(s, VMI_RK87, &t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
 /* Steps of rk87 to t_end, with f and n named again so that f is inlined. All else is as in rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
-    return vmi_solve_with(s, VMI_RK87, f, n, t_end);
+    const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, f, n, t_end, 0);
 }
 
-/* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
-   Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
-VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
+/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
+   rk45_solve. */
+VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return rk87_solve_with(s, s->f, s->n, t_end);
+}
 
 /* State y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The first call after
    a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t.

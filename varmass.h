@@ -5092,6 +5092,29 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 }
 
 #endif
+/* mechanics/attitude.h - how the attitude of a rotating body changes
+
+       vm_real rates[4]; // of w, x, y, z
+       vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
+
+   Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
+#ifndef VARMASS_MECHANICS_ATTITUDE_H
+#define VARMASS_MECHANICS_ATTITUDE_H
+
+/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length
+   back to 1 within some steps of any explicit method, at a rate below that of the rotation itself, so that a slow
+   rotation is not stiff. */
+VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
+{
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
+    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
+}
+
+#endif
 /* mechanics/flow.h - a free body in space with streams of mass
 
    These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
@@ -5204,19 +5227,6 @@ VM_INLINE int vmi_flow_note_status(int *kept, int status)
     return status;
 }
 
-/* Sets dydt to the rate q omega/2 + |omega| (1 - |q|^2) q/8 of the attitude q, with omega in body axes and
-   square = |q|^2. The second term brings the length of q back to 1. Its rate is below that of the rotation, so that
-   an explicit method needs no shorter steps because of it. */
-VM_INLINE void vmi_flow_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
-{
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    dydt[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    dydt[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    dydt[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    dydt[3] = back * q.z + q.w * z + q.x * y - q.y * x;
-}
-
 /* Mass, mass centre and inertia of a body at an instant */
 typedef struct VM_TAG(vmi_flow_mass) {
     vm_real mass;
@@ -5312,7 +5322,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     force = vmi_add(flow->force, vmi_add(sum.absolute, force));
     moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
     vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
-    vmi_flow_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
@@ -5384,7 +5394,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
     vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
-    vmi_flow_turning(q, square, omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
              vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
@@ -6732,6 +6742,30 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 }
 
 #endif
+/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
+
+   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
+       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
+   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c, tests/test_forces.c. */
+#ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
+#define VARMASS_OSCILLATORS_FORCE_TERMS_H
+
+/* x|x|^(alpha-1), alpha >= 0, computed by the power: the force of a spring over -k. The callers treat x = 0 and the
+   exponents that need no power. */
+VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
+{
+    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+}
+
+/* Van der Pol's term (404), feed - c x^2, N s/m: the force over the velocity at position x. feed > 0 (N s/m) feeds
+   the vibration, and c > 0 (N s/m^3) limits it. */
+VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
+
+/* The gyroscopic coupling 2 gyro, kg/s: the gyroscopic force is this times the velocity, turned by +90 degrees. gyro
+   is g of the remark after (516), kg/s. */
+VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
+
+#endif
 /* oscillators/waves.h - wave forms of a strongly nonlinear oscillator: ca, cos and cn
 
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
@@ -6941,7 +6975,7 @@ VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
     if (alpha == 3) return x * x * x;
-    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+    return vmi_elastic_power(x, alpha);
 }
 
 /* Energy per unit mass (259), v^2/2 + omega0^2 |x|^(alpha+1)/(alpha+1), m^2/s^2. */
@@ -9632,23 +9666,6 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 }
 
 #endif
-/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
-
-   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
-       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
-   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c. */
-#ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
-#define VARMASS_OSCILLATORS_FORCE_TERMS_H
-
-/* Van der Pol's term (404), feed - c x^2, N s/m: the force over the velocity at position x. feed > 0 (N s/m) feeds
-   the vibration, and c > 0 (N s/m^3) limits it. */
-VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
-
-/* The gyroscopic coupling 2 gyro, kg/s: the gyroscopic force is this times the velocity, turned by +90 degrees. gyro
-   is g of the remark after (516), kg/s. */
-VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
-
-#endif
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
    The equation is (404), with the mass m(t) and a spring of any exponent alpha:
@@ -9689,15 +9706,23 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 of averaging with cn. (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
-VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
+/* Writes the mean values a1, a2, a3 of each method. For cn (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
+VM_API void vmi_vdp_means(vm_vdp *v)
 {
-    const vm_real m = vm_osc_jacobi_parameter(v->alpha);
-    vm_real C2, C4, C6;
-    jacobi_cn_means(m, &C2, &C4, &C6);
-    v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
-    v->a1 = (v->alpha + 3) / 2 * v->a2;
-    v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+    v->a1 = 1;
+    v->a2 = 2 / (v->alpha + 3);
+    if (v->method == VM_VDP_ATEB) {
+        v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
+    } else if (v->method == VM_VDP_TRIGONOMETRIC) {
+        v->a3 = v->a2 / 4;
+    } else {
+        const vm_real m = vm_osc_jacobi_parameter(v->alpha);
+        vm_real C2, C4, C6;
+        jacobi_cn_means(m, &C2, &C4, &C6);
+        v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
+        v->a1 = (v->alpha + 3) / 2 * v->a2;
+        v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+    }
 }
 
 /* Checks that the numbers of a Van der Pol oscillator are in their domains. */
@@ -9720,11 +9745,7 @@ VM_API int vm_vdp_init(vm_vdp *v)
     if (!v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     status = vmi_vdp_check(v);
     if (status) return status;
-    v->a1 = 1;
-    v->a2 = 2 / (v->alpha + 3);
-    if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
-    else if (v->method == VM_VDP_TRIGONOMETRIC) v->a3 = v->a2 / 4;
-    else vmi_vdp_jacobi_means(v);
+    vmi_vdp_means(v);
     return VM_OK;
 }
 
@@ -9741,6 +9762,9 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
+/* Whether the closed forms hold: they know the terms feed and c, of an oscillator that is prepared */
+VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
+
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.
    first_A is the amplitude, m, at t = 0, of either sign. One formula stands for (422), (424), (427), (429),
    (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
@@ -9756,7 +9780,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     if (!v) return VM_NAN;
     vmi_linear_mass m;
     vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
-    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !(v->a1 > 0)) return VM_NAN;
+    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
     if (vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
         (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
@@ -9792,7 +9816,7 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
     const vm_real drive = vmi_vdp_drive(v, mass_rate);
     const int exists = (drive > 0 && v->c > 0) || (drive < 0 && v->c < 0);
     const int limited = v->c > 0, rest_is_stable = drive < 0 || (drive == 0 && limited);
-    if (!VM_IS_FINITE(drive) || !(v->a1 > 0)) return VM_NAN;
+    if (!VM_IS_FINITE(drive) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
     if (stable_or_NULL) *stable_or_NULL = exists ? limited : rest_is_stable;
     if (!exists) return 0;
     return VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3)));
@@ -11660,20 +11684,6 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* Computes q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8 for the attitude q, with omega in body axes. The second term
-   keeps the length of q at 1. It acts as fast as q turns, so that it does not make a slow rotation stiff.
-   mechanics/flow.h has the same law. */
-VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
-{
-    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
-}
-
 /* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
    includes the dummy moments of b->invertible; therefore the equations can be solved for a rod, too. The spin of a
    rod about its own axis stays constant, since no load turns the rod about this axis. */
@@ -11699,7 +11709,7 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     const vm_vec3 omega = vmi_get3(state + VMI_FREE_OMEGA);
     const vmi_mat3 axes = vmi_rotation(q);
     vmi_point_body_accelerate(b, state, rates);
-    vmi_free_turn(q, omega, rates + VMI_FREE_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), omega, rates + VMI_FREE_Q);
     return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
 }
 
@@ -12002,7 +12012,7 @@ VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
-    return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
+    return -k * vmi_elastic_power(x, alpha) * (x != 0);
 }
 
 /* The force of a linear damper, -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
@@ -12010,7 +12020,10 @@ VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping 
 
 /* The force of Van der Pol's damper, (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in
    N s/m^3 takes energy out at large amplitudes. */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c)
+{
+    return vmi_van_der_pol_feed(b, c, x) * v;
+}
 
 /* The torque of a motor, stall_torque - kappa omega. omega is the angular velocity in rad/s, stall_torque the torque at
    rest in N m, and kappa the slope of the straight characteristic in N m s. */
@@ -12070,8 +12083,8 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -2 * gyro * vy;
-    *fy = 2 * gyro * vx;
+    *fx = -vmi_gyroscopic_coupling(gyro) * vy;
+    *fy = vmi_gyroscopic_coupling(gyro) * vx;
 }
 
 #endif
@@ -14364,7 +14377,7 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
    the reason why a body cannot be accelerated rather than the status of the integrator. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
-    const int ode_status = vmi_run(r, VMI_RK45, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
+    const int ode_status = vmi_rk45_run(r, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
     if (ode_status >= 0) return VM_OK;
     s->ode_status = ode_status;
     if (ode_status == ODE_MAX_STEPS) return VM_MAX_STEPS;

@@ -1,6 +1,6 @@
 /* integrators/dense.h - the solution inside the last step of an adaptive run
    After each step of rk45 or rk87 its continuous extension, a polynomial in time, gives the state at any time within
-   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate of adaptive.h.
+   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate.
 
    Tests: tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_DENSE_H

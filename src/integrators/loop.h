@@ -1,5 +1,5 @@
 /* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
-   Users call the functions of adaptive.h, which choose the pair.
+   Each pair has functions for users, which call these: rk45.h, rk87.h.
 
    Tests: tests/test_adaptive.c, tests/test_events.c. */
 #ifndef VARMASS_INTEGRATORS_LOOP_H
@@ -9,7 +9,6 @@
 #include "../base/real.h"
 #include "events.h"
 #include "ode.h"
-#include "pair_list.h"
 #include "pairs.h"
 #include "runs.h"
 #include "steps.h"
@@ -122,7 +121,7 @@ VMI_APART int vmi_after_step(rk45 *s)
 VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end || -s->t_low * s->h > 0; }
 
 /* Makes steps to t_end, or one accepted step if `single` is not 0. f and n are those of s. Returns a status. */
-VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
+VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_real t_end, int single)
 {
     const int was_stiff = s->stiff;
     const int apart = single || s->options.n_events; /* 1: vmi_advance returns after each step, for vmi_after_step */
@@ -137,38 +136,33 @@ VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int 
     while (status == ODE_OK && vmi_is_before(s, t_end)) {
         status = vmi_prepare(s, t_end);
         if (status) break;
-        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, sys, t_end, apart);
-        else status = vmi_advance(s, method, sys, t_end, apart);
+        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, stepper, sys, t_end, apart);
+        else status = vmi_advance(s, stepper, sys, t_end, apart);
         if (status == ODE_OK) status = vmi_after_step(s);
         if (single && s->failure == VMI_NONE_FAILED) break;
     }
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Does the work of rk45_step for any pair */
-VM_INLINE int vmi_step(rk45 *s, int method)
+/* Does what comes before the step in rk45_step, for the pair whose number is `method`. *t_end becomes the last number
+   in the direction of s. Returns a status; s may go on if that is ODE_OK. */
+VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 {
-    vm_real t_end = VM_MAX;
     if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
-    if (s->h < 0) t_end = -VM_MAX;
-    if (s->t == t_end) return ODE_STEP_TOO_SMALL;
+    *t_end = VM_MAX;
+    if (s->h < 0) *t_end = -VM_MAX;
+    if (s->t == *t_end) return ODE_STEP_TOO_SMALL;
     s->attempts = -1;
-    return vmi_run(s, method, s->f, s->n, t_end, 1);
+    return ODE_OK;
 }
 
-/* Does the work of rk45_solve_with for any pair */
-VM_INLINE int vmi_solve_with(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
+/* Does what comes before the steps in rk45_solve_with, for the pair whose number is `method`. Returns a status; s may
+   go on if that is ODE_OK. */
+VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
     if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
     s->attempts = s->options.max_steps;
-    return vmi_run(s, method, f, n, t_end, 0);
-}
-
-/* Does the work of rk45_solve for any pair */
-VM_INLINE int vmi_solve(rk45 *s, int method, vm_real t_end)
-{
-    if (!s) return ODE_BAD_ARGUMENT;
-    return vmi_solve_with(s, method, s->f, s->n, t_end);
+    return ODE_OK;
 }
 
 #endif

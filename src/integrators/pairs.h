@@ -4,8 +4,8 @@
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
    and estimates the error by another sum of the k_i. A file for each pair has its coefficients and its descriptor, a
-   vmi_rk_pair, with all that an adaptive run needs to know of it: rk45_pair.h, rk87_pair.h. To add a pair, write such
-   a file, enter the pair in pair_list.h, and give it public functions in adaptive.h.
+   vmi_rk_pair, with all that an adaptive run needs to know of it, and its public functions: rk45.h, rk87.h. To
+   add a pair, write such a file and include it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -32,8 +32,7 @@ typedef struct VM_TAG(vmi_rk_system) {
     ptrdiff_t m;
 } vmi_rk_system;
 
-/* What a run needs to know of its pair. Two more functions, the stages and the estimate of the error, are called
-   directly, by pair_list.h, because they must be inlined into the loop over the steps. */
+/* What a run needs to know of its pair */
 typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
@@ -53,6 +52,20 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
+/* A pair as the loop over the steps takes it. It is a constant of the call, and so the compiler inlines both functions
+   into the loop. They are no part of vmi_rk_pair, which each run holds: there they would be compiled a second time. */
+typedef struct VM_TAG(vmi_rk_stepper) {
+    vmi_rk_pair pair;
+    /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
+       Adds the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
+    int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
+    /* The largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error or the
+       new state is not finite */
+    vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
+} vmi_rk_stepper;
+
+#define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
+
 /* Linkage of descriptors and of the parts of vmi_advance. Inlining turns the descriptors into constants, and each part
    is called in one place only, so that inlining makes the code smaller. These functions are therefore inlined even
    where VM_INLINE does not inline, in order to keep the code small. */
@@ -60,6 +73,14 @@ typedef struct VM_TAG(vmi_rk_pair) {
 #define VMI_FOLDED static inline __attribute__((always_inline))
 #else
 #define VMI_FOLDED VM_INLINE
+#endif
+
+/* Linkage of the loop over the steps of one pair. It is inlined where it is to be fast, and never where it is to be
+   short: there one copy for any n is enough. */
+#ifdef __OPTIMIZE_SIZE__
+#define VMI_LOOP VMI_APART
+#else
+#define VMI_LOOP VM_INLINE
 #endif
 
 /* The index of the part of work that holds f at the end of a step */

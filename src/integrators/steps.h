@@ -13,7 +13,6 @@
 #include "../base/real.h"
 #include "ode.h"
 #include "options.h"
-#include "pair_list.h"
 #include "pairs.h"
 #include "runs.h"
 
@@ -290,13 +289,13 @@ VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *t
 
 /* Makes steps until t_end is reached or a test of stiffness is due, or one accepted step if `single` is not 0. Returns
    a status. */
-VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end, int single)
+VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
 {
     const rk45_options o = s->options;
-    const vmi_rk_pair pair = vmi_pair_of(method);
+    const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* apart from p, so that vmi_make_stages does not get the address of p */
+    long evals = 0; /* apart from p, so that make_stages does not get the address of p */
     int status;
     for (;;) {
         vmi_trial trial;
@@ -304,9 +303,9 @@ VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end,
         int misses = 0; /* whether the step is accepted though it misses the tolerance */
         status = vmi_choose_step(&o, t_end, &p, &trial);
         if (status) break;
-        p.stopped = vmi_make_stages(method, sys, p.t, trial.t_new, trial.h, &evals);
+        p.stopped = stepper.make_stages(sys, p.t, trial.t_new, trial.h, &evals);
         if (p.stopped) break;
-        error = vmi_step_error(method, &o, sys, trial.h);
+        error = stepper.step_error(&o, sys, trial.h);
         if (!(error <= 1)) {
             misses = error > 1 && trial.shortest && p.steps >= p.next_miss;
             if (!misses) {
@@ -349,9 +348,9 @@ VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end,
 }
 
 /* Does the work of vmi_advance in a local array, which the compiler keeps in registers if it knows that n is small */
-VM_INLINE int vmi_advance_small(rk45 *s, int method, vmi_rk_system sys, vm_real t_end, int single)
+VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
 {
-    const vmi_rk_pair pair = vmi_pair_of(method);
+    const vmi_rk_pair pair = stepper.pair;
     vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* 0, because parts that were never written are copied too */
     const int n = sys.n;
     int part, status;
@@ -359,7 +358,7 @@ VM_INLINE int vmi_advance_small(rk45 *s, int method, vmi_rk_system sys, vm_real 
     vmi_copy(n, vmi_part(s, VMI_K), w + VMI_K * n);
     sys.w = w;
     sys.m = n;
-    status = vmi_advance(s, method, sys, t_end, single);
+    status = vmi_advance(s, stepper, sys, t_end, single);
     vmi_copy(n, w, vmi_part(s, VMI_Y));
     if (s->k1 == VMI_K1_IS_LAST) {
         vmi_copy(n, w + VMI_Y_OLD * n, vmi_part(s, VMI_Y_OLD));

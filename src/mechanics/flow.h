@@ -46,6 +46,7 @@
 #include "../base/arrays.h"
 #include "../base/real.h"
 #include "../base/status.h"
+#include "attitude.h"
 #include "bodies.h"
 #include "inertia.h"
 #include "streams.h"
@@ -116,19 +117,6 @@ VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
     return status;
-}
-
-/* Sets dydt to the rate q omega/2 + |omega| (1 - |q|^2) q/8 of the attitude q, with omega in body axes and
-   square = |q|^2. The second term brings the length of q back to 1. Its rate is below that of the rotation, so that
-   an explicit method needs no shorter steps because of it. */
-VM_INLINE void vmi_flow_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
-{
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    dydt[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    dydt[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    dydt[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    dydt[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
 /* Mass, mass centre and inertia of a body at an instant */
@@ -226,7 +214,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     force = vmi_add(flow->force, vmi_add(sum.absolute, force));
     moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
     vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
-    vmi_flow_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
@@ -298,7 +286,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
     vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
-    vmi_flow_turning(q, square, omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
              vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,

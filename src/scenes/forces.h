@@ -15,6 +15,7 @@
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
+#include "../oscillators/force_terms.h"
 
 /* The force of a spring, -k x |x|^(alpha-1) (248). The stiffness k in N/m^alpha may have either sign. The result is NaN
    for alpha < 0. The exponents alpha = 1, 2 and 3 are computed without a power. */
@@ -23,7 +24,7 @@ VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
-    return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
+    return -k * vmi_elastic_power(x, alpha) * (x != 0);
 }
 
 /* The force of a linear damper, -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
@@ -31,7 +32,10 @@ VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping 
 
 /* The force of Van der Pol's damper, (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in
    N s/m^3 takes energy out at large amplitudes. */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c)
+{
+    return vmi_van_der_pol_feed(b, c, x) * v;
+}
 
 /* The torque of a motor, stall_torque - kappa omega. omega is the angular velocity in rad/s, stall_torque the torque at
    rest in N m, and kappa the slope of the straight characteristic in N m s. */
@@ -91,8 +95,8 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -2 * gyro * vy;
-    *fy = 2 * gyro * vx;
+    *fx = -vmi_gyroscopic_coupling(gyro) * vy;
+    *fy = vmi_gyroscopic_coupling(gyro) * vx;
 }
 
 #endif

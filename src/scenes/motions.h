@@ -23,6 +23,7 @@
 #include "../base/linear.h"
 #include "../base/real.h"
 #include "../base/status.h"
+#include "../mechanics/attitude.h"
 #include "../mechanics/bodies.h"
 #include "../mechanics/inertia.h"
 #include "../mechanics/vectors.h"
@@ -215,20 +216,6 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* Computes q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8 for the attitude q, with omega in body axes. The second term
-   keeps the length of q at 1. It acts as fast as q turns, so that it does not make a slow rotation stiff.
-   mechanics/flow.h has the same law. */
-VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
-{
-    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
-}
-
 /* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
    includes the dummy moments of b->invertible; therefore the equations can be solved for a rod, too. The spin of a
    rod about its own axis stays constant, since no load turns the rod about this axis. */
@@ -254,7 +241,7 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     const vm_vec3 omega = vmi_get3(state + VMI_FREE_OMEGA);
     const vmi_mat3 axes = vmi_rotation(q);
     vmi_point_body_accelerate(b, state, rates);
-    vmi_free_turn(q, omega, rates + VMI_FREE_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), omega, rates + VMI_FREE_Q);
     return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
 }
 

@@ -13,8 +13,8 @@
 #include "../base/arrays.h"
 #include "../base/real.h"
 #include "../base/status.h"
-#include "../integrators/adaptive.h"
 #include "../integrators/ode.h"
+#include "../integrators/rk45.h"
 #include "../integrators/runs.h"
 #include "evaluate.h"
 #include "scene.h"
@@ -164,7 +164,7 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
    the reason why a body cannot be accelerated rather than the status of the integrator. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
-    const int ode_status = vmi_run(r, VMI_RK45, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
+    const int ode_status = vmi_rk45_run(r, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
     if (ode_status >= 0) return VM_OK;
     s->ode_status = ode_status;
     if (ode_status == ODE_MAX_STEPS) return VM_MAX_STEPS;

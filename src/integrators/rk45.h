@@ -1,20 +1,29 @@
-/* integrators/rk45_pair.h - coefficients of rk45, the Runge-Kutta pair of orders 5 and 4
+/* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
    Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4 takes none. Users call the functions of adaptive.h.
+   evaluations of f. The continuous extension of order 4 takes none. It is the pair to begin with, and the better one in
+   float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
 
-   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c. */
-#ifndef VARMASS_INTEGRATORS_RK45_PAIR_H
-#define VARMASS_INTEGRATORS_RK45_PAIR_H
+       double y0[2] = {1, 0}, work[RK45_WORK(2)];
+       rk45 s;
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
+       if (rk45_solve(&s, 10.0) >= 0) printf("x(10) = %g\n", s.y[0]);
+
+   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_RK45_H
+#define VARMASS_INTEGRATORS_RK45_H
 
 #include "../base/arrays.h"
 #include "../base/real.h"
+#include "dense.h"
+#include "loop.h"
+#include "ode.h"
 #include "options.h"
 #include "pairs.h"
 #include "runs.h"
 
 enum { VMI_RK45 = 45 }; /* the number of this pair */
 
-/* Computes stages 2 to 7 of a step [1], for vmi_make_stages. The coefficients, which [1] gives to 16 digits, satisfy
+/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy
    the order conditions to 2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
@@ -115,5 +124,74 @@ VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
     pair.extend = NULL;
     return pair;
 }
+
+/* Steps of rk45 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+{
+    vmi_rk_stepper stepper;
+    stepper.pair = vmi_rk45_pair();
+    stepper.make_stages = vmi_rk45_stages;
+    stepper.step_error = vmi_rk45_error;
+    return vmi_run(s, stepper, f, n, t_end, single);
+}
+
+/* -- Functions for users -- */
+
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
+
+/* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
+   If options_or_NULL is NULL, all options have their defaults. */
+VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
+{
+    const vmi_rk_pair pair = vmi_rk45_pair();
+    return vmi_defaults(vmi_least_rtol(&pair), options_or_NULL);
+}
+
+/* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers, f receives the pointer ctx, and work
+   has RK45_WORK(n) numbers and must exist as long as s. y0 and the options are copied, but not the arrays to which the
+   options point. f is not evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
+VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk45_options *options_or_NULL, vm_real *work)
+{
+    return vmi_ode_init(s, vmi_rk45_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
+}
+
+/* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
+   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
+   ODE_BAD_ARGUMENT. */
+VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
+
+/* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
+   positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
+VM_INLINE int rk45_step(rk45 *s)
+{
+    vm_real t_end;
+    const int status = vmi_begin_step(s, VMI_RK45, &t_end);
+    if (status) return status;
+    return vmi_rk45_run(s, s->f, s->n, t_end, 1);
+}
+
+/* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
+   constants in this call; rk45_init may have been called anywhere. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
+   all else is as in rk45_solve. */
+VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
+{
+    const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
+    if (status) return status;
+    return vmi_rk45_run(s, f, n, t_end, 0);
+}
+
+/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
+   t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
+   is after options.max_steps attempts, another call continues the run. */
+VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return rk45_solve_with(s, s->f, s->n, t_end);
+}
+
+/* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
+   Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
+VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
 
 #endif

@@ -1,14 +1,16 @@
-/* integrators/rk87_pair.h - coefficients of rk87, the Runge-Kutta pair of orders 8 and 7
+/* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
    Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
    f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
-   those of rk45. Users call the functions of adaptive.h.
+   those of rk45. It is the pair for a smooth f in double and small errors.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
-#ifndef VARMASS_INTEGRATORS_RK87_PAIR_H
-#define VARMASS_INTEGRATORS_RK87_PAIR_H
+#ifndef VARMASS_INTEGRATORS_RK87_H
+#define VARMASS_INTEGRATORS_RK87_H
 
 #include "../base/arrays.h"
 #include "../base/real.h"
+#include "dense.h"
+#include "loop.h"
 #include "ode.h"
 #include "options.h"
 #include "pairs.h"
@@ -111,7 +113,7 @@ VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new,
     return 0;
 }
 
-/* Computes stages 2 to 13 and the new state of a step, for vmi_make_stages */
+/* Computes stages 2 to 13 and the new state of a step */
 VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
@@ -329,6 +331,70 @@ VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
     pair.inside = vmi_rk87_inside;
     pair.extend = vmi_rk87_extend;
     return pair;
+}
+
+/* Steps of rk87 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+{
+    vmi_rk_stepper stepper;
+    stepper.pair = vmi_rk87_pair();
+    stepper.make_stages = vmi_rk87_stages;
+    stepper.step_error = vmi_rk87_error;
+    return vmi_run(s, stepper, f, n, t_end, single);
+}
+
+/* -- Functions for users -- */
+
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
+
+/* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
+typedef rk45_options rk87_options;
+typedef rk45 rk87;
+
+/* Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45. work has RK87_WORK(n) numbers, and rtol
+   becomes at least 256 VM_EPSILON. */
+VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk87_options *options_or_NULL, vm_real *work)
+{
+    return vmi_ode_init(s, vmi_rk87_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
+}
+
+/* Continues a run of rk87 from another time or state, such as after a jump. All else is as in rk45_restart. */
+VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
+
+/* One accepted step of rk87, or the part of it before an event that ends the step. All else is as in rk45_step. */
+VM_INLINE int rk87_step(rk87 *s)
+{
+    vm_real t_end;
+    const int status = vmi_begin_step(s, VMI_RK87, &t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, s->f, s->n, t_end, 1);
+}
+
+/* Steps of rk87 to t_end, with f and n named again so that f is inlined. All else is as in rk45_solve_with. */
+VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
+{
+    const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, f, n, t_end, 0);
+}
+
+/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
+   rk45_solve. */
+VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return rk87_solve_with(s, s->f, s->n, t_end);
+}
+
+/* State y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The first call after
+   a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t.
+   These evaluations may also give ODE_RHS_STOPPED (f stops the run) or ODE_NOT_FINITE, although the step itself has
+   succeeded. */
+VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
+{
+    if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
+    return vmi_interpolate(s, t, y);
 }
 
 #endif
