@@ -4360,7 +4360,7 @@ typedef struct VM_TAG(vm_torque_free) {
 
 /* ---- amplitudes and parameter ---- */
 
-/* The squares of a1, a2, a3, of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
+/* The squares of a1, a2, a3 of (A), of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
    subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
@@ -4480,8 +4480,8 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K, the phase, and both rates; the rates belong to the scaled omega. Returns the sign of cn on the separatrix,
-   and 1 elsewhere. */
+/* Sets K, the phase, and phase_rate and turn_rate for the scaled omega. Returns the sign of cn on the separatrix, and
+   1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -4635,7 +4635,7 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     vm_quat q = motion->body.q, turn;
     vm_vec3 omega;
     int k;
-    vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0: sn = 0, cn = dn = 1 */
+    vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0 and u = 0: sn = 0, cn = dn = 1 */
     motion->theta.re[0] = 1;
     motion->lean[2] = 1;
     vmi_torque_free_prepare(motion, b);
@@ -4794,8 +4794,8 @@ enum {
     VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
 };
 
-/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if this is
-   not the point at which the stream enters or leaves the body. */
+/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if the mass
+   does not lie at the point at which the stream enters or leaves the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -11236,11 +11236,11 @@ typedef struct VM_TAG(vm_load) {
     vm_real force[6];   /* N (N m on an angle) on each coordinate; [3] to [5]: torque on a free body, inertial axes */
     vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
     vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
-    /* only for growing bodies */
+    /* fields for growing bodies only */
     vm_vec3 drift;           /* m/s, inertial axes: velocity of the mass centre relative to the body */
     vm_vec3 centre_rate;     /* m/s, body axes: velocity of the mass centre relative to the body */
     vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia */
-    /* only if the scene keeps a budget */
+    /* fields used only if the scene keeps a budget */
     vm_real reactive[6];    /* N, N m: the reactive part of `force` */
     vm_real brought[6];     /* N, N m: momentum and angular momentum that streams bring per second */
     vm_real brought_energy; /* W: kinetic energy that streams bring per second */
@@ -11251,14 +11251,14 @@ typedef struct VM_TAG(vm_scene_body) vm_scene_body;
 
 /* A body of a scene. A constructor such as vm_scene_body_line makes it; the caller changes no field. */
 struct VM_TAG(vm_scene_body) {
-    /* set by the constructor */
+    /* fields set by the constructor */
     int motion;        /* VM_LINE, VM_AXLE, VM_PLANE, VM_POINT or VM_FREE */
     int mass_is_state; /* 1: the mass is a number of the state, so that streams can change it */
     int grows;         /* 1: mass centre and inertia are numbers of the state too */
     int absent;        /* 1: the body is not present until an event brings it in */
     int positions;     /* number of positions in the state of the body */
     int coordinates;   /* number of velocities in the state of the body */
-    /* set by vm_scene_start, and kept up to date by a run */
+    /* fields set by vm_scene_start and kept up to date by a run */
     int at;      /* index in y of the first number of the body */
     int mass_at; /* index in y of the mass, if the mass is a state */
     int away;    /* 1 while the body is not present */
@@ -11313,16 +11313,16 @@ enum { VMI_IDLE_SWITCHED_OFF = 1, VMI_IDLE_BODY_AWAY = 2 };
 /* An effect. A constructor such as vm_effect_spring makes it. The comment above vmi_effect in effects.h explains how to
    write a new one. */
 struct VM_TAG(vm_effect) {
-    /* set by the constructor */
+    /* fields set by the constructor */
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
     int variant; /* which variant of the effect: for example which mass law, or whether a band lies in layers */
-    /* found once by vm_scene_start, so that evaluations are fast */
+    /* fields set once by vm_scene_start, so that evaluations are fast */
     int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
     int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
     int other_x, other_v; /* indices in y: position and velocity of the coordinate that takes the reaction */
     vm_load *load;        /* load of the body on which the effect acts */
     vm_load *other_load;  /* load of the body that takes the reaction; NULL for the ground */
-    /* also set by the constructor */
+    /* further fields set by the constructor */
     int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
     int other, other_coordinate; /* index and coordinate of the body that takes the reaction, or VM_GROUND */
     vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
@@ -11353,16 +11353,16 @@ struct VM_TAG(vm_event) {
     int (*then)(vm_event *event, vm_real t, vm_real *y);
     vm_real time;  /* s: time of the event if `when` is NULL; else when it last happened, or the start of the scene */
     int direction; /* > 0: `when` rises through zero; < 0: `when` falls; 0: both count */
-    /* for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
+    /* fields for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
     int watches; /* 1: the event watches a body */
     int body, coordinate;
     vm_real value;
-    /* for an event that switches an effect */
+    /* fields for an event that switches an effect */
     int switches; /* 1: the event switches an effect */
     int effect;   /* index of the effect */
     int off;      /* 1: the effect is switched off; 0: on */
-    /* for a jump: check returns a status; jump computes the motion after the jump on a line, in the plane, or for any
-       motion */
+    /* fields for a jump: check returns a status, and jump computes the motion after the jump on a line, in the plane,
+       or for any motion */
     int (*check)(const vm_scene *scene, const vm_event *event);
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
@@ -11372,15 +11372,15 @@ struct VM_TAG(vm_event) {
     vm_body part;        /* the part that separates */
     int relative;        /* 1: the motion of `part` is relative to the body, in body axes */
     vm_impulse external; /* impulse from outside during the jump; the caller may set it */
-    /* for vm_event_user and vm_then_user */
+    /* fields for vm_event_user and vm_then_user */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
     void *ctx;      /* pointer that user_when receives */
     void *then_ctx; /* pointer that user_then receives */
-    /* for the caller */
+    /* fields for the caller */
     long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
     long count; /* how often the event has happened */
-    /* set by vm_scene_start, and kept up to date by a run */
+    /* fields set by vm_scene_start and kept up to date by a run */
     long seen;       /* number of crossings by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
@@ -11413,7 +11413,7 @@ struct VM_TAG(vm_budget) {
 
 /* A scene. Every field that is 0 or NULL means that the scene has no such part. */
 struct VM_TAG(vm_scene) {
-    /* set by the caller before vm_scene_start */
+    /* fields set by the caller before vm_scene_start */
     vm_scene_body *bodies; /* array of n_bodies bodies */
     int n_bodies;
     vm_effect *effects; /* array of n_effects effects */
@@ -11430,7 +11430,7 @@ struct VM_TAG(vm_scene) {
     void *output_ctx; /* pointer that output receives */
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
     int work_size;    /* number of elements of work, which vm_scene_run checks; 0 means no check */
-    /* set by vm_scene_start and by a run, for the caller to read */
+    /* fields set by vm_scene_start and by a run, for the caller to read */
     int status;     /* VM_OK, or why the right-hand side cannot accelerate a body or apply an effect */
     int ode_status; /* status of the integrator: ODE_OK or another status of ode.h */
     int size;       /* number of elements of the state; 0 before the start */
@@ -12495,7 +12495,8 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
 }
 
 /* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
-   the mass that joins or leaves is u + (1 - reactive) v. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run
+   the mass that joins or leaves is u + (1 - reactive) v, where v is the velocity of the body: u is absolute if
+   reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run
    ends with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + dM/dv (reactive v - u) is
    not positive. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
@@ -12539,8 +12540,9 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 
 /* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. M0 is the mass with which the body was
    made. kind is VM_MASS_OF_T, VM_MASS_OF_X or VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of
-   the mass that joins or leaves is u + (1 - reactive) v, with u along coordinate 0. vm_scene_start returns
-   VM_BAD_ARGUMENT for an unknown kind; a run ends with the errors of vm_effect_mass_law. */
+   the mass that joins or leaves is u + (1 - reactive) v along coordinate 0, where v is the velocity of the body: u is
+   absolute if reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT for an
+   unknown kind; a run ends with the errors of vm_effect_mass_law. */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass);
@@ -12588,9 +12590,10 @@ VM_API int vmi_check_mass_of_time(const vm_effect *e)
 
 /* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass that
    was given to the constructor of the body has no effect. The velocity of the mass that joins or leaves is
-   u + (1 - reactive) v. *law is not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law
-   is NULL or no constructor made it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of
-   vm_law_at if this function fails. */
+   u + (1 - reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body
+   if it is 0. *law is not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL or
+   no constructor made it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of vm_law_at
+   if this function fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);

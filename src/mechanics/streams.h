@@ -34,8 +34,8 @@ enum {
     VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
 };
 
-/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if this is
-   not the point at which the stream enters or leaves the body. */
+/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if the mass
+   does not lie at the point at which the stream enters or leaves the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */

@@ -78,7 +78,7 @@ typedef struct VM_TAG(vm_torque_free) {
 
 /* ---- amplitudes and parameter ---- */
 
-/* The squares of a1, a2, a3, of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
+/* The squares of a1, a2, a3 of (A), of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
    subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
@@ -198,8 +198,8 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K, the phase, and both rates; the rates belong to the scaled omega. Returns the sign of cn on the separatrix,
-   and 1 elsewhere. */
+/* Sets K, the phase, and phase_rate and turn_rate for the scaled omega. Returns the sign of cn on the separatrix, and
+   1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -353,7 +353,7 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     vm_quat q = motion->body.q, turn;
     vm_vec3 omega;
     int k;
-    vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0: sn = 0, cn = dn = 1 */
+    vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0 and u = 0: sn = 0, cn = dn = 1 */
     motion->theta.re[0] = 1;
     motion->lean[2] = 1;
     vmi_torque_free_prepare(motion, b);

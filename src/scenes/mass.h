@@ -72,7 +72,8 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
 }
 
 /* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
-   the mass that joins or leaves is u + (1 - reactive) v. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run
+   the mass that joins or leaves is u + (1 - reactive) v, where v is the velocity of the body: u is absolute if
+   reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run
    ends with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + dM/dv (reactive v - u) is
    not positive. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
@@ -116,8 +117,9 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 
 /* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. M0 is the mass with which the body was
    made. kind is VM_MASS_OF_T, VM_MASS_OF_X or VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of
-   the mass that joins or leaves is u + (1 - reactive) v, with u along coordinate 0. vm_scene_start returns
-   VM_BAD_ARGUMENT for an unknown kind; a run ends with the errors of vm_effect_mass_law. */
+   the mass that joins or leaves is u + (1 - reactive) v along coordinate 0, where v is the velocity of the body: u is
+   absolute if reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT for an
+   unknown kind; a run ends with the errors of vm_effect_mass_law. */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass);

@@ -38,9 +38,10 @@ VM_API int vmi_check_mass_of_time(const vm_effect *e)
 
 /* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass that
    was given to the constructor of the body has no effect. The velocity of the mass that joins or leaves is
-   u + (1 - reactive) v. *law is not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law
-   is NULL or no constructor made it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of
-   vm_law_at if this function fails. */
+   u + (1 - reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body
+   if it is 0. *law is not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL or
+   no constructor made it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of vm_law_at
+   if this function fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);

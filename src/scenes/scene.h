@@ -70,11 +70,11 @@ typedef struct VM_TAG(vm_load) {
     vm_real force[6];   /* N (N m on an angle) on each coordinate; [3] to [5]: torque on a free body, inertial axes */
     vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
     vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
-    /* only for growing bodies */
+    /* fields for growing bodies only */
     vm_vec3 drift;           /* m/s, inertial axes: velocity of the mass centre relative to the body */
     vm_vec3 centre_rate;     /* m/s, body axes: velocity of the mass centre relative to the body */
     vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia */
-    /* only if the scene keeps a budget */
+    /* fields used only if the scene keeps a budget */
     vm_real reactive[6];    /* N, N m: the reactive part of `force` */
     vm_real brought[6];     /* N, N m: momentum and angular momentum that streams bring per second */
     vm_real brought_energy; /* W: kinetic energy that streams bring per second */
@@ -85,14 +85,14 @@ typedef struct VM_TAG(vm_scene_body) vm_scene_body;
 
 /* A body of a scene. A constructor such as vm_scene_body_line makes it; the caller changes no field. */
 struct VM_TAG(vm_scene_body) {
-    /* set by the constructor */
+    /* fields set by the constructor */
     int motion;        /* VM_LINE, VM_AXLE, VM_PLANE, VM_POINT or VM_FREE */
     int mass_is_state; /* 1: the mass is a number of the state, so that streams can change it */
     int grows;         /* 1: mass centre and inertia are numbers of the state too */
     int absent;        /* 1: the body is not present until an event brings it in */
     int positions;     /* number of positions in the state of the body */
     int coordinates;   /* number of velocities in the state of the body */
-    /* set by vm_scene_start, and kept up to date by a run */
+    /* fields set by vm_scene_start and kept up to date by a run */
     int at;      /* index in y of the first number of the body */
     int mass_at; /* index in y of the mass, if the mass is a state */
     int away;    /* 1 while the body is not present */
@@ -147,16 +147,16 @@ enum { VMI_IDLE_SWITCHED_OFF = 1, VMI_IDLE_BODY_AWAY = 2 };
 /* An effect. A constructor such as vm_effect_spring makes it. The comment above vmi_effect in effects.h explains how to
    write a new one. */
 struct VM_TAG(vm_effect) {
-    /* set by the constructor */
+    /* fields set by the constructor */
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
     int variant; /* which variant of the effect: for example which mass law, or whether a band lies in layers */
-    /* found once by vm_scene_start, so that evaluations are fast */
+    /* fields set once by vm_scene_start, so that evaluations are fast */
     int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
     int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
     int other_x, other_v; /* indices in y: position and velocity of the coordinate that takes the reaction */
     vm_load *load;        /* load of the body on which the effect acts */
     vm_load *other_load;  /* load of the body that takes the reaction; NULL for the ground */
-    /* also set by the constructor */
+    /* further fields set by the constructor */
     int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
     int other, other_coordinate; /* index and coordinate of the body that takes the reaction, or VM_GROUND */
     vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
@@ -187,16 +187,16 @@ struct VM_TAG(vm_event) {
     int (*then)(vm_event *event, vm_real t, vm_real *y);
     vm_real time;  /* s: time of the event if `when` is NULL; else when it last happened, or the start of the scene */
     int direction; /* > 0: `when` rises through zero; < 0: `when` falls; 0: both count */
-    /* for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
+    /* fields for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
     int watches; /* 1: the event watches a body */
     int body, coordinate;
     vm_real value;
-    /* for an event that switches an effect */
+    /* fields for an event that switches an effect */
     int switches; /* 1: the event switches an effect */
     int effect;   /* index of the effect */
     int off;      /* 1: the effect is switched off; 0: on */
-    /* for a jump: check returns a status; jump computes the motion after the jump on a line, in the plane, or for any
-       motion */
+    /* fields for a jump: check returns a status, and jump computes the motion after the jump on a line, in the plane,
+       or for any motion */
     int (*check)(const vm_scene *scene, const vm_event *event);
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
@@ -206,15 +206,15 @@ struct VM_TAG(vm_event) {
     vm_body part;        /* the part that separates */
     int relative;        /* 1: the motion of `part` is relative to the body, in body axes */
     vm_impulse external; /* impulse from outside during the jump; the caller may set it */
-    /* for vm_event_user and vm_then_user */
+    /* fields for vm_event_user and vm_then_user */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
     void *ctx;      /* pointer that user_when receives */
     void *then_ctx; /* pointer that user_then receives */
-    /* for the caller */
+    /* fields for the caller */
     long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
     long count; /* how often the event has happened */
-    /* set by vm_scene_start, and kept up to date by a run */
+    /* fields set by vm_scene_start and kept up to date by a run */
     long seen;       /* number of crossings by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
@@ -247,7 +247,7 @@ struct VM_TAG(vm_budget) {
 
 /* A scene. Every field that is 0 or NULL means that the scene has no such part. */
 struct VM_TAG(vm_scene) {
-    /* set by the caller before vm_scene_start */
+    /* fields set by the caller before vm_scene_start */
     vm_scene_body *bodies; /* array of n_bodies bodies */
     int n_bodies;
     vm_effect *effects; /* array of n_effects effects */
@@ -264,7 +264,7 @@ struct VM_TAG(vm_scene) {
     void *output_ctx; /* pointer that output receives */
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
     int work_size;    /* number of elements of work, which vm_scene_run checks; 0 means no check */
-    /* set by vm_scene_start and by a run, for the caller to read */
+    /* fields set by vm_scene_start and by a run, for the caller to read */
     int status;     /* VM_OK, or why the right-hand side cannot accelerate a body or apply an effect */
     int ode_status; /* status of the integrator: ODE_OK or another status of ode.h */
     int size;       /* number of elements of the state; 0 before the start */
