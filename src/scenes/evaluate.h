@@ -18,7 +18,8 @@
 #include "scene.h"
 #include "state.h"
 
-/* Sets the load of a body to 0 before the effects add to it, and of the forces only those on coordinates of the body */
+/* Prepares the load of a body before the effects add to it: the mass is the present one, and all sums are 0. Of the
+   forces it sets only those on coordinates that the body has. */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -54,8 +55,8 @@ VM_API int vmi_scene_mass_status(const vm_load *load)
     return VM_BAD_MASS;
 }
 
-/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in y
-   as well, because load->mass may include what an effect has added. */
+/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in
+   y as well, because an effect may have added to load->mass. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
@@ -69,7 +70,7 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
 }
 
 /* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
-   is the status of the evaluation before; if that failed too, its status is kept, because its NaN has caused this
+   is the status of the preceding evaluation. If that failed too, its status is kept, because its NaN has caused this
    failure. */
 VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 {

@@ -79,8 +79,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Makes effects idle whose body, or whose body that takes the reaction, is not present, and makes all other effects
-   active unless they are switched off */
+/* Updates the field `idle` of all effects. An effect is idle if its body, or the body that takes the reaction, is not
+   present, or if the effect is switched off. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
