@@ -76,7 +76,7 @@
                   about the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
-     means        <= 8 ulp; for m < -4 the mean of cn^6 has <= 16 ulp
+     means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
      solvers      m and m1 <= 4 ulp plus their change by one ulp of c
 
