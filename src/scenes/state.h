@@ -23,7 +23,11 @@ enum { VM_BUDGET_STATES = 15 }; /* how many numbers a budget adds to the state *
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
 /* Whether a list of so many elements can be there */
-VM_INLINE int vmi_scene_is_list(int n, const void *list) { return n == 0 || (n > 0 && list); }
+VM_INLINE int vmi_scene_is_list(int n, const void *list)
+{
+    if (n > 0) return list != NULL;
+    return n == 0;
+}
 
 /* Whether the lists that an evaluation reads can be there */
 VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
