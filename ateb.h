@@ -2000,6 +2000,29 @@ VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 }
 
 #endif
+/* base/chebyshev.h - shorter polynomials by Chebyshev's: the step that economises a power series
+
+       vm_real c[3] = {1, 1, VM_C(0.5)};
+       vmi_remove_highest(c, 2, 0); // 1 + t + t^2/2 is about c[0] + c[1] t for 0 <= t <= 1
+
+   Source: Lanczos, Applied Analysis (1956). Tests: tests/test_jacobi.c, tests/test_ateb.c. */
+#ifndef VARMASS_BASE_CHEBYSHEV_H
+#define VARMASS_BASE_CHEBYSHEV_H
+
+/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n, 0 <= t <= 1, by subtracting a multiple of Chebyshev's
+   polynomial of degree n, which changes the values by at most |c_n| 2^(1-2n). The coefficients below c_lowest stay as
+   they are. */
+VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
+{
+    vm_real term = c[n];
+    int k;
+    for (k = n; k > lowest; k--) {
+        term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
+        c[k - 1] -= term;
+    }
+}
+
+#endif
 /* ateb/plans.h - sa and ca for many arguments and one alpha
 
    A plan holds what depends on alpha alone: Pi_alpha/2 and polynomials for two parts of a quarter of the period. A
@@ -2303,18 +2326,6 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Removes the highest power of c_0 + c_1 t + ... + c_k t^k by subtracting a multiple of Chebyshev's polynomial of
-   degree k. For 0 <= t <= 1 this changes the polynomial by at most |c_k| 2^(1-2k). */
-VM_API void vmi_ateb_remove_highest(vm_real *c, int k)
-{
-    vm_real term = c[k];
-    int i;
-    for (i = k; i > 0; i--) {
-        term *= -((vm_real)i * (vm_real)(2 * i - 1)) / (2 * (vm_real)(k - i + 1) * (vm_real)(k + i - 1));
-        c[i - 1] -= term;
-    }
-}
-
 /* Economises c_1 + c_2 tau + c_3 tau^2 + ... for 0 <= tau <= limit: writes to result a polynomial in tau/unit
    with at most ATEB_PLAN_LENGTH terms, and returns the number of its terms. Its error is at most tolerance/limit if
    these terms are enough. c is overwritten. */
@@ -2327,10 +2338,10 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* height = 2^(1-2k) */
+    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), what removing c[k] changes for each unit of it */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
-        vmi_ateb_remove_highest(c, k);
+        vmi_remove_highest(c, k, 0);
         height *= 4;
     }
     power = 1;

@@ -1811,6 +1811,29 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 }
 
 #endif
+/* base/chebyshev.h - shorter polynomials by Chebyshev's: the step that economises a power series
+
+       vm_real c[3] = {1, 1, VM_C(0.5)};
+       vmi_remove_highest(c, 2, 0); // 1 + t + t^2/2 is about c[0] + c[1] t for 0 <= t <= 1
+
+   Source: Lanczos, Applied Analysis (1956). Tests: tests/test_jacobi.c, tests/test_ateb.c. */
+#ifndef VARMASS_BASE_CHEBYSHEV_H
+#define VARMASS_BASE_CHEBYSHEV_H
+
+/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n, 0 <= t <= 1, by subtracting a multiple of Chebyshev's
+   polynomial of degree n, which changes the values by at most |c_n| 2^(1-2n). The coefficients below c_lowest stay as
+   they are. */
+VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
+{
+    vm_real term = c[n];
+    int k;
+    for (k = n; k > lowest; k--) {
+        term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
+        c[k - 1] -= term;
+    }
+}
+
+#endif
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
    A plan holds what depends on m alone: the quarter period in pieces, and polynomials that replace the series. A call
@@ -1857,14 +1880,8 @@ enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 };
    degree. */
 VM_API void vmi_shorten(vm_real *c)
 {
-    int n, k;
-    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) {
-        vm_real term = c[n];
-        for (k = n; k > 1; k--) {
-            term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
-            c[k - 1] -= term;
-        }
-    }
+    int n;
+    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
 /* Computes p->a and p->b for |v| <= longest: the coefficients in powers of v^2, without the first one, 1, of

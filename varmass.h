@@ -100,16 +100,16 @@
        vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
-       vm_inertia_is_possible         Whether a body can have this inertia
-       vm_parallel_axes               Inertia about a point d away from the mass centre, along parallel axes, (40)
+       vm_inertia_is_possible         Test whether a body can have this inertia
+       vm_parallel_axes               Inertia about a point at d from the mass centre, along parallel axes, (40)
 
      mechanics/bodies: bodies in space and in the plane, their momenta and energy, balances across an instant
-       vm_momentum                    Momentum M v of a body (1)-(3), N s
+       vm_momentum                    Momentum of a body, mass times velocity, (1)-(3), N s
        vm_angular_momentum            Angular momentum of a body about the point `about` (7)-(9), N m s
        vm_kinetic_energy              Kinetic energy of a body (93), (97), J
        vm_balance_between             Balance of momentum, angular momentum and energy across an instant
 
-     mechanics/bodies2: momentum and energy of bodies in the plane, and such bodies in space
+     mechanics/bodies2: momentum and energy of bodies in the plane, and their conversion to bodies in space
        vm_angular_momentum2           Angular momentum of a body of the plane about the point (x, y), N m s
        vm_kinetic_energy2             Kinetic energy of a body of the plane, J
        vm_body_from_body2             A body of the plane as a lamina of space in the plane z = 0
@@ -130,18 +130,18 @@
 
      mechanics/relative: motion relative to a moving body, and jumps given in such motions
        vm_to_relative                 Motion of a body relative to the frame that moves rigidly with the body `to`
-       vm_to_absolute                 Absolute motion of a body that is given relative to the body `to`
+       vm_to_absolute                 Absolute motion of a body whose motion is given relative to the body `to`
        vm_to_relative2                Motion in the plane relative to the frame that moves rigidly with the body `to`
-       vm_to_absolute2                Absolute motion in the plane of a body that is given relative to the body `to`
-       vm_separate_relative           Separation, where the motions are given relative to the whole
-       vm_attach_relative             Attachment, where the motions are given relative to the first body
-       vm_separate_relative2          Separation in the plane, where the motions are given relative to the whole
-       vm_attach_relative2            Attachment in the plane, where the motions are given relative to the first body
+       vm_to_absolute2                Absolute motion in the plane of a body whose motion is given relative to the body `to`
+       vm_separate_relative           Separation, with motions given relative to the whole
+       vm_attach_relative             Attachment, with motions given relative to the first body
+       vm_separate_relative2          Separation in the plane, with motions given relative to the whole
+       vm_attach_relative2            Attachment in the plane, with motions given relative to the first body
 
      mechanics/inverse: how a part must leave, so that the rest moves as wanted
        vm_separation_for_rest         How a part must leave, so that the rest moves as wanted
        vm_separation_for_rest2        How a part must leave in the plane, so that the rest moves as wanted
-       vm_separation_for_spin2        Velocity of a part that leaves the rest with a wanted spin, in the plane
+       vm_separation_for_spin2        Velocity of a part that leaves the rest with a wanted spin, in the plane, (Table 3, 7)
 
      mechanics/jump_energy: the kinetic energy that a jump adds or takes
        vm_energy_gain                 Energy gained at a separation, J
@@ -155,7 +155,7 @@
        vm_broken_rotor_break_off      Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected
 
      mechanics/broken_rotor_motion: motion of the broken rotor in closed form
-       vm_broken_rotor_linear         State of the remainder t seconds after start, by the linearised equations (69), complete
+       vm_broken_rotor_linear         State of the remainder t seconds after start, by the complete linearised equations (69)
        vm_broken_rotor_linear_uncoupled State of the remainder t seconds after start by (70)-(72), which lack a term of (69)
        vm_broken_rotor_free_motion    State of the unbroken rotor t seconds after start, exact, (46)-(51)
        vm_broken_rotor_orbit          Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m
@@ -169,12 +169,12 @@
        vm_broken_rotor_resonance_radius Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m
 
      mechanics/generalized_force: generalized forces of forces and moments
-       vm_lagrange_add_force          Adds the generalized forces of a force and a moment
+       vm_lagrange_add_force          Add the generalized forces of a force and a moment
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
-       vm_lagrange_mass               Adds a body's share to the mass matrix of T = qdot^T matrix qdot/2
-       vm_lagrange_momentum           Adds the generalized momentum of a body, as it moves, to p
-       vm_lagrange_impulse            Adds the generalized impulse (95) of an impulse on a body whose mass centre is at r to p
+       vm_lagrange_mass               Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
+       vm_lagrange_momentum           Add the generalized momentum of a body's motion to p
+       vm_lagrange_impulse            Add the generalized impulse (95) of an impulse on a body whose mass centre is at r to p
        vm_lagrange_separate           Velocities after a part separates
        vm_lagrange_attach             Velocities after a part is attached
        vm_lagrange_impact             Velocities after an impact that changes no mass
@@ -186,7 +186,7 @@
        vm_torque_free_init            Preparation of the exact torque-free motion of a body
        vm_torque_free_init_principal  Preparation of the exact torque-free motion from principal moments (kg m^2)
        vm_torque_free_attitude        Attitude and angular velocity of a torque-free body at the time t (s)
-       vm_torque_free_at              A torque-free body at the time t (s), later than t0 or earlier
+       vm_torque_free_at              A torque-free body at the time t (s)
        vm_torque_free_rotation        A torque-free body a time t (s) later, in one call
 
      mechanics/streams: streams of mass: reactive force, moment and torque
@@ -199,7 +199,7 @@
        vm_flow_balanced_rhs           Right-hand side vm_flow_rhs with seven integrals that check the balances
        vm_flow_carried_rhs            Right-hand side of a free body that loses or gains mass which moves with the body (166)
        vm_flow_start                  Initial state y of a body with streams
-       vm_flow_body                   The body that n states y describe, its quaternion with length 1
+       vm_flow_body                   The body that n states y describe, with a quaternion of length 1
        vm_flow_mass_left              Mass minus flow.least_mass, kg
        vm_flow_inertia_left           Least pivot of the inertia minus flow.least_inertia, kg m^2
 
@@ -211,8 +211,8 @@
        vm_flow1_rhs                   Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176)
 
      mechanics/rocket: closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
-       vm_velocity_by_momentum        Velocity when the mass has gone from m0 to m by mass of the velocity u (151), (171)
-       vm_tsiolkovsky                 Velocity of Tsiolkovsky's rocket when its mass has come from m0 to m
+       vm_velocity_by_momentum        Velocity after the mass changes from m0 to m by mass of the absolute velocity u (151), (171)
+       vm_tsiolkovsky                 Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m
        vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate
        vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
 
@@ -239,8 +239,8 @@
 
      mechanics/euler_angles: Euler's angles
        vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
-       vm_euler_313_axes              Axes about which Euler's angles turn, in inertial axes
-       vm_euler_313_body_axes         Axes about which Euler's angles turn, in body axes
+       vm_euler_313_axes              Axes about which Euler's angles turn the body, in inertial axes
+       vm_euler_313_body_axes         Axes about which Euler's angles turn the body, in body axes
        vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      oscillators/constant_mass: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
@@ -339,13 +339,13 @@
        vm_scene_body_axle             A body on a fixed axle
        vm_scene_body_plane            A body in the plane
        vm_scene_body_point            A point in space
-       vm_scene_body_free             A body that moves and turns freely in space, as *start says
-       vm_scene_body_with_mass_state  A body whose mass is a state, so that streams can change it
-       vm_scene_body_absent           A body that is not present until an event brings it in
+       vm_scene_body_free             A body that moves and turns freely in space
+       vm_scene_body_with_mass_state  A body like `body` whose mass is a state, so that streams can change the mass
+       vm_scene_body_absent           A body like `body` that is not present until an event brings it in
 
      scenes/growing: bodies whose mass centre and inertia change
-       vm_scene_body_growing_plane    A growing body in the plane, made of one by vm_scene_body_plane
-       vm_scene_body_growing_free     A growing body in space, made of one by vm_scene_body_free
+       vm_scene_body_growing_plane    A growing body in the plane, made of a body by vm_scene_body_plane
+       vm_scene_body_growing_free     A growing body in space, made of a body by vm_scene_body_free
 
      scenes/forces: the forces of effects, as functions of numbers
        vm_force_spring                The force of a spring, -k x |x|^(alpha-1) (248)
@@ -355,13 +355,13 @@
        vm_force_harmonic              The force of harmonic excitation, amplitude cos(frequency t + phase)
        vm_force_stream                The reactive force of a stream, rate (u - reactive v)
        vm_force_gravity               The weight of a mass, mass g
-       vm_force_shaft                 The force of an elastic shaft, -k r |r|^(alpha-1), r = (x, y)
+       vm_force_shaft                 The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y)
        vm_force_unbalance             The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase)
        vm_force_gyroscopic            The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx)
 
      scenes/effects: springs, dampers, motors and other forces on a coordinate
        vm_effect_gravity              Gravity along a coordinate, the force M g
-       vm_effect_spring               A nonlinear spring, the force -k z |z|^(alpha-1), z = x - rest (248)
+       vm_effect_spring               A nonlinear spring, the force -k z |z|^(alpha-1) with z = x - rest (248)
        vm_effect_linear_spring        A linear spring, the force -k (x - rest)
        vm_effect_damper               A linear damper, the force -damping v
        vm_effect_rotational_damper    A damper of the rotation, the torque -damping omega
@@ -371,7 +371,7 @@
        vm_effect_force_between        A force that the caller's function returns, between two coordinates
        vm_effect_force                A force that the caller's function returns
        vm_effect_custom               An effect that the caller's function applies
-       vm_effect_shaft                An elastic shaft, the force -k r |r|^(alpha-1), r = (x, y)
+       vm_effect_shaft                An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y)
        vm_effect_unbalance            A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase)
        vm_effect_gyroscopic           A gyroscopic force across the velocity, 2 gyro (-vy, vx)
 
@@ -383,7 +383,7 @@
        vm_effect_mass_of_time         A mass that follows a vm_law, with its reactive force
 
      scenes/streams: streams of mass into and out of the bodies of a scene
-       vm_effect_stream               A stream that crosses at the mass centre, with its reactive force
+       vm_effect_stream               A stream that enters or leaves at the mass centre, with its reactive force
        vm_effect_stream_mass          Mass, mass centre and inertia that a stream brings to a growing body
        vm_effect_stream_force         Reactive force M' (u - v) of a stream at a point of a growing body (156)
        vm_effect_stream_moment        Moment d x M' (u - v) of a stream on a growing body (158)
@@ -398,7 +398,7 @@
        vm_effect_link                 A rigid link of a given length, or a cord, which can only pull
 
      scenes/state: the state of a scene: its size, and the bodies in it
-       vm_scene_size                  How many numbers the state of a scene has
+       vm_scene_size                  Number of elements of the state of a scene
        vm_scene_body_at               The motion of a body in the state y
 
      scenes/evaluate: the right-hand side of a scene
@@ -415,22 +415,22 @@
        vm_scene_budget_at             The budget of a scene in the state y at time t
 
      scenes/events: when an event happens, and what it does
-       vm_event_at                    An event at a time (s), which happens once
+       vm_event_at                    An event at a time in s, which happens once
        vm_event_position              An event when a position crosses a value
        vm_event_velocity              An event when a velocity crosses a value
        vm_event_mass                  An event when a mass crosses a value
-       vm_event_user                  An event when a function of the caller's crosses zero
-       vm_then_stop                   The event ends the run, which returns VM_STOPPED
-       vm_then_switch                 The event switches an effect off (off = 1) or on (0)
-       vm_then_user                   The event calls a function of the caller's
+       vm_event_user                  An event when a function of the caller crosses zero
+       vm_then_stop                   The event ends the run
+       vm_then_switch                 The event switches an effect off (off = 1) or on (off = 0)
+       vm_then_user                   The event calls a function of the caller
 
      scenes/jumps: separation and attachment as events of a scene
        vm_then_separate_on_line       The event separates a part from a body on a line or on an axle
        vm_then_separate_in_plane      The event separates a part from a body in the plane
        vm_then_separate               The event separates a part from a body of any motion
-       vm_then_attach_on_line         The event attaches a body to another one on its line or its axle
-       vm_then_attach_in_plane        The event attaches a body to another one in the plane
-       vm_then_attach                 The event attaches a body to another one, of any motion
+       vm_then_attach_on_line         The event attaches a body to another body on the same line or axle
+       vm_then_attach_in_plane        The event attaches a body to another body in the plane
+       vm_then_attach                 The event attaches a body to another body, of any motion
 
      scenes/run: runs of a scene with its events and its output
        vm_scene_run                   Run of a scene from *t to t_end, with its events and its output */
@@ -500,7 +500,7 @@ enum {
     VM_LINK_NOT_LAST = -27,      /* scenes: another effect on the body stands after its link */
     VM_STORED_STREAM = -28,      /* scenes and reactive loads: a stream comes from a store, which cannot be used here */
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
-    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: M + M'(v) (v - u) is not positive for a mass law M(v) */
+    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: M + M'(v) (reactive v - u) is not positive for a mass law M(v) */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
     VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
 };
@@ -546,7 +546,8 @@ VM_API const char *vm_strerror(int status)
     case VM_LINK_NOT_LAST: return "another effect stands after the link of its body: list the link last";
     case VM_STORED_STREAM: return "a stream from a store cannot be used here: integrate vm_flow_rhs";
     case VM_DOES_NOT_GROW: return "the stream needs a growing body: vm_scene_body_growing_plane or _growing_free";
-    case VM_NO_EFFECTIVE_MASS: return "M + M'(v) (v - u) of the mass law M(v) is not positive: no force accelerates it";
+    case VM_NO_EFFECTIVE_MASS:
+        return "M + M'(v) (reactive v - u) of the mass law M(v) is not positive: no force accelerates it";
     case VM_NOT_STARTED: return "the scene was not started, or was changed after its start: call vm_scene_start";
     case VM_BAD_STIFFNESS: return "a stiffness is not positive";
     default: return "unknown status";
@@ -1145,14 +1146,14 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 
 #endif
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
-   The two types are plain data. A quaternion turns body axes into inertial ones; it may have any length, and all
-   zero stands for the identity.
+   The two types, vm_vec3 and vm_quat, are plain data. A quaternion turns body axes into inertial ones. Its length does
+   not matter, and a quaternion of four zeros stands for the identity.
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions are internal: sums and products of vectors, norms, rotation matrices, and three or four numbers of a
-   state read as a vector or quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
+   The functions are internal: sums and products of vectors, norms, rotation matrices, and functions that read three
+   or four numbers of a state as a vector or a quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
    tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
@@ -1167,7 +1168,7 @@ typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
 
-/* A matrix by its columns. Those of a rotation are the images of the axes. */
+/* A 3 by 3 matrix by its columns. The columns of a rotation matrix are the images of the axes x, y, z. */
 typedef struct VM_TAG(vmi_mat3) {
     vm_vec3 x, y, z;
 } vmi_mat3;
@@ -1186,7 +1187,7 @@ VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - 
 VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
 VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/* a/c, each component rounded once */
+/* The vector a/c, with each component rounded once */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
 VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
@@ -1196,13 +1197,13 @@ VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 
 VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
 
-/* |x| + |y| + |z| */
+/* The sum |x| + |y| + |z| of the sizes of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length. It does not overflow where its square does. */
+/* The length of a. It does not overflow where only its square overflows. */
 VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
-/* The largest of |x|, |y| and |z| */
+/* The largest of the sizes |x|, |y| and |z| of a's components */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
 {
     const vm_vec3 b = vmi_abs(a);
@@ -1212,13 +1213,13 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
 
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
-/* m a */
+/* The product m a of a matrix and a vector */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-/* m^T a, which turns back what the rotation m has turned */
+/* The product m^T a. For a rotation matrix m it turns a vector back by that rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
@@ -1234,18 +1235,18 @@ VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
     return q;
 }
 
-/* x, y, z of q */
+/* The vector of the components x, y, z of q */
 VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
 
-/* 1 if all four numbers are 0, which stands for the identity */
+/* Returns 1 if all four numbers of q are 0. Such a quaternion stands for the identity. */
 VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
 
 /* The square of the length of q */
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
-/* The product p q: the rotation of q, followed by that of p */
+/* The product p q, which is the rotation by q followed by the rotation by p */
 VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
@@ -1265,7 +1266,8 @@ VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
     return q;
 }
 
-/* q over the size of its largest component, so that squares neither over- nor underflow; the identity for all zero */
+/* Divides q by the size of its largest component, so that the square of its length neither overflows nor
+   underflows. Four zeros become the identity. */
 VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
     vm_real largest = VM_FABS(q.w);
@@ -1279,14 +1281,14 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
     return vmi_quat_over(q, largest);
 }
 
-/* The quaternion of length 1 for the same rotation; the identity for all zero */
+/* The quaternion of length 1 that turns as q does. Four zeros give the identity. */
 VM_API vm_quat vmi_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of a quaternion whose length has the given square, which must be a normal number */
+/* The rotation matrix of q. The parameter `square` is the square of q's length and must be a normal number. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -1299,14 +1301,15 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* The rotation matrix of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
+/* The rotation matrix of a quaternion of any length. It is exactly the identity for (w, 0, 0, 0) and for four
+   zeros. */
 VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
 
-/* Three numbers of a state as a vector, and back */
+/* Reads three numbers of a state y as a vector. vmi_set3 writes them. */
 VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 
 VM_API void vmi_set3(vm_real *y, vm_vec3 a)
@@ -1316,13 +1319,13 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Four numbers w, x, y, z of a state as a quaternion */
+/* Reads four numbers w, x, y, z of a state y as a quaternion */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
    A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
-   says whether a body can have it, moves it to a parallel axis (40), and finds its principal moments and axes.
+   tells whether a body can have this tensor, moves it to parallel axes (40), and finds principal moments and axes.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
        vm_vec3 d = {0.5, 0, 0};              // m
@@ -1333,7 +1336,7 @@ VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y
 #ifndef VARMASS_MECHANICS_INERTIA_H
 #define VARMASS_MECHANICS_INERTIA_H
 
-/* A tensor of inertia by its entries, kg m^2. Products of inertia have the sign that they have in the tensor:
+/* A tensor of inertia by its entries, in kg m^2. The products of inertia have the sign of the tensor's entries:
    xy = -integral of x y dm. */
 typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
@@ -1344,14 +1347,14 @@ VM_API int vmi_inertia_is_finite(const vm_inertia *i)
     return vmi_vec3_is_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_is_finite(vmi_vec3(i->xy, i->xz, i->yz));
 }
 
-/* i a */
+/* The product of the tensor i and the vector a */
 VM_API vm_vec3 vmi_inertia_times(const vm_inertia *i, vm_vec3 a)
 {
     return vmi_vec3(i->xx * a.x + i->xy * a.y + i->xz * a.z, i->xy * a.x + i->yy * a.y + i->yz * a.z,
                     i->xz * a.x + i->yz * a.y + i->zz * a.z);
 }
 
-/* a + c b */
+/* The tensor a + c b */
 VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
 {
     a.xx += c * b.xx;
@@ -1363,7 +1366,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T: the inertia about the origin of a unit mass at d */
+/* P(d) = |d|^2 E - d d^T, with the unit matrix E: the inertia about the origin of a unit mass at d */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -1376,7 +1379,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-/* m^T i m: the entries of i along the columns of m */
+/* The tensor m^T i m, which has the entries of i along the axes in the columns of m */
 VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
@@ -1390,7 +1393,7 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
     return t;
 }
 
-/* The sizes of the terms that the entries of m^T i m are sums of; their rounding errors are some eps of these */
+/* The sizes of the terms whose sums are the entries of m^T i m. An entry's rounding error is some eps of its terms. */
 VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -1407,10 +1410,10 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
     return vmi_inertia_along(&a, &b);
 }
 
-/* |xx| + |yy| + |zz|, which is the trace of an inertia that a body has */
+/* The sum |xx| + |yy| + |zz|, which is the trace if i is the inertia of a body */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Six numbers of a state as an inertia, and back */
+/* Reads six numbers of a state y as an inertia. vmi_set_inertia writes them. */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -1433,16 +1436,16 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* What roundings may add to an inertia whose entries are sums of terms of the size of i, kg m^2 */
+/* The error (kg m^2) that roundings may make in an inertia whose entries are sums of terms of the size of i */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
-/* 1 if a body can have the inertia i to within slack (kg m^2): tr(i)/2 E - i, the second moments integral of r r^T
-   dm, must have no negative eigenvalue. By elimination, after slack, which exceeds the rounding errors, has been
-   added */
+/* Returns 1 if a body can have the inertia i to within slack (kg m^2). The second moments tr(i)/2 E - i, which are
+   the integral of r r^T dm, must have no negative eigenvalue. Elimination tests this after slack, which exceeds the
+   rounding errors, has been added to the trace. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
-    vm_real x, y, z, yz; /* pivots, and the entry left beside the last two */
+    vm_real x, y, z, yz; /* x, y, z: the pivots; yz: the entry beside the last two pivots */
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -1453,17 +1456,17 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Whether a body can have this inertia: 1 if it can, 0 if not, and for NaN and a null pointer. A body's principal
-   moments are not negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace
-   count as rounding errors. Rods and points are bodies. */
+/* Test whether a body can have this inertia. Returns 1 if it can, and 0 if it cannot, for NaN, and for a null
+   pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two.
+   Violations up to 32 eps of the trace count as rounding errors. Rods and points are bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
-/* Inertia about a point d away from the mass centre, along parallel axes, (40): own + mass P(d), where own is about
-   the mass centre, kg m^2, and d in m. With -mass it goes back to the mass centre. NaN for a null pointer; NaN in
-   the arguments gives NaN. */
+/* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own
+   (kg m^2) is the inertia about the mass centre, P(d) = |d|^2 E - d d^T, and d is in m. A call with -mass goes back
+   to the mass centre. Returns NaN for a null pointer and where the arguments are NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1472,14 +1475,14 @@ VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 
 
 /* ---- principal axes ---- */
 
-/* Principal moments, kg m^2, and unit vectors along the axes */
+/* Principal moments, in kg m^2, and unit vectors along the principal axes */
 typedef struct VM_TAG(vmi_principal) {
     vm_real moment[3];
     vm_vec3 axis[3];
 } vmi_principal;
 
-/* One of Jacobi's rotations, in the plane of axes p and q: a[p][q] becomes 0, the columns of v turn with the axes.
-   t, c, s are tangent, cosine and sine of the angle, of which the smaller one is taken. */
+/* Applies one of Jacobi's rotations in the plane of the axes p and q: a[p][q] becomes 0, and the columns of v turn
+   with the axes. t, c, s are the tangent, cosine and sine of the smaller of the two possible angles. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -1500,10 +1503,10 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes by Jacobi's rotations, which converge quadratically, in four or five sweeps */
+/* Principal moments and axes of i by Jacobi's rotations, which converge quadratically */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
-    const int most_sweeps = 12; /* a bound that is not reached */
+    const int most_sweeps = 12; /* more than quadratic convergence needs */
     vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     vmi_principal result;
     int sweep, p, q;
@@ -1541,27 +1544,28 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* 1 if these are moments of a body: none is larger than the sum of the two others, to within slack (kg m^2). Then
-   none is below -slack either. */
+/* Returns 1 if a body can have these moments: none is larger than the sum of the other two, to within slack (kg m^2).
+   No moment is then below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A moment below this share of the terms that it is a sum of is made of their rounding errors */
+/* A moment that is below this share of the terms whose sum it is consists of their rounding errors. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
-/* 1 if a moment about an axis is lost in the rounding errors of a tensor whose entries are sums of terms of these
-   sizes; also for a negative moment and NaN */
+/* Returns 1 if a moment about an axis is lost in the rounding errors of a tensor, whose entries are sums of terms
+   of the given sizes. Returns 1 also for a negative moment and for NaN. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
     return !(moment > VMI_LOST_SHARE * vmi_dot(e, vmi_inertia_times(sizes, e)));
 }
 
-/* Turns moments that are possible within roundings into some that a body can have exactly: a moment that is lost in
-   the rounding errors becomes 0, one larger than the sum of the others becomes that sum. 1 if anything changed */
+/* Changes moments that are possible to within roundings into moments that a body can have exactly. A moment that is
+   lost in rounding errors becomes 0, and a moment larger than the sum of the other two becomes that sum. Returns 1
+   if a moment changed. */
 VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
 {
     int k, changed = 0;
@@ -1579,7 +1583,7 @@ VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
     return changed;
 }
 
-/* The angular velocity omega with i omega = h, where parts of h along axes without moment are left out */
+/* The angular velocity for the angular momentum h. Parts of h along axes without moment are left out. */
 VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
@@ -1589,8 +1593,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     return omega;
 }
 
-/* *omega with i omega = h, corrected once. About an axis without moment (of a rod, a point) the spin stays as it was
-   before. Returns 1 if more angular momentum than noise was left about such an axis, which it cannot carry. */
+/* Sets *omega to the solution of i omega = h, with one step of refinement. About an axis without moment (of a rod
+   or a point) the spin stays as in `before`. Returns 1 if the angular momentum about such an axis, which the body
+   cannot carry, is larger than noise; else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -1608,12 +1613,12 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 
 /* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
 
-/* The factors of i = L D L^T: xy, xz, yz of L, and x, y, z of 1/D */
+/* The factors of a tensor L D L^T: the entries xy, xz, yz of L, and the entries x, y, z of 1/D */
 typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
-/* Factors of i; returns 0 if a pivot is not positive or is lost in its own rounding errors, else 1 */
+/* Computes the factors f of i. Returns 0 if a pivot is not positive or is lost in its rounding errors, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -1629,7 +1634,7 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* i^-1 h from the factors of i */
+/* The vector i^-1 h, from the factors f of the tensor i */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -1640,17 +1645,18 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
-/* vmi_running_inertia_is_possible for thin bodies. The inertia of a flat body meets the triangle inequality with
-   equality, except for the roundings of all steps: the slack sqrt(eps) allows 1e7 (float 3000) of them. */
+/* Decides for thin bodies what vmi_running_inertia_is_possible returns. For a flat body one moment equals the sum of
+   the other two, except for the roundings of all steps. The slack of sqrt(eps) leaves room for some 1/sqrt(eps) of
+   them. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
-    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* of the trace */
+    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
     return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 
-/* 1 if a body can have the inertia i, whose moments are positive, at some time of an integration. A cheap test is
-   enough for most bodies: tr(i)/2 E - i is positive definite if its least diagonal entry is larger than all the
-   others of a row together can be. */
+/* Returns 1 if a body can have the inertia i, whose moments are positive, during an integration. A cheap test is
+   enough for most bodies: tr(i)/2 E - i, with the unit matrix E, is positive definite if each of its diagonal
+   entries is larger than the sizes of the three products of inertia together. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -1658,7 +1664,7 @@ VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
     return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
 }
 
-/* vmi_inertia_factor that also returns 0 if no body has the inertia i */
+/* Computes the factors of i as vmi_inertia_factor does, but returns 0 also if no body can have the inertia i */
 VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
@@ -1666,9 +1672,9 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 
 #endif
 /* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy, balances across an instant
-   A vm_body is a body at an instant: mass, inertia, attitude, position and motion; a vm_body2 moves in the plane.
-   This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and compares them
-   before and after an instant, (4)-(6), (10)-(12). Those of the plane are in bodies2.h.
+   A vm_body is a body at an instant: mass, inertia, attitude, position and motion. A vm_body2 is a body that moves in
+   the plane. This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and
+   compares them before and after an instant, (4)-(6), (10)-(12). The functions for the plane are in bodies2.h.
 
        vm_body wheel = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_vec3 origin = {0, 0, 0}, L = vm_angular_momentum(&wheel, origin); // L.z = 3 N m s
@@ -1679,75 +1685,79 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 
 /* A body at an instant */
 typedef struct VM_TAG(vm_body) {
-    vm_real mass;       /* kg, > 0 */
-    vm_inertia inertia; /* kg m^2, about the body's own mass centre, in body axes; all zero for a point */
-    vm_quat q;          /* attitude: turns body axes into inertial ones; any length, all zero is the identity */
+    vm_real mass;       /* mass > 0, kg */
+    vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
+    vm_quat q;          /* attitude: turns body axes into inertial ones; of any length; four zeros: the identity */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
-    vm_vec3 v;          /* momentum/mass, m/s, inertial axes */
+    vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
 /* An impulse that acts on a body during an instant; inertial axes */
 typedef struct VM_TAG(vm_impulse) {
-    vm_vec3 linear; /* N s */
-    vm_vec3 couple; /* N m s, in addition to the moment of linear */
-    vm_vec3 at;     /* the point at which linear acts, m */
+    vm_vec3 linear; /* the impulse of forces, N s */
+    vm_vec3 couple; /* an impulsive moment in addition to the moment of `linear`, N m s */
+    vm_vec3 at;     /* the point at which `linear` acts, m */
 } vm_impulse;
 
 /* A body that moves in the plane, at an instant */
 typedef struct VM_TAG(vm_body2) {
-    vm_real mass;    /* kg, > 0 */
-    vm_real inertia; /* kg m^2, about the axis through the body's own mass centre; 0 for a point */
-    vm_real x, y;    /* mass centre, m */
-    vm_real angle;   /* rad, anticlockwise */
-    vm_real vx, vy;  /* momentum/mass, m/s */
+    vm_real mass;    /* mass > 0, kg */
+    vm_real inertia; /* moment of inertia about the body's own mass centre, kg m^2; 0 for a point */
+    vm_real x, y;    /* position of the mass centre, m */
+    vm_real angle;   /* attitude, rad, anticlockwise */
+    vm_real vx, vy;  /* velocity, which is momentum/mass, m/s */
     vm_real omega;   /* angular velocity, rad/s, anticlockwise */
 } vm_body2;
 
 /* An impulse that acts on a body of the plane during an instant */
 typedef struct VM_TAG(vm_impulse2) {
-    vm_real jx, jy; /* N s */
-    vm_real couple; /* N m s, anticlockwise, in addition to the moment of jx, jy */
+    vm_real jx, jy; /* the impulse of forces, N s */
+    vm_real couple; /* an impulsive moment in addition to the moment of jx, jy, N m s, anticlockwise */
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* What some bodies have after an instant less what they had before and what an impulse gave them */
+/* Balance across an instant: what some bodies have after it less what they had before it. The two momenta are also
+   less what an impulse gave the bodies. */
 typedef struct VM_TAG(vm_balance) {
-    vm_vec3 momentum;               /* N s: (6) with (20), (21); zero but for rounding errors */
-    vm_vec3 angular_momentum;       /* about the point, N m s: (12), (17) with (22); zero but for rounding errors */
-    vm_real momentum_scale;         /* N s, the sum of all M |v| and the size of the impulse */
-    /* N m s, the sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, and the impulse's share. It contains |r|,
-       since a position is rounded by eps |r|, which changes the angular momentum about any point by eps |r| M |v| */
+    vm_vec3 momentum;               /* momentum, N s: (6) with (20), (21); zero except for rounding errors */
+    vm_vec3 angular_momentum;       /* angular momentum about a point, N m s: (12), (17) with (22); likewise zero */
+    vm_real momentum_scale;         /* sum of mass times speed of all bodies, plus the size of the impulse, N s */
+    /* The sum over all bodies of tr(I) |omega| + (|r| + |r - about|) M |v|, with inertia I, mass M and the point
+       `about`, plus the share of the impulse, N m s. It contains |r|, because the rounding error eps |r| of a
+       position changes the angular momentum about any point by eps |r| M |v|. */
     vm_real angular_momentum_scale;
-    vm_real energy;                 /* kinetic energy after - before, J: (94) - (93) */
+    vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
 
 /* ---- momentum, angular momentum and kinetic energy ---- */
 
-/* I omega, the angular momentum about the mass centre, in inertial axes */
+/* The angular momentum of a body about its own mass centre, in inertial axes */
 VM_API vm_vec3 vmi_spin_momentum(const vm_body *body)
 {
     const vmi_mat3 m = vmi_rotation(body->q);
     return vmi_times(&m, vmi_inertia_times(&body->inertia, vmi_times_transposed(&m, body->omega)));
 }
 
-/* Momentum M v of a body (1)-(3), N s. The body is not checked: NaN in it gives NaN, and so does a null pointer. */
+/* Momentum of a body, mass times velocity, (1)-(3), N s. The body is not checked: NaN in the body gives NaN, and so
+   does a null pointer. */
 VM_API vm_vec3 vm_momentum(const vm_body *body)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_scale(body->mass, body->v);
 }
 
-/* Angular momentum of a body about the point `about` (7)-(9), N m s: I omega + (r - about) x M v, in inertial axes.
-   The body is not checked: NaN in it gives NaN, and so does a null pointer. */
+/* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
+   axes, with the inertia I and the mass M. The body is not checked: NaN in the body gives NaN, and so does a null
+   pointer. */
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
 }
 
-/* Kinetic energy of a body (93), (97), J: (M v^2 + omega.I omega)/2. The body is not checked: NaN in it gives NaN,
-   and so does a null pointer. */
+/* Kinetic energy of a body (93), (97), J. It is (M v^2 + omega.I omega)/2, with the mass M and the inertia I. The
+   body is not checked: NaN in the body gives NaN, and so does a null pointer. */
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
     if (!body) return VM_NAN;
@@ -1756,7 +1766,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- the plane as a part of space ---- */
 
-/* The body of the plane as a body of space that has inertia.zz alone, which is all that motion in the plane needs */
+/* Converts a body of the plane to a body of space. Of its inertia only zz is set, which is all that motion in the
+   plane needs. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -1768,7 +1779,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* The body of the plane that moves as b does, with this angle */
+/* The body of the plane that has the mass, position and motion of b, its inertia.zz, and the given angle */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -1803,7 +1814,7 @@ VM_API int vmi_impulse_is_finite(const vm_impulse *j)
     return vmi_vec3_is_finite(j->linear) && vmi_vec3_is_finite(j->couple) && vmi_vec3_is_finite(j->at);
 }
 
-/* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
+/* Checks a body of space. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_API int vmi_check_body(const vm_body *b)
 {
     if (!vmi_body_is_finite(b)) return VM_NOT_FINITE;
@@ -1811,7 +1822,7 @@ VM_API int vmi_check_body(const vm_body *b)
     return vm_inertia_is_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
+/* Checks a body of the plane. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_API int vmi_check_body2(const vm_body2 *b)
 {
     if (!vmi_body2_is_finite(b)) return VM_NOT_FINITE;
@@ -1819,7 +1830,7 @@ VM_API int vmi_check_body2(const vm_body2 *b)
     return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* An array of n bodies, of space or of the plane: one of the two pointers is NULL */
+/* An array of n bodies, either of space or of the plane. The pointer for the other kind of body is NULL. */
 typedef struct VM_TAG(vmi_bodies) {
     int n;
     const vm_body *in_space;
@@ -1844,15 +1855,15 @@ VM_API vmi_bodies vmi_bodies_in_plane(int n, const vm_body2 *bodies)
     return list;
 }
 
-/* Body i as a body of space */
+/* Body i of the list, as a body of space */
 VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
 {
     if (list->in_plane) return vmi_body_to_space(list->in_plane + i);
     return list->in_space[i];
 }
 
-/* VM_OK if all bodies are valid, else the error of theirs that vmi_first_error puts first; VM_BAD_ARGUMENT for n < 0
-   and for bodies that are not there */
+/* Returns VM_OK if all bodies are valid, else that error of a body which comes first in the order of
+   vmi_first_error. Returns VM_BAD_ARGUMENT for n < 0 and for n > 0 without an array. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -1866,7 +1877,7 @@ VM_API int vmi_check_bodies(const vmi_bodies *list)
 
 /* ---- balances ---- */
 
-/* The moment of an impulse about a point, N m s */
+/* The moment of an impulse about the point `about`, N m s */
 VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
 {
     return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
@@ -1885,7 +1896,7 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
-/* Takes what an impulse has given from a balance, and adds its size to the scales */
+/* Subtracts an impulse and its moment from a balance, and adds their sizes to the scales */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
     sum->momentum = vmi_sub(sum->momentum, j->linear);
@@ -1902,10 +1913,10 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
 }
 
 /* Balance of momentum, angular momentum and energy across an instant. *balance is what the n_after bodies have less
-   what the n_before bodies had, and less what the impulse gave, where one acted, (4)-(6), (10)-(12). Momentum and,
-   about any point, angular momentum are zero if nothing was lost, but for some eps of their scales. There may be any
-   number of bodies on either side, none included. The bodies are not checked. VM_BAD_ARGUMENT: a null pointer, a
-   negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
+   what the n_before bodies had, and less the impulse, where one acted, (4)-(6), (10)-(12). If nothing was lost, the
+   changes of momentum and of angular momentum about any point are zero except for some eps of their scales. Either
+   side may have any number of bodies, or none. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null
+   pointer or a negative number of bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {
@@ -1922,8 +1933,8 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
 }
 
 #endif
-/* mechanics/bodies2.h - momentum and energy of bodies in the plane, and such bodies in space
-   The plane's (35)-(39) need one moment of inertia and one angular velocity of a vm_body2 (bodies.h).
+/* mechanics/bodies2.h - momentum and energy of bodies in the plane, and their conversion to bodies in space
+   In the plane, (35)-(39), a body has one moment of inertia and one angular velocity. Its type vm_body2 is in bodies.h.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}; // mass, inertia, x, y, angle, vx, vy, omega
        vm_real T = vm_kinetic_energy2(&plate);      // (2 3^2 + 0.1 8^2)/2 = 12.2 J
@@ -1933,15 +1944,15 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
 #define VARMASS_MECHANICS_BODIES2_H
 
 /* Angular momentum of a body of the plane about the point (x, y), N m s. It is positive anticlockwise. The body is
-   not checked: NaN in it gives NaN, and so does a null pointer. */
+   not checked: NaN in the body gives NaN, and so does a null pointer. */
 VM_API vm_real vm_angular_momentum2(const vm_body2 *body, vm_real x, vm_real y)
 {
     if (!body) return VM_NAN;
     return body->inertia * body->omega + body->mass * ((body->x - x) * body->vy - (body->y - y) * body->vx);
 }
 
-/* Kinetic energy of a body of the plane, J: (M v^2 + I omega^2)/2. The body is not checked: NaN in it gives NaN, and
-   so does a null pointer. */
+/* Kinetic energy of a body of the plane, J. It is (M v^2 + I omega^2)/2, with mass M, speed v and inertia I. The
+   body is not checked: NaN in the body gives NaN, and so does a null pointer. */
 VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
 {
     if (!body) return VM_NAN;
@@ -1949,8 +1960,8 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
            2;
 }
 
-/* A body of the plane as a lamina of space in the plane z = 0. It has xx = yy = zz/2, q of length 1, and the same
-   motion. The body is not checked. NaN for a null pointer. */
+/* A body of the plane as a lamina of space in the plane z = 0. Its inertia has xx = yy = zz/2, its quaternion q has
+   length 1, and it moves as the body of the plane does. The body is not checked. A null pointer gives NaN. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1964,45 +1975,46 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 
 #endif
 /* mechanics/jumps.h - parts separate from a body or are attached to it, in space
-   In an instant the mass, mass centre, inertia, velocity and angular velocity of a body jump, while its attitude
-   stays: (13)-(15), (24), (33), (34), (40). An impulse may act in the same instant, and any number of parts may take
-   part.
+   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, while its
+   attitude stays: (13)-(15), (24), (33), (34), (40). An impulse may act at the same instant. Any number of parts may
+   separate or be attached at once.
 
        vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
        int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: how the rest moves on
 
-   Jumps in the plane are in jumps2.h, in relative motions in relative.h, the inverse question (how must a part
-   leave?) in inverse.h, the energy in jump_energy.h. Tests: tests/test_jumps.c, tests/test_jump_equations.c. */
+   Jumps in the plane are in jumps2.h, in relative motions in relative.h; the inverse question (how must a part leave?)
+   is in inverse.h, the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS_H
 #define VARMASS_MECHANICS_JUMPS_H
 
-/* How it is computed. A body (mass M, velocity v, mass centre S) becomes one of mass M1 = M + sign m and mass centre
-   S1, when another (m, v2, S2) is attached (sign = 1) or separates (sign = -1). With d = SS2, every inertia about
-   the body's own mass centre, and moment for the impulse's moment about S1:
+/* How a jump is computed. A body (mass M, velocity v, inertia I, angular velocity omega, mass centre S at r) becomes
+   a body (M1 = M + sign m, v1, I1, omega1, S1 at r1) when another body (m, v2, I2, omega2, S2) is attached (sign = 1)
+   or separates (sign = -1). With the vector d from S to S2, P(d) = |d|^2 E - d d^T, every inertia about the body's
+   own mass centre, the impulse `linear` and its moment `moment` about S1:
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
-   So a separation is an attachment of negative mass and inertia. The law is the same in a frame that moves and turns
-   with any Omega, if all omegas and v2 - v are taken relative to it, (42) in space. The frame is chosen so that the
-   terms that cancel are small, and few digits are lost: it moves with the heaviest body, and at a separation it
-   turns with the whole. */
-enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* values of sign */
+   A separation is therefore an attachment of negative mass and inertia. The law has the same form in a frame that
+   moves and turns with any angular velocity Omega, if all omegas and v2 - v are taken relative to this frame, (42) in
+   space. The frame is chosen so that the terms that cancel are small and few digits are lost: it moves with the
+   heaviest body, and at a separation it turns with the whole. */
+enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of the parameters `sign` */
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q;           /* attitude of the first body, along whose axes inertias are added */
-    vmi_mat3 turn;       /* its rotation matrix */
+    vm_quat q;           /* attitude of the first body; inertias are added along its axes */
+    vmi_mat3 turn;       /* the rotation matrix of q */
     vm_vec3 r, v, omega; /* place, velocity and angular velocity of the frame */
 } vmi_frame;
 
-/* What a body, or several bodies joined, bring into the jump. "lump" as in a lumped mass. */
+/* The mass, motion and inertia that a body, or several joined bodies, bring into a jump (as a lumped mass) */
 typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
-    vm_vec3 r, v;       /* mass centre and velocity, less those of the frame */
-    vm_vec3 h;          /* angular momentum I (omega - Omega), inertial axes */
-    vm_inertia inertia; /* about the mass centre, along the frame's axes q */
+    vm_vec3 r, v;       /* position of the mass centre and its velocity, less r and v of the frame */
+    vm_vec3 h;          /* angular momentum relative to the frame, I (omega - Omega), inertial axes */
+    vm_inertia inertia; /* inertia about the lump's mass centre, along the axes of the frame's q */
     vm_inertia sizes;   /* the sizes of the terms whose sums are the entries of inertia */
-    vm_real noise;      /* the size of h before cancellation: h is right to some eps of it */
+    vm_real noise;      /* the size of the terms that cancel in h: the error of h is some eps of noise */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
@@ -2010,9 +2022,9 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     const vmi_mat3 own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
     const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
-    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* the frame's axes in those of the body */
+    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* columns: the frame's axes in body axes */
     vmi_lump lump;
-    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* equal attitudes cost no digits */
+    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* else turn is exact */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
         turn.z = vmi_times_transposed(&own, frame->turn.z);
@@ -2027,8 +2039,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* P(d) along the frame's axes, and the sizes of its terms, if d has the rounding errors of positions as large as
-   reach */
+/* P(d) along the frame's axes. Sets *sizes to the sizes of its terms, given that d has the rounding errors of
+   positions of the size of reach. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -2038,7 +2050,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* d^2 and 2 d reach */
+    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* less reach^2 this is d^2 + 2 d reach */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -2046,7 +2058,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* The noise that b and the term m M/M1 d x slip add to a lump: d is as uncertain as positions of the size of reach */
+/* The noise that joining b to a adds: the noise of b, and that of the term reduced d x slip, where d has the rounding
+   errors of positions of the size of reach */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2057,7 +2070,7 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
            moved * vmi_norm1(reach) * (distance * vmi_norm1(frame->omega) + vmi_norm1(slip));
 }
 
-/* Attaches b to a (sign = 1) or separates it from a (sign = -1). VM_BAD_MASS if no mass is left. */
+/* Attaches b to a (sign = 1) or separates b from a (sign = -1). Returns VM_BAD_MASS if no mass is left, else VM_OK. */
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
@@ -2072,7 +2085,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
     a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
-    if (b->mass > a->mass) { /* from the heavier, so that a light body's motion costs no digits of it */
+    if (b->mass > a->mass) { /* start from the heavier body, so that a light one costs no digits */
         a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
         a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
     } else {
@@ -2083,7 +2096,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     return VM_OK;
 }
 
-/* Adds an impulse to the velocity and the angular momentum of a */
+/* Adds an impulse to the velocity and the angular momentum of the lump a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
     const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
@@ -2092,8 +2105,8 @@ VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impu
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
-/* The frame of a jump: it moves with the heaviest of all bodies. At a separation, and where only an impulse acts, it
-   turns with the first body, at an attachment not at all. */
+/* The frame of a jump. It moves with the heaviest of all bodies. It turns with the first body at a separation, and
+   where only an impulse acts; at an attachment it does not turn. */
 VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_real sign)
 {
     vm_real mass = body->mass;
@@ -2116,7 +2129,7 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     return frame;
 }
 
-/* VM_OK if the bodies are valid and the impulse is finite, else the error that vmi_first_error puts first */
+/* Returns VM_OK if the bodies are valid and the impulse is finite, else the error that vmi_first_error prefers. */
 VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
@@ -2124,8 +2137,9 @@ VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const v
     return vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* The first body after the jump: with the others attached (sign = 1) or without them (-1), and after the impulse.
-   The others are joined among each other first. VM_BAD_MASS if no mass is left. */
+/* Sets *total to the first body after the jump: with the other bodies attached (sign = 1) or separated (sign = -1),
+   and after the impulse. The other bodies are first joined to each other. Returns VM_BAD_MASS if no mass is left,
+   else VM_OK. */
 VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
                           const vm_impulse *external_or_NULL, vmi_lump *total)
 {
@@ -2143,8 +2157,8 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
     return status;
 }
 
-/* Principal axes of a lump, whose moments become some that a body can have exactly. VM_NOT_FINITE, VM_BAD_INERTIA if
-   the moments are not possible within the rounding errors. */
+/* Finds the principal axes of a lump and changes its moments to moments that a body can have exactly. Returns
+   VM_NOT_FINITE, VM_BAD_INERTIA if the moments are impossible beyond rounding errors, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -2154,8 +2168,9 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
     return VM_OK;
 }
 
-/* *omega: the angular velocity relative to the frame, inertial axes, of a lump with principal axes p; before: what
-   it was before the jump. Returns 1 if angular momentum was left about an axis without moment, else 0. */
+/* Sets *omega to the angular velocity, relative to the frame and in inertial axes, of a lump with principal axes p.
+   `before` is this angular velocity before the jump. Returns 1 if angular momentum is left about an axis without
+   moment, which the lump cannot carry, else 0. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
@@ -2167,8 +2182,8 @@ VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi
     return left;
 }
 
-/* The jump of a body to which n others are attached (sign = 1) or from which they separate (-1), while an impulse
-   acts */
+/* Sets *result to a body after n others are attached to it (sign = 1) or separate from it (sign = -1), while an
+   impulse acts */
 VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign,
                     const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2197,46 +2212,48 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains, the instant after. *part has left the whole and moves as
-   given; rest gets mass, mass centre (15), inertia by the parallel axes (40), velocity (24) and angular velocity
-   (34), and the whole's attitude. *external, where not NULL, acted during the instant. Exact in space: momentum and
-   angular momentum of rest and part are those of the whole plus the impulse. rest may be whole or part.
+/* Separation of a part from a body: *rest is what remains of the whole. *part has left the whole and moves as given.
+   *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity (34), and
+   the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space: momentum
+   and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be
+   equal to whole or to part.
 
-   A part that moves on as before leaves the motion of the rest as it was, however little of the inertia is left:
-   only motions relative to the whole are added, so that neither high speed nor a place far from the origin costs
-   digits of omega. The inertia of the rest is right to 8 eps of the whole's, and far from the origin to what an eps
-   of the positions changes; a moment below that becomes 0.
+   If the part moves on as before the separation, the motion of the rest stays what it was, however little of the
+   inertia is left. Only motions relative to the whole are added, so that neither high speed nor a place far from the
+   origin costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia,
+   and far from the origin what an eps of the positions changes. A moment that is smaller than this error becomes 0.
 
-   VM_NULL_AXIS (> 0, done): the rest is a rod or a point, and angular momentum was left about its null axis, which
-   cannot carry it; the spin about this axis stays the whole's. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE.
-   VM_BAD_MASS: a mass is not positive, that of the rest included. VM_BAD_INERTIA: an inertia that no body has, as
-   that of a rest if the part cannot have been in the whole. */
+   Returns VM_OK, or VM_NULL_AXIS (> 0, *rest is set) if the rest is a rod or a point and angular momentum is left
+   about its null axis, which cannot carry it; the spin about this axis then stays the whole's. The errors are
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not
+   positive, and VM_BAD_INERTIA for an inertia that no body has, such as that of a rest if the part cannot have been
+   in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another (plastic impact): *whole is the two together, the instant after (24), (33). body
-   and added move as given the instant before; *external, where not NULL, acted during the instant. The attitude of
-   the whole is body's. Statuses as those of vm_separate; with VM_NULL_AXIS, for a whole that is a rod or a point,
-   the spin about the null axis stays body's. */
+/* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). body and added
+   move as given just before the impact. The impulse, if there is one, acts during the impact. The whole has the
+   attitude of body. The statuses are those of vm_separate. With VM_NULL_AXIS the whole is a rod or a point, and the
+   spin about its null axis stays that of body. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors it is what n calls of
-   vm_separate give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate, and
-   VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
+   vm_separate give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
+   vm_separate, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
     return vmi_jump(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors it is what n
-   calls of vm_attach give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach, and
-   VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors, n calls of
+   vm_attach give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_attach,
+   and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -2245,7 +2262,7 @@ VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const
 
 /* ---- the inertia of a whole and of its parts ---- */
 
-/* A body that does not move, its axes the inertial ones */
+/* A body at rest whose axes are the inertial axes */
 VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3 r)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -2255,7 +2272,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Inertia and mass centre by a jump of bodies at rest, the first at the origin and the second at d */
+/* Computes inertia and mass centre by a jump of two bodies at rest, the first at the origin and the second at d */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -2272,19 +2289,19 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias are along one set of
-   axes, each about its body's own mass centre, kg m^2. d leads from the mass centre of a to that of b, *centre from
-   that of a to the common one, m. Accuracy as that of vm_separate. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA. */
+/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along
+   one set of axes, each about its body's own mass centre. d (m) leads from the mass centre of a to that of b, and
+   *centre (m) from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
+   VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
 {
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40), the way back from
-   vm_combine_inertia. d leads from the mass centre of the whole to that of the part (SS2), *centre from that of the
-   whole to that of the rest (SS1), m. Statuses as those of vm_combine_inertia. */
+/* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40). It undoes
+   vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part, and *centre (m) from the
+   mass centre of the whole to that of the rest. The statuses are those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
                             vm_vec3 d, vm_inertia *rest, vm_vec3 *centre)
 {
@@ -2293,8 +2310,8 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 
 #endif
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
-   The plane's form of jumps.h, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
-   The same code joins the masses; only the last step, from angular momentum to angular velocity, is the plane's own.
+   This is jumps.h for the plane, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
+   The code of jumps.h joins the masses. Only the last step, from angular momentum to angular velocity, differs.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
        int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: how the rest moves on
@@ -2313,8 +2330,8 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
     return lifted;
 }
 
-/* The moment of a lump of the plane becomes one that a body can have exactly: a moment that is lost in rounding
-   errors becomes 0. VM_NOT_FINITE, VM_BAD_INERTIA if it is negative beyond rounding errors. */
+/* Changes the moment of a lump of the plane to one that a body can have exactly: a moment that is lost in rounding
+   errors becomes 0. Returns VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -2323,8 +2340,9 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* *omega: the angular velocity of a lump relative to the frame, (44), or what it was before if there is no inertia.
-   Returns 1 if angular momentum was left, which a lump without inertia cannot carry, else 0. */
+/* Sets *omega to the angular velocity of a lump relative to the frame, (44), or to `before`, its value before the
+   jump, if the lump has no inertia. Returns 1 if angular momentum is left that a lump without inertia cannot carry,
+   else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
     if (lump->inertia.zz > 0) {
@@ -2335,7 +2353,7 @@ VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
     return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
 }
 
-/* vmi_check_jump in the plane */
+/* Does in the plane what vmi_check_jump does in space */
 VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const vm_impulse2 *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body2(body), vmi_check_bodies(others));
@@ -2345,7 +2363,7 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
     return vmi_impulse_is_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* vmi_jump_total for bodies of the plane, with the moment of the total clamped */
+/* Does in the plane what vmi_jump_total does in space, and clamps the moment of the total */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
@@ -2362,7 +2380,7 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-/* vmi_jump in the plane */
+/* Does in the plane what vmi_jump does in space */
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
                      const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2389,42 +2407,43 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains, the instant after, (35)-(39). *part has left
-   the whole and moves as given; *external, where not NULL, acted during the instant. Momentum and angular momentum
-   of rest and part are those of the whole plus the impulse. rest may be whole or part. Accuracy as that of
-   vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part has left the
+   whole and moves as given. The impulse, if there is one, acts during the separation. Momentum and angular momentum
+   of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or to
+   part. The accuracy is that of vm_separate.
 
-   VM_NULL_AXIS (> 0, done): the rest is a point, and angular momentum about it was left, which it cannot carry;
-   omega stays the whole's. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE. VM_BAD_MASS: a mass is not positive, that
-   of the rest included. VM_BAD_INERTIA: an inertia is negative, that of the rest included. */
+   Returns VM_OK, or VM_NULL_AXIS (> 0, *rest is set) if the rest is a point and angular momentum about it is left,
+   which a point cannot carry; omega then stays the whole's. The errors are VM_BAD_ARGUMENT for a null pointer,
+   VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive, and VM_BAD_INERTIA if an
+   inertia, that of the rest included, is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
     return vmi_jump2(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another in the plane (plastic impact): *whole is the two together, the instant after.
-   body and added move as given the instant before; *external, where not NULL, acted during the instant. The angle of
-   the whole is body's. Statuses as those of vm_separate2; with VM_NULL_AXIS, for two points at one place, omega
-   stays body's. */
+/* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. body and
+   added move as given just before the impact. The impulse, if there is one, acts during the impact. The whole has
+   the angle of body. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
+   place, and omega stays that of body. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
     return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors it is
-   what n calls of vm_separate2 give. With n = 0 only the impulse acts on the body. Statuses as those of
-   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n
+   calls of vm_separate2 give the same result. With n = 0 only the impulse acts on the body. The statuses are those
+   of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors
-   it is what n calls of vm_attach2 give. With n = 0 only the impulse acts on the body. Statuses as those of
-   vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding
+   errors, n calls of vm_attach2 give the same result. With n = 0 only the impulse acts on the body. The statuses
+   are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -2433,9 +2452,9 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 
 #endif
 /* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
-   The motion of a body relative to the frame that moves and turns rigidly with another one (25), (26), (41), and the
-   jump laws in such motions, (28)-(31), (42)-(44): often only the velocity with which a part leaves the whole is
-   known.
+   This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
+   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). They are needed where only the
+   velocity of a part relative to the whole is known.
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
@@ -2448,13 +2467,13 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 #ifndef VARMASS_MECHANICS_RELATIVE_H
 #define VARMASS_MECHANICS_RELATIVE_H
 
-/* Velocity of the point r of the frame that moves rigidly with a body: the dragging velocity of (25) */
+/* Velocity at the point r of the frame that moves rigidly with a body: the dragging velocity of (25) */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
 }
 
-/* The motion of b relative to the frame that moves rigidly with the body `to`; nothing is checked */
+/* The motion of b relative to the frame that moves rigidly with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
@@ -2462,7 +2481,7 @@ VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
     return b;
 }
 
-/* The absolute motion of b, which is given relative to the body `to`; nothing is checked */
+/* The absolute motion of b, whose motion is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
@@ -2470,7 +2489,7 @@ VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
     return b;
 }
 
-/* *result becomes b, if all numbers are finite */
+/* Copies b to *result. Returns VM_NOT_FINITE, and copies nothing, if a number is not finite. */
 VM_API int vmi_put_body(const vm_body *b, vm_body *result)
 {
     if (!vmi_body_is_finite(b)) return VM_NOT_FINITE;
@@ -2478,7 +2497,8 @@ VM_API int vmi_put_body(const vm_body *b, vm_body *result)
     return VM_OK;
 }
 
-/* *result becomes b, a body of the plane with this angle, if all numbers are finite */
+/* Copies b to *result as a body of the plane with this angle. Returns VM_NOT_FINITE, and copies nothing, if a number
+   is not finite. */
 VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
 {
     const vm_body2 flat = vmi_body_to_plane(b, angle);
@@ -2487,11 +2507,12 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
     return VM_OK;
 }
 
-/* Motion of a body relative to the frame that moves rigidly with the body `to`: v and omega of *relative become
+/* Motion of a body relative to the frame that moves rigidly with the body `to`. Position r, velocity v and spin omega
+   are those of the body, r_S, v_S and Omega those of `to`; v and omega of *relative become
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
-   and all else is copied; axes and origin stay the inertial ones. relative may be absolute. VM_BAD_ARGUMENT: a null
-   pointer. VM_NOT_FINITE: a number of absolute or of the motion of `to`, or a result, is not finite. Masses and
-   inertias are not looked at otherwise. */
+   and all else is copied. Axes and origin stay the inertial ones. The pointer relative may be equal to absolute.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of *absolute, the motion of `to` or the
+   result is not finite, and VM_OK otherwise. Masses and inertias are not checked further. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -2500,8 +2521,8 @@ VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *r
     return vmi_put_body(&b, relative);
 }
 
-/* Absolute motion of a body that is given relative to the body `to`: the way back from vm_to_relative, with its
-   statuses. absolute may be relative. */
+/* Absolute motion of a body whose motion is given relative to the body `to`. It undoes vm_to_relative and has its
+   statuses. The pointer absolute may be equal to relative. */
 VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *absolute)
 {
     vm_body b;
@@ -2510,8 +2531,8 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion in the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change as in
-   vm_to_relative, all else is copied. Statuses as those of vm_to_relative. */
+/* Motion in the plane relative to the frame that moves rigidly with the body `to`. vx, vy and omega change as in
+   vm_to_relative, and all else is copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
@@ -2521,8 +2542,8 @@ VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body
     return vmi_put_body2(&b, absolute->angle, relative);
 }
 
-/* Absolute motion in the plane of a body that is given relative to the body `to`: the way back from vm_to_relative2,
-   with its statuses */
+/* Absolute motion in the plane of a body whose motion is given relative to the body `to`. It undoes vm_to_relative2
+   and has its statuses. */
 VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body2 *absolute)
 {
     vm_body whole, b;
@@ -2534,7 +2555,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* A jump in motions relative to the first body, which is at rest in them: the law has the same form in its frame */
+/* Computes a jump in motions relative to the first body. This body is at rest in them, and the law has the same form
+   in the frame of the body as in an inertial one. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2545,7 +2567,7 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* vmi_jump_relative in the plane */
+/* Does in the plane what vmi_jump_relative does in space */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2556,36 +2578,33 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
     return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Separation, where the motions are given relative to the whole: (28)-(31), (42)-(44). v and omega of part are
-   relative to the whole, and so are those of *rest. The whole's own v and omega are not read. Otherwise as
-   vm_separate, statuses included. */
+/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of *rest are
+   relative to the whole. v and omega of *whole are not read. All else, statuses included, is as in vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment, where the motions are given relative to the first body: (28)-(31), (42)-(44). v and omega of added are
-   relative to body, and so are those of *whole. The own v and omega of body are not read. Otherwise as vm_attach,
-   statuses included. */
+/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of
+   *whole are relative to body. v and omega of *body are not read. All else, statuses included, is as in vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
     return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation in the plane, where the motions are given relative to the whole: vx, vy, omega of part are relative to
-   the whole, and so are those of *rest. The whole's own motion is not read. Otherwise as vm_separate2, statuses
-   included. */
+/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of *rest are
+   relative to the whole. vx, vy and omega of *whole are not read. All else, statuses included, is as in vm_separate2.
+   */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, where the motions are given relative to the first body: vx, vy, omega of added are
-   relative to body, and so are those of *whole. The own motion of body is not read. Otherwise as vm_attach2,
-   statuses included. */
+/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole
+   are relative to body. vx, vy and omega of *body are not read. All else, statuses included, is as in vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
@@ -2594,8 +2613,8 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 
 #endif
 /* mechanics/inverse.h - how a part must leave, so that the rest moves as wanted
-   The inverse question of a separation: Tables 2 to 4 of [1] ask which motions of the part leave a rest that does
-   not turn, that rests, or that moves on as the whole did.
+   This chapter inverts a separation. Tables 2 to 4 of [1], the dissertation, ask with which motion a part must leave
+   so that the rest does not turn, is at rest, or moves on as the whole did.
 
        vm_vec3 none = {0, 0, 0};
        vm_body moving; // whole and part are vm_bodies
@@ -2606,7 +2625,8 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 #ifndef VARMASS_MECHANICS_INVERSE_H
 #define VARMASS_MECHANICS_INVERSE_H
 
-/* The velocity of the part that gives the rest the velocity rest_v: v2 = v + (linear - M1 (v1 - v))/m by (24) */
+/* The velocity v2 of the part that gives the rest the velocity v1 = rest_v: v2 = v + (linear - M1 (v1 - v))/m by
+   (24), with the velocity v of the whole, the impulse `linear`, and the masses M1 of the rest and m of the part */
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                  vm_vec3 rest_v)
 {
@@ -2615,16 +2635,17 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
     return vmi_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* I2 Omega_r of the part with which the rest turns with rest_omega: h - I1 (rest_omega - Omega), where h is the
-   angular momentum that the rest has if the part turns as the whole does */
+/* Angular momentum that the part must have relative to the whole so that the rest turns with rest_omega: h - I1
+   (rest_omega - Omega), where Omega is the spin of the whole, I1 the inertia of the rest, and h the angular momentum
+   that the rest has if the part turns as the whole does */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
     const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
     return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
-/* What the rest would be if the part left with its velocity, but turned as the whole does; the bodies are valid, but
-   for an infinite velocity of the part */
+/* Sets *rest to what would remain if the part left with its velocity but turned as the whole does. The bodies have
+   been checked, except for an infinite velocity of the part. */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
@@ -2639,11 +2660,11 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* Gives part the angular velocity with which the rest turns with rest_omega. VM_NULL_AXIS where it would have to
-   spin about an axis without inertia. */
+/* Gives the part the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part
+   would have to spin about an axis without inertia. */
 VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
-    vmi_frame own = *frame; /* with the part's axes */
+    vmi_frame own = *frame; /* the frame with the part's axes */
     vmi_lump lump;
     vmi_principal p;
     vm_vec3 spin;
@@ -2661,13 +2682,13 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 }
 
 /* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving is the part with the
-   velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and then with the angular velocity that gives it
-   *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is asked for, and the part keeps its own motion.
-   With *rest_omega = 0 the rest does not turn (Table 2, 5 and 7; Table 4, 2), with *rest_v = 0 too it is at rest
-   (Table 3, 6 and 8), and with the whole's motion it moves on as the whole did (Table 3, 7).
+   velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and with the angular velocity that gives the rest
+   *rest_omega_or_NULL (rad/s). Where a pointer is NULL, the part keeps its own velocity or angular velocity. If
+   *rest_omega is 0, the rest does not turn (Table 2, 5 and 7; Table 4, 2). If *rest_v is 0 too, the rest is at rest
+   (Table 3, 6 and 8). With the whole's velocities it moves on as the whole did (Table 3, 7).
 
-   VM_NULL_AXIS (> 0, done as far as possible): the part would have to spin about an axis without inertia. Other
-   statuses as those of vm_separate. */
+   Returns VM_NULL_AXIS (> 0, done as far as possible) if the part would have to spin about an axis without inertia.
+   The other statuses are those of vm_separate. */
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
@@ -2694,7 +2715,7 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
 
 /* ---- the plane ---- */
 
-/* vmi_part_velocity in the plane: sets vx and vy of *part */
+/* Does in the plane what vmi_part_velocity does in space: sets vx and vy of *part */
 VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
                            vm_body2 *part)
 {
@@ -2711,7 +2732,7 @@ VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or
     part->vy = v.y;
 }
 
-/* vmi_unturned_rest in the plane */
+/* Does in the plane what vmi_unturned_rest does in space */
 VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                               vmi_frame *frame, vmi_lump *rest)
 {
@@ -2722,7 +2743,7 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
 
-/* vmi_turn_part in the plane */
+/* Does in the plane what vmi_turn_part does in space */
 VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
                           vm_body2 *part)
 {
@@ -2739,8 +2760,8 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
 
 /* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving is the
    part with the velocity that gives the rest the velocity rest_v_or_NULL[0], rest_v_or_NULL[1] (m/s, along x and y),
-   and then with the angular velocity that gives it *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is
-   asked for, and the part keeps its own motion. Statuses as those of vm_separation_for_rest. */
+   and with the angular velocity that gives the rest *rest_omega_or_NULL (rad/s). Where a pointer is NULL, the part
+   keeps its own velocity or angular velocity. The statuses are those of vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)
@@ -2766,11 +2787,11 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of a part that leaves the rest with a wanted spin, in the plane. It is (Table 3, 7), asked for v_r: the
-   rest turns with rest_omega (rad/s), and the part keeps its own spin. Of all such velocities, *moving has the one
-   with the least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. The
-   velocity in *part is not read. VM_SINGULAR if SS2 = 0, so that no velocity turns the rest. Other statuses as those
-   of vm_separate2. */
+/* Velocity of a part that leaves the rest with a wanted spin, in the plane, (Table 3, 7). The rest turns with
+   rest_omega (rad/s), and the part keeps its own spin. Many velocities do this. *moving has the one with the least
+   velocity v_r relative to the whole, which is orthogonal to SS2, the line between the mass centres S of the whole
+   and S2 of the part; any velocity along SS2 may be added. The velocity in *part is not read. Returns VM_SINGULAR if
+   S and S2 are one point, so that no velocity turns the rest. The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -2783,16 +2804,17 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(rest_omega)) return VM_NOT_FINITE;
     b = *part;
-    dx = b.x - whole->x; /* SS2 */
+    dx = b.x - whole->x; /* the vector SS2 */
     dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy; /* v_r = 0 */
+    b.vx = whole->vx - whole->omega * dy; /* the part moves as the whole does: v_r = 0 */
     b.vy = whole->vy + whole->omega * dx;
     parts = vmi_bodies_in_plane(1, &b);
     status = vmi_check_jump2(whole, &parts, external_or_NULL);
     if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
-    /* h, what the part's spin and the rest's leave, must be m M/M1 SS2 x v_r, with v_r = c k x SS2 */
+    /* The angular momentum h that the spins of part and rest leave must be m M/M1 SS2 x v_r, that of v_r = c k x SS2.
+       M, m, M1 are the masses of whole, part and rest, and k is the unit vector of z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
     b.vx -= c * dy;
@@ -2804,8 +2826,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 
 #endif
 /* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
-   Kinetic energy is not kept when bodies separate or join. The change is the kinetic energy of the motions relative
-   to the whole: theorem (113), (118), the form for both of Carnot's theorem.
+   Kinetic energy is not conserved when bodies separate or join. Its change is the kinetic energy of the motions
+   relative to the whole: theorem (113), (118), which is Carnot's theorem for separations and for attachments.
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -2815,7 +2837,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #ifndef VARMASS_MECHANICS_JUMP_ENERGY_H
 #define VARMASS_MECHANICS_JUMP_ENERGY_H
 
-/* Kinetic energy of the motions of n bodies and one more relative to the whole; NaN for a null pointer and n < 0 */
+/* Kinetic energy of the motions of n bodies and one more relative to the whole. Returns NaN for a null pointer or
+   n < 0. */
 VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
@@ -2830,7 +2853,7 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     return sum + vm_kinetic_energy(&b);
 }
 
-/* Work of an impulse on a body, J: v_S.linear + Omega.moment about S; 0 without an impulse or a body */
+/* Work of an impulse on a body, J: v.linear + omega.moment about the mass centre. Returns 0 without impulse or body. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -2840,9 +2863,9 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
 }
 
 /* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113),
-   (118). It is the kinetic energy of their motions relative to the whole plus the impulse's work on the whole,
-   v_S.linear + Omega.moment about S; exact in space. At high speed it has digits that the difference of the energies
-   has lost. whole moves as before the jump, parts and rest as after it. NaN for a null pointer and n < 0. */
+   (118). It is computed as the kinetic energy of their motions relative to the whole plus the work of the impulse on
+   the whole, which is exact in space and at high speed keeps digits that the difference of the energies loses. whole
+   moves as before the separation, parts and rest as after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
@@ -2850,8 +2873,8 @@ VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts,
 }
 
 /* Energy lost at an attachment, J: the kinetic energy of body and the n added less that of the whole, Carnot's loss.
-   It is the kinetic energy of their motions relative to the whole less the impulse's work on the whole. body and
-   added move as before the jump, whole as after it. NaN for a null pointer and n < 0. */
+   It is computed as the kinetic energy of their motions relative to the whole less the work of the impulse on the
+   whole. body and added move as before the attachment, whole as after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                               const vm_body *whole)
 {
@@ -2861,11 +2884,11 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 #endif
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
-   A disc on a massless elastic shaft, driven by a torque, with viscous damping of the rotation; plane motion (chapter
-   3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the distance s from it after the
-   break. Here are the equations of motion (46), (65)-(68), the same in polar form (75), and the break (52)-(64), in
-   corrected form. The motion of the rotor is in mechanics/broken_rotor_motion.h, the stability of the remainder's
-   steady motion in mechanics/broken_rotor_stability.h.
+   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is
+   damped viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the
+   distance s from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form
+   (75), and the break (52)-(64), in corrected form. The motion of the rotor is in mechanics/broken_rotor_motion.h,
+   the stability of the remainder's steady motion in mechanics/broken_rotor_stability.h.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
@@ -2879,66 +2902,68 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 
 #include <string.h>
 
-/* The rotor. In the notation of (67): omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia,
-   M* = torque/inertia. */
+/* The rotor. (67) writes omega^2 for stiffness/mass, p^2 for mass/inertia, k* for damping/inertia and M* for
+   torque/inertia. */
 typedef struct VM_TAG(vm_broken_rotor) {
-    vm_real mass;      /* M > 0, kg */
-    vm_real inertia;   /* I > 0, about its own mass centre, kg m^2 */
-    vm_real stiffness; /* c >= 0 of the shaft, N/m */
-    vm_real damping;   /* k, N m s: the torque -k psi' acts on the rotation */
-    vm_real torque;    /* N m */
-    vm_real s;         /* m: the shaft passes at r + s (cos psi, sin psi), r the mass centre */
+    vm_real mass;      /* mass M > 0, kg */
+    vm_real inertia;   /* inertia I > 0 about the rotor's own mass centre, kg m^2 */
+    vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
+    vm_real damping;   /* damping k, N m s: at the angular velocity psi' the torque -k psi' acts on the rotor */
+    vm_real torque;    /* driving torque, N m */
+    vm_real s;         /* distance from the mass centre to the shaft, in the direction of the angle psi, m */
 } vm_broken_rotor;
 
 /* Where the states of a rotor stand in y, and how many there are */
 enum {
-    VM_BROKEN_ROTOR_X = 0,     /* mass centre from the place where the shaft is at rest, 2 numbers x, y, m */
-    VM_BROKEN_ROTOR_ANGLE = 2, /* psi, rad */
+    VM_BROKEN_ROTOR_X = 0,     /* mass centre from the rest position of the shaft, 2 numbers x, y, m */
+    VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, rad */
     VM_BROKEN_ROTOR_V = 3,     /* velocity of the mass centre, 2 numbers, m/s */
-    VM_BROKEN_ROTOR_OMEGA = 5, /* psi', rad/s */
+    VM_BROKEN_ROTOR_OMEGA = 5, /* angular velocity psi', rad/s */
     VM_BROKEN_ROTOR_STATES = 6
 };
 
-/* The same in polar form; psi and psi' have the same places as above */
+/* Where the states in polar form stand. The angle psi and its rate stand at VM_BROKEN_ROTOR_ANGLE and _OMEGA. */
 enum {
-    VM_BROKEN_ROTOR_RADIUS = 0,        /* r > 0, distance of the mass centre from the place of the shaft at rest, m */
-    VM_BROKEN_ROTOR_DIRECTION = 1,     /* phi, rad */
-    VM_BROKEN_ROTOR_RADIUS_RATE = 3,   /* r', m/s */
-    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* phi', rad/s */
+    VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 of the mass centre from the rest position of the shaft, m */
+    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the direction to the mass centre, rad */
+    VM_BROKEN_ROTOR_RADIUS_RATE = 3,   /* rate r' of the distance, m/s */
+    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* rate phi' of the direction, rad/s */
 };
 
 /* The piece that breaks off. S is the mass centre of the whole, S2 that of the piece, and A the point at which the
    whole touches the stator. */
 typedef struct VM_TAG(vm_broken_rotor_piece) {
-    vm_real mass;     /* m, kg, 0 < m < M */
-    vm_real inertia;  /* I_S2 >= 0 about its own mass centre S2, kg m^2 */
-    vm_real distance; /* SS2, m */
+    vm_real mass;     /* mass m of the piece, kg, 0 < m < M with the mass M of the whole */
+    vm_real inertia;  /* inertia I_S2 >= 0 of the piece about its mass centre S2, kg m^2 */
+    vm_real distance; /* distance SS2 of the mass centres, m */
     vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17: S2 at -alpha from SA) */
-    vm_real radius;   /* SA, m */
+    vm_real radius;   /* distance SA of the point of contact, called R in the formulas, m */
     vm_real contact;  /* direction angle of SA in inertial axes, rad */
 } vm_broken_rotor_piece;
 
-/* The break, (52)-(64) corrected. The touched point A of the piece keeps its velocity, and S2 loses its velocity
-   across S2A (57). This is an assumption of [1]; everything else follows from momentum and angular momentum. */
+/* The break, (52)-(64) corrected, in the letters of vm_broken_rotor_piece. The touched point A of the piece keeps its
+   velocity, and S2 loses its velocity across S2A (57). This is an assumption of [1]; all else follows from momentum
+   and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
-    vm_broken_rotor rest; /* the remainder: its own mass, inertia and s = m SS2/(M - m); the whole's stiffness, damping
-                             and torque */
-    /* its state: psi is the direction from its mass centre S1 to the shaft, which is the direction of SS2; psi' is
-       Omega_b + Omega_r1 [(59), (64) corrected] */
+    vm_broken_rotor rest; /* the remainder: its mass, inertia and s = m SS2/(M - m); stiffness, damping and torque are
+                             those of the whole */
+    /* The state of the remainder. Its angle psi is the direction from its mass centre S1 to the shaft, which is the
+       direction of SS2. Its angular velocity is Omega_b, that of the whole, plus Omega_r1 [(59), (64) corrected] */
     vm_real state[VM_BROKEN_ROTOR_STATES];
-    vm_real piece[VM_BROKEN_ROTOR_STATES]; /* the piece's state, with the same psi */
-    vm_real dragging;                      /* v_S2d (52), (61), m/s: speed of S2 before the break */
-    vm_real gamma;                         /* its angle from SA (52), (60), rad; for v_S in any direction */
+    vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its psi is that of the rest */
+    vm_real dragging;                      /* speed v_S2d of S2 before the break (52), (61), m/s */
+    vm_real gamma;                         /* angle of S2's velocity from SA (52), (60), rad; also if S moves */
     vm_real beta;                          /* angle of S2A from SA, rad [(56) corrected]:
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
-    vm_real normal;                        /* N (54), m/s: component of v_S2d along S2A */
-    vm_real tangential;                    /* T = v_S2d sin(gamma - beta), m/s: component across S2A, counterclockwise
-                                              [(55) with the other sign] */
-    vm_real spin_piece;                    /* Omega_r = T/AS2 (57), (63), rad/s */
-    vm_real spin_rest;                     /* Omega_r1, rad/s [(58) corrected]:
-                                              I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T */
-    vm_real stop_inertia;                  /* the I_S2 that would stop the rest, kg m^2, where there is one:
-                                              I_S (R - SS2)/R for alpha = 0 [after (64), corrected] */
+    vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
+    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity across S2A,
+                                              counterclockwise, m/s [(55) with the opposite sign] */
+    vm_real spin_piece;                    /* the piece's spin relative to the whole, rad/s:
+                                              Omega_r = T/AS2 (57), (63) */
+    vm_real spin_rest;                     /* Omega_r1, the rest's spin relative to the whole, rad/s [(58) corrected]:
+                                              I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T, v_T: velocity T */
+    vm_real stop_inertia;                  /* the I_S2 with which the rest would not turn, kg m^2, if there is one; it
+                                              is I_S (R - SS2)/R for alpha = 0 [after (64), corrected] */
 } vm_broken_rotor_break;
 
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
@@ -2953,15 +2978,15 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor.
-   VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative one), VM_BAD_INERTIA. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor. Returns 0; or VM_BAD_ARGUMENT for a null
+   pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, or VM_BAD_INERTIA. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
     const int status = vmi_check_broken_rotor(r);
-    vm_real sine, cosine, fx, fy; /* fx, fy: force of the shaft (66) */
+    vm_real sine, cosine, fx, fy; /* fx, fy: the force of the shaft on the disc (66) */
     (void)t;
     if (status) return status;
     vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
@@ -2977,8 +3002,8 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor.
-   The statuses are those of vm_broken_rotor_rhs, and VM_DOMAIN, which ends the run, where r is not positive. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor. The statuses
+   are those of vm_broken_rotor_rhs, and VM_DOMAIN, which ends the run, if r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -3003,7 +3028,8 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
 }
 
 /* Polar states {r, phi, psi, r', phi', psi'} of a rotor from its states in x and y.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_DOMAIN where r = 0. polar may be y. */
+   polar may be y. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and VM_OK
+   otherwise. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
     vm_real p[VM_BROKEN_ROTOR_STATES], x0, y0, vx, vy, radius, c, s;
@@ -3027,10 +3053,11 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 }
 
 /* States {x, y, psi, x', y', psi'} of a rotor from its polar states.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_DOMAIN where r is not positive. y may be polar. */
+   y may be polar. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is not positive, and
+   VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
-    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: velocity in polar directions */
+    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: velocity r', r phi' */
     if (!y || !polar) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, polar)) return VM_NOT_FINITE;
     radius = polar[VM_BROKEN_ROTOR_RADIUS];
@@ -3053,7 +3080,7 @@ VM_API int vmi_broken_rotor_piece_finite(const vm_broken_rotor_piece *p)
            VM_IS_FINITE(p->alpha) && VM_IS_FINITE(p->radius) && VM_IS_FINITE(p->contact);
 }
 
-/* The status of the numbers that vm_broken_rotor_break_off takes */
+/* Checks the arguments of vm_broken_rotor_break_off and returns their status. */
 VM_API int vmi_broken_rotor_check_break(const vm_broken_rotor *whole, const vm_real *before,
                                         const vm_broken_rotor_piece *p)
 {
@@ -3071,7 +3098,7 @@ typedef struct VM_TAG(vmi_broken_rotor_vector) {
     vm_real x, y;
 } vmi_broken_rotor_vector;
 
-/* a turned by the angle whose sine and cosine are given */
+/* The vector a turned by the angle whose sine and cosine are given */
 VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cosine, vmi_broken_rotor_vector a)
 {
     vmi_broken_rotor_vector b;
@@ -3080,8 +3107,8 @@ VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cos
     return b;
 }
 
-/* Sets the state of a body at angle psi whose mass centre is at d from S and which moves relative to the whole with
-   the velocity (ux, uy) and the given spin. before is the state of the whole. */
+/* Sets the state of a body with the angle psi, whose mass centre is at (dx, dy) from S and which moves relative to
+   the whole with the velocity (ux, uy) and the given spin. `before` is the state of the whole. */
 VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                                    vm_real spin, vm_real *state)
 {
@@ -3094,8 +3121,8 @@ VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real d
     state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
 }
 
-/* Sets mass, inertia and eccentricity of the rest. VM_BAD_INERTIA where the inertia is negative or lost in rounding
-   errors */
+/* Sets mass, inertia and eccentricity s of the rest. Returns VM_BAD_INERTIA if the inertia is negative or lost in
+   rounding errors, else VM_OK. */
 VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
@@ -3107,8 +3134,8 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
     return VM_OK;
 }
 
-/* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the direction of S2A; returns AS2. All
-   vectors are in axes along SA and counterclockwise across it: d = SS2, v = v_S. */
+/* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
+   distance AS2. Vectors are in axes along SA and counterclockwise across it: d = SS2, and v is the velocity of S. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
@@ -3116,7 +3143,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
     const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
     const vm_real reduced = p->mass / b->rest.mass * whole->mass;
     const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T */
+    vm_real moment; /* SS2 x v_T, where v_T is the velocity T across S2A */
     e->x = reach_x / reach;
     e->y = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);
@@ -3133,10 +3160,10 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 }
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
-   `before` is the state of the whole at the break. VM_BAD_ARGUMENT, VM_NOT_FINITE; VM_BAD_MASS for a piece whose mass
-   is not in (0, M); VM_BAD_STIFFNESS for a negative stiffness; VM_BAD_INERTIA for an inertia of the rest that is
-   negative or lost in rounding errors; VM_DOMAIN for a whole with s != 0 and for a piece whose mass centre S2 is at
-   A. */
+   `before` is the state of the whole at the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
+   VM_BAD_MASS if the mass of the piece is not between 0 and M, VM_BAD_STIFFNESS for a negative stiffness,
+   VM_BAD_INERTIA if the inertia of the rest is negative or lost in rounding errors, VM_DOMAIN for a whole with s != 0
+   and for a piece whose mass centre S2 is at A, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {
@@ -3176,16 +3203,16 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 #endif
 /* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
 
-   The motion at any time, without an integrator: exact before the break (46)-(51), where the shaft passes through the
-   mass centre; of the remainder for short times after the break, |psi| << 1, by the linearised equations (69),
-   complete and in the form (70)-(72) of the dissertation, which leaves out a term. For long times integrate
-   vm_broken_rotor_rhs.
+   This chapter computes the motion at any time without an integrator. Before the break, where the shaft passes through
+   the mass centre, the solution is exact (46)-(51). After the break the linearised equations (69) hold for short times,
+   as long as the angle psi of the remainder is small. They are solved as a whole, and in the form (70)-(72) of the
+   dissertation, which leaves out a term. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
        int status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
-   The linearised equations are, with omega, p, k*, M* of vm_broken_rotor:
+   The linearised equations are, with s, psi and omega, p, k*, M* of vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
@@ -3195,17 +3222,17 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 
 /* The coefficients (67) of the linearised equations */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
-    vm_real omega, k, torque, s; /* omega, k*, M*, s */
-    vm_real coupling;            /* s p^2 omega^2 of (69), or 0 where this term is left out */
+    vm_real omega, k, torque, s; /* omega, k*, M* and s of (67) */
+    vm_real coupling;            /* the factor s p^2 omega^2 of (69), or 0 where its term is left out */
 } vmi_broken_rotor_linear;
 
-/* Where y, psi and their rates stand in z, the coupled part of the state */
+/* Where y, psi and their rates stand in z, the array of coupled states */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
     VMI_BROKEN_ROTOR_Y_RATE = 2,
     VMI_BROKEN_ROTOR_PSI_RATE = 3,
-    VMI_BROKEN_ROTOR_COUPLED = 4 /* how many there are */
+    VMI_BROKEN_ROTOR_COUPLED = 4 /* the number of coupled states */
 };
 
 VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r, int coupled)
@@ -3220,15 +3247,15 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
     return a;
 }
 
-/* A bound of the rates at which solutions change, 1/s */
+/* An upper bound of the rates at which solutions change, per second */
 VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
-/* Sets the change of z within the time h by the Taylor series in h, for |h| vmi_broken_rotor_rate <= 1: the n-th
-   terms of y and of s psi are then below 1/n! of the first ones, so that the number of terms is enough. y0, y1, y2
-   are three terms of y in a row, psi0, psi1, psi2 those of psi. */
+/* Sets `change` to the change of z within the time h by the Taylor series in h, for |h| times
+   vmi_broken_rotor_rate <= 1. The n-th terms of y and of s psi are then below 1/n! of the first ones, so that the
+   number of terms is enough. y0, y1, y2 are three successive terms of y, and psi0, psi1, psi2 those of psi. */
 VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -3256,8 +3283,9 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* Doubles the time to which m belongs: (m + E)^2 - E = 2 m + m m, computed in this form because E would swallow the
-   digits of m. m[j] is the change from the unit state j, for the last j the change that the torque makes from 0. */
+/* Doubles the time to which the matrix m belongs: (m + E)^2 - E = 2 m + m m, with the unit matrix E. It is computed
+   in this form because in m + E the digits of m would be lost. m[j] is the change from the unit state j, and the last
+   row is the change that the torque makes from the state 0. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -3270,7 +3298,8 @@ VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_
         }
 }
 
-/* Moves z on by the time t, for any coefficients: by the series within t/2^n, where it holds, then by n doublings */
+/* Advances z by the time t, for any coefficients: by the series for the time t/2^n, where it converges fast, then by
+   n doublings */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
@@ -3298,7 +3327,8 @@ VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a
     }
 }
 
-/* (e^z - 1 - z)/z^2 to a few eps, where ratio = (e^z - 1)/z is given: for |z| <= 1 by its series */
+/* The value (e^z - 1 - z)/z^2 from the given ratio = (e^z - 1)/z. For |z| <= 1 it is summed as a series, so that no
+   digits cancel. */
 VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -3309,7 +3339,7 @@ VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
     return sum;
 }
 
-/* w - sin w to a few eps, where sine = sin w is given */
+/* The value w - sin w from the given sine = sin w. For |w| <= 1 it is summed as a series, so that no digits cancel. */
 VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
 {
     const int terms = VM_MANT_DIG > 24 ? 19 : 11;
@@ -3320,13 +3350,13 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the free swing w, each to a few eps for w = 0 too */
+/* Functions of the free swing at the time t with the angular frequency w, which may be 0 */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
-    vm_real c;    /* cos wt */
-    vm_real c1;   /* 1 - cos wt */
-    vm_real w_s;  /* w sin wt */
-    vm_real s_w;  /* sin wt/w */
-    vm_real late; /* t - sin wt/w */
+    vm_real c;    /* cos(w t) */
+    vm_real c1;   /* 1 - cos(w t) */
+    vm_real w_s;  /* w sin(w t) */
+    vm_real s_w;  /* sin(w t)/w */
+    vm_real late; /* t - sin(w t)/w */
 } vmi_broken_rotor_swing;
 
 VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
@@ -3346,10 +3376,10 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Moves z on by the time t by (71), (72), without coupling, with M* in the place of k* Omega; for |t| times the rate
-   > 1.
-   psi = psi0 + psi0' E1 + M* E2 with E1 = (1 - e^(-kt))/k, E2 = (t - E1)/k, and y responds to -s psi: g0, g1, g2
-   solve g'' + w^2 g = w^2 E1', w^2 E1, w^2 E2 from rest, so that g2' = g1 and g1' = g0. */
+/* Advances z by the time t by (71), (72), without coupling and with M* instead of k* Omega.
+   It is used where |t| times the rate exceeds 1. psi = psi0 + psi0' E1 + M* E2 with E1 = (1 - e^(-kt))/k, E2 = (t -
+   E1)/k, and y responds to -s psi: g0, g1, g2 are the solutions of g'' + w^2 g = w^2 E1', w^2 E1, w^2 E2 that start
+   from rest, so that g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -3368,7 +3398,7 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
-/* The status of arguments of the public motions */
+/* Checks the arguments of the public motions and returns their status. */
 VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
                                          const vm_real *end)
 {
@@ -3377,7 +3407,7 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* The three public motions: all of (69) if coupled = 1, without its last term if coupled = 0 */
+/* Computes the three public motions: with all of (69) if coupled = 1, without its last term if coupled = 0. */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -3396,7 +3426,7 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
     else vmi_broken_rotor_follow(t, &a, &g, z);
     x0 = start[VM_BROKEN_ROTOR_X];
     vx0 = start[VM_BROKEN_ROTOR_V];
-    y[VM_BROKEN_ROTOR_X] = x0 * g.c + (vx0 * g.s_w - a.s * g.c1); /* (70) */
+    y[VM_BROKEN_ROTOR_X] = x0 * g.c + (vx0 * g.s_w - a.s * g.c1); /* the solution (70) */
     y[VM_BROKEN_ROTOR_V] = vx0 * g.c - g.w_s * (x0 + a.s);
     y[VM_BROKEN_ROTOR_X + 1] = z[VMI_BROKEN_ROTOR_Y];
     y[VM_BROKEN_ROTOR_ANGLE] = z[VMI_BROKEN_ROTOR_PSI];
@@ -3405,28 +3435,31 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, y, end);
 }
 
-/* State of the remainder t seconds after start, by the linearised equations (69), complete.
-   For short times, |psi| << 1; any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may
-   be start. damping, stiffness and s may be 0. Error: no more than twice what rounding every input, t included, would
-   make. All of (69) grows exponentially: VM_NOT_FINITE where it overflows. VM_BAD_ARGUMENT, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA. */
+/* State of the remainder t seconds after start, by the complete linearised equations (69).
+   It holds for short times, |psi| << 1, and for any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES
+   numbers, and end may be start. damping, stiffness and s may be 0. The error is at most twice the change that
+   rounding every input, t included, would make. Solutions of (69) grow exponentially. Returns VM_BAD_ARGUMENT for a
+   null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
+   VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
-   The dissertation leaves the term -s p^2 omega^2 y out, although it is of the order of the others: for comparison
-   with vm_broken_rotor_linear. Error: no more than rounding every input would make. Arguments and errors as there. */
+   The dissertation leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. The function is
+   for comparison with vm_broken_rotor_linear. The error is at most the change that rounding every input would make.
+   Arguments and statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
-   Any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may be start. damping and
-   stiffness may be 0. Error: no more than rounding every input, t included, would make. VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA, VM_DOMAIN (s is not 0). */
+   t may have any sign. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may be start. damping and
+   stiffness may be 0. The error is at most the change that rounding every input, t included, would make. Returns
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
+   VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
@@ -3436,11 +3469,12 @@ VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, 
 }
 
 /* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers.
-   x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass, which must not be 0. The
-   half axes of the orbit are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, which [1] prints wrongly after (52), is
+   The orbit is x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must
+   not be 0. Its half axes are | |A0 + i B0| +- |C0 + i D0| |. The speed at the time t, which [1] prints wrongly after
+   (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where the stiffness is not positive, VM_BAD_INERTIA.
-   */
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS if the stiffness is not
+   positive, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
 {
     vm_real w, x, y, vx, vy, c[4];
@@ -3465,11 +3499,12 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
 #endif
 /* mechanics/broken_rotor_stability.h - steady motion of the broken rotor, its stability, growth at resonance
 
-   After the break the remainder can turn steadily, psi' = Omega, with its mass centre on a circle (76), (77). Here
-   are the radius of this circle, the small motions about it with their characteristic polynomial (81), its roots and
-   Routh's column, and the stability (82): the steady motion is stable below resonance only. Above resonance the orbit
-   of a rotor that starts from rest grows, and vm_broken_rotor_resonance_radius says how. In the formulas omega^2 =
-   stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
+   After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
+   circle (76), (77). This chapter computes the radius of this circle, the characteristic polynomial (81) of small
+   motions about it, the roots of the polynomial and Routh's column, and decides the stability (82): the steady motion
+   is stable below resonance only. Above resonance the orbit of a rotor that starts from rest grows, as
+   vm_broken_rotor_resonance_radius tells. The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* =
+   damping/inertia.
 
        vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
@@ -3481,8 +3516,8 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
 
 #include <string.h>
 
-/* (omega^2 - Omega^2) mass, in two words: its sign is right and its relative error is an eps, however close to
-   resonance the rotor turns */
+/* The detuning (omega^2 - Omega^2) mass. It is computed in two words, so that its sign is right however close to
+   resonance the rotor turns. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
@@ -3491,27 +3526,27 @@ VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega
 }
 
 /* Radius of the mass centre's circle in steady motion at psi' = Omega, m: s omega^2/(omega^2 - Omega^2), (76), (77).
-   Omega in rad/s; the motion needs torque = damping Omega (47). The radius is positive as in (77), phi = psi + pi,
-   where Omega^2 < omega^2, and negative as in (76), phi = psi, where Omega^2 > omega^2. Within 2 eps however close to
-   resonance.
-   Infinite at resonance (NaN for s = 0); NaN for a null pointer and for a rotor whose fields have not the signs that
-   vm_broken_rotor states. */
+   Omega is in rad/s, and the motion needs torque = damping Omega (47). For Omega^2 < omega^2 the radius is positive
+   and the direction of the mass centre is phi = psi + pi, as in (77). For Omega^2 > omega^2 the radius is negative
+   and phi = psi, as in (76). The error is within 3 eps, however close to resonance. Returns infinity at resonance
+   (NaN for s = 0), and NaN for a null pointer and for a rotor whose fields have not the signs that vm_broken_rotor
+   states. */
 VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real detuning, share;
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
     detuning = vmi_broken_rotor_detuning(rotor, Omega);
     if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
-    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2 < 1: mass Omega^2 overflows */
+    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; mass Omega^2 overflows */
     return -rotor->s * (share / (1 - share));
 }
 
-/* omega^2, Omega^2, k*, D and G of vm_broken_rotor_characteristic */
+/* The quantities omega^2, Omega^2, k*, D and G in the polynomial of vm_broken_rotor_characteristic */
 typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
 
-/* Sets *a. VM_BAD_ARGUMENT, VM_NOT_FINITE, the statuses of a bad rotor, VM_DOMAIN at resonance */
+/* Sets *a. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, the statuses of a bad rotor, VM_DOMAIN at resonance, or VM_OK. */
 VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega, vmi_broken_rotor_steady *a)
 {
     int status;
@@ -3533,12 +3568,13 @@ VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega
 enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
 
 /* Characteristic polynomial of small motions about the steady motion, (81) corrected.
-   They go with exp(l t) about the motion at psi' = Omega, rad/s. c is an array of VM_BROKEN_ROTOR_ROOTS + 1
-   coefficients, highest power first:
+   Small motions about the steady motion at psi' = Omega (rad/s) are sums of exp(l t), where l is a root of the
+   polynomial. c is an array of VM_BROKEN_ROTOR_ROOTS + 1 coefficients, highest power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
    with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. (81) is l times this polynomial, and its last term
-   lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA, VM_DOMAIN (at resonance). */
+   lacks l^2. Its root l = 0 belongs to the free choice of the phase. Returns VM_BAD_ARGUMENT for a null pointer,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and
+   VM_OK otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -3558,8 +3594,7 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
 
 /* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2.
    column is an array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all are
-   positive.
-   Errors as for vm_broken_rotor_characteristic. */
+   positive. The errors are those of vm_broken_rotor_characteristic, which has the letters, too. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -3577,9 +3612,9 @@ VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, column);
 }
 
-/* Whether the steady motion at psi' = Omega is asymptotically stable (82): 1 or 0.
-   It is exactly for Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0. (With damping, s or Omega = 0 some motions
-   neither grow nor fade.) 0 for a null pointer and a bad rotor. */
+/* Whether the steady motion at psi' = Omega is asymptotically stable (82).
+   Returns 1 for Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0, which together make it stable, else 0. (With
+   damping, s or Omega = 0 some motions neither grow nor fade.) Returns 0 also for a null pointer and a bad rotor. */
 VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega)
 {
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
@@ -3587,9 +3622,9 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 }
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
-   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers; the roots stand in the order of rising |imaginary part|, of
-   a pair first the one with im > 0. The error of each root is at most twice what an eps of every coefficient would
-   make, also that of the smallest root, which near resonance is many orders below the largest. Errors as for
+   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by rising |imaginary part|; of a pair,
+   the root with im > 0 is first. The error of each root is at most twice what an eps of every coefficient would make,
+   also for the smallest root, which near resonance is many orders below the largest. The errors are those of
    vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
@@ -3600,7 +3635,7 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
-    /* roots in units of `size`, so that no coefficient is above 10 */
+    /* compute the roots in units of `size`, so that no coefficient is above 10 */
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
     power = 1 / size;
     for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
@@ -3619,8 +3654,9 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* ln(1 + x) - x + x^2/2 for x >= 0, to a few eps. For x <= 1 it is x^3/3 - x^4/4 + ... as a series in w = x/(2 + x)
-   <= 1/3, whose terms are all positive: coefficient n - 2 of w^n, and 1/n more for odd n. */
+/* The value ln(1 + x) - x + x^2/2 for x >= 0. For x <= 1, where digits would cancel, this is x^3/3 - x^4/4 + ...,
+   summed as a series in w = x/(2 + x) <= 1/3, whose terms are all positive: the sum is multiplied by 2, and the
+   coefficient of w^n is n - 2, plus 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21;
@@ -3636,8 +3672,8 @@ VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
     return 2 * w * w * w * sum;
 }
 
-/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex, so that Newton's method falls to the root
-   from (3 tau)^(1/3) + (2 tau)^(1/2), which is above it. */
+/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method therefore falls to the root
+   from the start (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. */
 VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -3652,13 +3688,15 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 }
 
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
-   Omega = torque/damping (rad/s) must be at or above omega. psi' is caught at omega, and the torque that is left goes
-   into the orbit: r = |s|/4 + R, where R(0) = 0 and R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
+   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' is caught at omega, and the
+   rest of the torque goes into the orbit: r = |s|/4 + R, where R(0) = 0 and R R' = k* (Omega - omega)/(2 p^2 omega) +
+   k* |s|/(4 p^2 R). Hence
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the next order of the expansion. Neglected are terms of s^2/r and the time of the capture: in Fig. 18 at
-   t = 400 the radius is 0.001 of 3.473 too small at resonance and 0.093 of 12.437 too large above it. NaN below
-   resonance, for t < 0, damping < 0, omega = 0, a null pointer and a bad rotor.
-   R R' = A + B/R has the solution t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
+   |s|/4 is the next order of the expansion. Terms of s^2/r and the time of the capture are neglected: for the rotor
+   of Fig. 18 (s = 0.5 m, omega = 1 rad/s) at t = 400 s, this radius differs by less than 0.002 m from that of the
+   integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN below resonance, for t < 0, damping < 0, omega =
+   0, a null pointer and a bad rotor. The solution of R R' = A + B/R is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A
+   R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
@@ -3671,7 +3709,7 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
     B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
     R = vmi_pow_checked(3 * B * t, VM_C(1.) / 3);
     if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
-    z = A * R / B; /* below eps the term A is negligible, beyond 1/eps (and for B = 0) the term B/R is */
+    z = A * R / B; /* below eps the term A is negligible, beyond 1/eps (and for B = 0) the term B/R */
     if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t);
     else if (z > VM_EPSILON) R = vmi_broken_rotor_growth_root(z * z * z / 3) * B / A;
     return VM_FABS(rotor->s) / 4 + R;
@@ -3680,8 +3718,8 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #endif
 /* mechanics/generalized_force.h - generalized forces of forces and moments
 
-   What a force and a moment do in generalized coordinates (235): used by Lagrange's equations (mechanics/lagrange.h)
-   and by their jumps (mechanics/lagrange_jump.h), where the "forces" are momenta and impulses.
+   This chapter turns a force and a moment into generalized forces (235). Lagrange's equations (mechanics/lagrange.h)
+   need them, and so do jumps (mechanics/lagrange_jump.h), where the "forces" are momenta and impulses.
 
        vm_vec3 weight = {0, 0, VM_C(-9.8)}, no_moment = {0, 0, 0};
        vm_vec3 dr[1] = {{0, 0, 1}}; // dr/dq_0 of the point at which the weight acts
@@ -3692,10 +3730,12 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
-/* Adds the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235).
-   For outer loads give their resultant and moment; for a stream the force M' u at the point where it crosses and the
-   moment M' kappa omega2. dr, domega and Q are arrays of n; without dr or domega their term is left out; without Q
-   nothing is done. */
+/* Add the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235).
+   dr[i] and domega[i] are these derivatives, by the coordinate q_i and its rate q'_i, of the place r at which the
+   force acts and of the angular velocity omega. For outer loads give their resultant and moment. For a stream of rate
+   M' give the force M' u at the point where the mass crosses with the velocity u, and the moment M' kappa omega2,
+   with the gyration kappa and the spin omega2 of the mass. dr, domega and Q are arrays of n. Without dr or domega its
+   term is left out. Without Q nothing is done. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
@@ -3712,28 +3752,29 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 #endif
 /* mechanics/lagrange_jump.h - Lagrange's equations across a jump
 
-   Generalized velocities after a part separates from a system, or is attached to it, in an instant (96), and after an
-   impact. Mass matrices are arrays of n n numbers, row after row; velocities, momenta and impulses have n. The
-   matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i of the body's mass centre and turn[i] =
-   d omega/dqdot_i, in inertial axes, (87)-(90).
+   This chapter computes generalized velocities qdot after a part separates from a system, or is attached to it, in an
+   instant (96), and after an impact. A mass matrix is an array of n n numbers, row after row; velocities, momenta and
+   impulses are arrays of n. The matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i and
+   turn[i] = domega/dqdot_i, with the velocity v of the mass centre and the angular velocity omega, in inertial axes,
+   (87)-(90).
 
        vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
        vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // the part's momenta, and the velocities
        vm_real work[VM_LAGRANGE_WORK(2)];
        int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
-   The coordinates may be quasi-coordinates, too: velocities qdot_i that are no derivatives, as those about body axes.
+   Quasi-coordinates are allowed, too: velocities qdot_i that are not derivatives, such as spins about body axes.
    Tests: tests/test_lagrange_jump.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_JUMP_H
 #define VARMASS_MECHANICS_LAGRANGE_JUMP_H
 
 #include <string.h>
 
-/* Length of `work` for n coordinates */
+/* Length of the array `work` for n coordinates */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
-/* Adds a body's share to the mass matrix of T = qdot^T matrix qdot/2.
-   dr and turn are arrays of n; without one of them its term is left out; without body or matrix nothing is done. */
+/* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
+   dr and turn are arrays of n. Without one of them its term is left out. Without body or matrix nothing is done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -3755,8 +3796,8 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Adds the generalized momentum of a body, as it moves, to p.
-   dr, turn and p are arrays of n; without dr or turn its term is left out; without body or p nothing is done. */
+/* Add the generalized momentum of a body's motion to p.
+   dr, turn and p are arrays of n. Without dr or turn its term is left out. Without body or p nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -3764,9 +3805,9 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
     vm_lagrange_add_force(n, vm_momentum(body), dr_or_NULL, vmi_spin_momentum(body), turn_or_NULL, p);
 }
 
-/* Adds the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
-   r in m, inertial axes. The moment of the impulse is that about r, which (23a) does not say. dr, turn and p are
-   arrays of n; without dr or turn its term is left out; without impulse or p nothing is done. */
+/* Add the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
+   r is in m, in inertial axes. The moment of the impulse is taken about r, which (23a) does not say. dr, turn and p
+   are arrays of n. Without dr or turn its term is left out. Without impulse or p nothing is done. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -3775,7 +3816,8 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
-/* Solves matrix (qdot_after - qdot) = b. work holds room for the matrix, then b, then room for n numbers. */
+/* Solves matrix (qdot_after - qdot) = b. The array work holds room for a copy of the matrix, then b, then room for n
+   numbers. */
 VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
                                    vm_real *work)
 {
@@ -3788,8 +3830,8 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
     return vmi_copy_if_finite(n, b, qdot_after);
 }
 
-/* Solves after (qdot_after - qdot) = (before - after) qdot + sign part + impulse. The unknown is the change, so that
-   a part of little mass changes qdot by little, with an error that is small against this change. */
+/* Solves after (qdot_after - qdot) = (before - after) qdot + sign part + impulse. The unknown is the change of qdot,
+   so that a part of little mass changes qdot by little, with an error that is small against this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
@@ -3807,13 +3849,14 @@ VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after,
 }
 
 /* Velocities after a part separates: after qdot_after = before qdot - part + impulse (96).
-   (96) is d(T2 - T1)/dqdot = impulse, where the velocity of the part relative to the body is held while
-   differentiating; then the part's share is its generalized momentum `part`. before and after are the mass matrices
-   with and without the part. Without part or impulse its term is 0; qdot_after may be qdot; work has
-   VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot by little, and this change is right to a few eps of
-   itself. VM_BAD_ARGUMENT (a null pointer, n <= 0), VM_NOT_FINITE; VM_SINGULAR where a coordinate, or several
-   together, move no mass or a negative one: an entry on the diagonal of `after` is not positive, or a pivot is below
-   4 n eps when the diagonal is scaled to 1. */
+   (96) is d(T2 - T1)/dqdot = impulse, with the kinetic energies T1 before and T2 after the separation. The velocity
+   of the part relative to the body is held constant in the derivative, so that the part's share is its generalized
+   momentum `part`. `before` and `after` are the mass matrices with and without the part. Without part or impulse its
+   term is 0. qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot by
+   little, and this change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0,
+   VM_NOT_FINITE, VM_SINGULAR if a coordinate, or several together, move no mass or a negative one, and VM_OK
+   otherwise. The matrix counts as singular if an entry on the diagonal of `after` is not positive, or if a pivot is
+   below 4 n eps after the diagonal has been scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -3822,7 +3865,7 @@ VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *aft
 }
 
 /* Velocities after a part is attached: after qdot_after = before qdot + part + impulse (96).
-   `part` is the generalized momentum of the part before it is attached; the rest is as for vm_lagrange_separate. */
+   `part` is the generalized momentum of the part before it is attached. All else is as for vm_lagrange_separate. */
 VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                               const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                               vm_real *work)
@@ -3831,9 +3874,9 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
 }
 
 /* Velocities after an impact that changes no mass: matrix (qdot_after - qdot) = impulse.
-   It is also a separation that stays accurate where the part is nearly the whole body: then `matrix` is that of the
-   rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. Arrays, errors and
-   work as for vm_lagrange_separate; impulse must be there. */
+   This function also computes a separation accurately where the part is nearly the whole body. Then `matrix` is that
+   of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. Arrays,
+   errors and work are as for vm_lagrange_separate, but impulse must not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {
@@ -3844,9 +3887,9 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
 #endif
 /* mechanics/pendulum.h - a pendulum from which a part is cut
 
-   Example (119)-(132) in corrected form: a uniform rod of mass M and length L swings about its end O; its outer
-   length l, with the mass m = M l/L, is cut off and leaves with a velocity and an angular velocity relative to the
-   rod. The result is the motion of both, their energies and momenta, and the impulse of the pivot.
+   This is the example (119)-(132) in corrected form. A uniform rod of mass M and length L swings about its end O. Its
+   outer length l, with the mass m = M l/L, is cut off and leaves with a given velocity and angular velocity relative
+   to the rod. The result is the motion of both, their energies and momenta, and the impulse of the pivot.
 
        vm_pendulum rod = {3, 1, VM_C(0.5), 2, VM_AXES_COS_SIN}; // 3 kg, 1 m, 0.5 rad, 2 rad/s
        vm_pendulum_cut cut;
@@ -3858,35 +3901,34 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
 
 /* How the angle of a pendulum is measured */
 enum {
-    VM_AXES_COS_SIN = 0, /* the rod is along (cos, sin) of the angle, which counts from x counterclockwise; the formulas
-                            (122), (125), (132) need this */
-    VM_AXES_SIN_COS = 1  /* the rod is along (sin, cos) of the angle (123), x across and y along: the angle turns
-                            clockwise */
+    VM_AXES_COS_SIN = 0, /* the rod is along (cos, sin) of the angle, which is measured counterclockwise from x; the
+                            formulas (122), (125), (132) need this choice */
+    VM_AXES_SIN_COS = 1  /* the rod is along (sin, cos) of the angle (123), which is measured clockwise from y */
 };
 
 /* A uniform rod that swings about its end O, the origin */
 typedef struct VM_TAG(vm_pendulum) {
-    vm_real mass;   /* M > 0, kg */
-    vm_real length; /* L > 0, m */
-    vm_real angle;  /* phi, rad */
-    vm_real rate;   /* phi', rad/s */
+    vm_real mass;   /* mass M > 0, kg */
+    vm_real length; /* length L > 0, m */
+    vm_real angle;  /* angle phi, rad */
+    vm_real rate;   /* angular velocity phi', rad/s */
     int axes;       /* VM_AXES_COS_SIN or VM_AXES_SIN_COS */
 } vm_pendulum;
 
 /* The pendulum and the part after the cut. S1 and S2 are the mass centres of the rest and of the part. */
 typedef struct VM_TAG(vm_pendulum_cut) {
-    vm_pendulum rest; /* rest.rate is phi1' */
-    vm_real mass;     /* m of the part, kg */
-    vm_real x, y;     /* place of S2 (123), m */
+    vm_pendulum rest; /* the rest of the rod; rest.rate is phi1' in (125) */
+    vm_real mass;     /* mass m of the part, kg */
+    vm_real x, y;     /* position of S2 (123), m */
     vm_real vx, vy;   /* velocity of S2 (121), m/s */
-    vm_real rate;     /* angular velocity of the part, phi' + Omega, rad/s; it has the sense of phi */
+    vm_real rate;     /* angular velocity phi' + Omega of the part, in the sense of phi, rad/s */
     vm_real T1;       /* kinetic energy before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the rest (124), J */
     vm_real T_S2;     /* kinetic energy of the part (122), corrected, J */
     vm_real L1;       /* angular momentum of the rest about O (130), kg m^2/s */
     vm_real L2;       /* angular momentum of the part about O (128), corrected, kg m^2/s */
-    vm_real pivot_x;  /* impulse of the pivot on the rest during the cut, N s */
-    vm_real pivot_y;
+    vm_real pivot_x;  /* impulse of the pivot on the rest during the cut along x, N s */
+    vm_real pivot_y;  /* impulse of the pivot on the rest during the cut along y, N s */
 } vm_pendulum_cut;
 
 VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
@@ -3900,7 +3942,8 @@ VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
     return VM_OK;
 }
 
-/* Unit vectors of a pendulum: e from O along the rod, f across it in the direction in which the angle grows */
+/* Unit vectors of a pendulum: e points from O along the rod, f across the rod in the direction in which the angle
+   grows. */
 VM_API void vmi_pendulum_directions(const vm_pendulum *p, vm_real *ex, vm_real *ey, vm_real *fx, vm_real *fy)
 {
     if (p->axes == VM_AXES_COS_SIN) {
@@ -3922,11 +3965,13 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
 }
 
 /* Motion of a pendulum and of the part that is cut off it, (119)-(132).
-   part is the length l of the part, m, 0 < l < L; Omega (rad/s) is its angular velocity relative to the rod, in the
-   sense of phi; (ux, uy) (m/s) is the velocity of its mass centre relative to the rod, in the axes of the pendulum.
-     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos):
-   this is (125), (132) corrected and simplified by hand, so that no digits cancel. VM_BAD_ARGUMENT (axes that
-   do not exist, too), VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN (the part is not shorter than the rod). */
+   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod, in
+   the sense of the pendulum's angle phi. (ux, uy) (m/s) is the velocity of the part's mass centre (x, y) relative to
+   the rod, in the axes of the pendulum. The rest then turns with
+     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos).
+   This is (125), (132) corrected and simplified by hand, so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
+   pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L,
+   and VM_OK otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -3938,7 +3983,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     if (!VM_IS_FINITE(Omega) || !VM_IS_FINITE(ux) || !VM_IS_FINITE(uy)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_pendulum_directions(pendulum, &ex, &ey, &fx, &fy);
-    rho = pendulum->length - part / 2; /* from O to S2 */
+    rho = pendulum->length - part / 2; /* distance from O to S2 */
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
     across = ux * fx + uy * fy; /* rho across = s (x u_y - y u_x) */
@@ -3968,16 +4013,17 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
 
 #endif
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
-   The first step of exact torque-free rotation. It finds principal moments J, principal axes and omega along them,
-   all in two words, since the rates that follow are multiplied by long times. Then it names the axes 1, 2, 3: axis 2
-   has the middle moment, and omega circles axis 3. Which of the outer axes is 3 depends on the sign of
-     2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,  J_a >= J_b >= J_c,
-   with T the kinetic energy and L the size of the angular momentum: it is c, the axis of the smallest moment, where
-   this is positive (or 0, the separatrix), else a. Everything here is internal:
+   This is the first step of exact torque-free rotation. It finds the principal moments J_a >= J_b >= J_c, the
+   principal axes a, b, c and the components w_a, w_b, w_c of omega, all in two words, because the rates that follow
+   from them are multiplied by long times. Then it names the axes 1, 2, 3: axis 2 has the middle moment, and omega
+   circles axis 3. Which of the outer axes is axis 3 depends on the sign of
+     2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
+   where T is the kinetic energy and L the size of the angular momentum. Axis 3 is c, the axis of the smallest moment,
+   if this is positive (or 0, on the separatrix), and else a. All functions of this chapter are internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
-       vmi_torque_free_principal(&whole.inertia, &b); // b.moment, b.axis; b.omega is to be set
+       vmi_torque_free_principal(&whole.inertia, &b); // sets b.moment and b.axis; set b.omega, too
        axes = vmi_torque_free_order(&b);
 
    Tests: tests/test_torque_free.c. */
@@ -3992,14 +4038,14 @@ typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
 
-/* The power of two p with p <= x < 2p; VM_MIN for an x that is 0 or subnormal */
+/* The power of two p with p <= x < 2p, or VM_MIN for an x that is 0 or subnormal */
 VM_API vm_real vmi_power_of_two(vm_real x)
 {
     const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
     return x < VM_MIN ? VM_MIN : vmi_from_bits(vmi_to_bits(x) & ~mantissa);
 }
 
-/* a/power; exact, if power is a power of two */
+/* The vector a/power in two words, which is exact if power is a power of two */
 VM_API vmi_vec3_two vmi_vec3_two_over(vm_vec3 a, vm_real power)
 {
     vmi_vec3_two v;
@@ -4028,8 +4074,8 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
     return c;
 }
 
-/* The vector that the rotation of q turns into a: a + 2 (v x (v x a) - w v x a)/|q|^2, where q = (w, v) has any
-   length but 0 */
+/* The vector that the rotation by q turns into a: a + 2 (v x (v x a) - w v x a)/|q|^2, where q = (w, v) may have any
+   length except 0 */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 xyz = vmi_quat_vector(q);
@@ -4051,14 +4097,14 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 
 /* ---- principal moments and axes ---- */
 
-/* A body by its principal moments, over a power of two; its axes, in body axes; and omega along them, over another
-   power of two */
+/* A body by its principal moments, divided by a power of two, its principal axes in body axes, and omega along them,
+   divided by another power of two */
 typedef struct VM_TAG(vmi_torque_free_body) {
     vm_two moment[3];
     vmi_vec3_two axis[3], omega;
 } vmi_torque_free_body;
 
-/* Turns the pair *x, *y by the angle with cosine c and sine s */
+/* Turns the pair *x, *y by the angle with the cosine c and the sine s */
 VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
 {
     const vm_two x0 = *x, y0 = *y;
@@ -4066,8 +4112,8 @@ VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
     *y = vmi_two_plus(vmi_two_times(s, x0), vmi_two_times(c, y0));
 }
 
-/* vmi_jacobi_rotation in two words, for a tensor a that is scaled to about 1: a[p][q] becomes 0, and the axes p and
-   q turn. An entry below eps^3 just becomes 0. */
+/* Does in two words what vmi_jacobi_rotation does, for a tensor a that is scaled to about 1: a[p][q] becomes 0, and
+   the axes p and q turn. An entry below eps^3 is only set to 0. */
 VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, int p, int q)
 {
     const vm_two one = vmi_two(1, 0), entry = a[p][q];
@@ -4091,11 +4137,11 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
     for (k = 0; k < 3; k++) vmi_two_turn(c, s, &axis[p].x[k], &axis[q].x[k]);
 }
 
-/* Principal moments, over the power of two of the trace, and axes; omega is 0. Those of a tensor without products of
-   inertia are its entries and the body axes, exactly. */
+/* Principal moments, divided by the power of two of the trace, and principal axes. Sets omega to 0. For a tensor
+   without products of inertia the moments are its entries and the axes are the body axes, exactly. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
-    const int most_sweeps = 12; /* a bound that is not reached: the rotations converge quadratically */
+    const int most_sweeps = 12; /* more than the rotations, which converge quadratically, need */
     const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
     vm_two a[3][3];
     int sweep, p, q, k;
@@ -4115,8 +4161,8 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
     for (k = 0; k < 3; k++) b->moment[k] = a[k][k];
 }
 
-/* A moment that is lost in the rounding errors of the tensor i makes the body a rod: it becomes 0, and the others
-   become equal */
+/* Sets a moment that is lost in the rounding errors of the tensor i to 0. The body is then a rod, and the other two
+   moments become equal. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -4133,28 +4179,28 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 
 /* ---- the order of the axes ---- */
 
-/* 1 if two moments differ by no more than two words that come from a tensor can tell. Moments that are stored
-   numbers differ by more, or are equal. */
+/* Returns 1 if two moments that come from a tensor in two words cannot be told apart. Moments that are stored numbers
+   differ by more than this, or are equal. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
     return VM_FABS(vmi_two_minus(a, b).hi) <= few * (a.hi + b.hi);
 }
 
-/* The body in its axes 1, 2, 3, which are right-handed */
+/* A body in its axes 1, 2, 3, which are right-handed */
 typedef struct VM_TAG(vmi_torque_free_axes) {
-    vm_two I1, I2, I3;    /* the moments */
-    vm_two d12, d23, d13; /* their differences |I1 - I2|, |I2 - I3|, |I1 - I3| */
-    vm_two w1, w2, w3;    /* omega */
-    vm_two S;             /* |2T I2 - L^2|, which is 0 on the separatrix */
+    vm_two I1, I2, I3;    /* the principal moments */
+    vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
+    vm_two w1, w2, w3;    /* the components of omega */
+    vm_two S;             /* |2T I2 - L^2| with the letters of the banner, which is 0 on the separatrix */
     vm_real sigma;        /* the sign of I1 - I3 */
     vm_real s;            /* the sign of w3 */
     int symmetric;        /* 1 if I1 = I2 */
     vmi_mat3 matrix;      /* columns: the axes 1, 2, 3 in body axes */
 } vmi_torque_free_axes;
 
-/* J d w^2 in three words: the digits that stored numbers have are all there when a difference of two such products
-   cancels */
+/* The product J d w^2 in three words, so that no digit of stored numbers is lost when the difference of two such
+   products cancels */
 VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
 {
     const vmi_three J3 = vmi_three_words(J.hi, J.lo, 0), d3 = vmi_three_words(d.hi, d.lo, 0);
@@ -4162,7 +4208,8 @@ VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
     return vmi_three_times(vmi_three_times(J3, d3), vmi_three_times(w3, w3));
 }
 
-/* J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2, for the axes a, b, c by falling moments */
+/* The value J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2 of the banner, for the axes a, b,
+   c = order[0], order[1], order[2] by falling moments */
 VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, const int *order)
 {
     const int a = order[0], b = order[1], c = order[2];
@@ -4170,7 +4217,7 @@ VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, co
     return vmi_three_plus(of_smallest, vmi_torque_free_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
 }
 
-/* Sets order[] to the axes by falling moments; returns 1 if it is an even permutation of 0, 1, 2, else 0 */
+/* Sets order[] to the axes by falling moments. Returns 1 if it is an even permutation of 0, 1, 2, else 0. */
 VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
 {
     int k, even = 1;
@@ -4185,8 +4232,8 @@ VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
     return even;
 }
 
-/* 1 if axis 3 is the last of order, that of the smallest moment, 0 if it is the first. If two moments are equal, it
-   is the axis of the third one. */
+/* Returns 1 if axis 3 is the last one of order, that of the smallest moment, and 0 if it is the first. If two moments
+   are equal, axis 3 is that of the third moment. */
 VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, vmi_three separation)
 {
     if (vmi_torque_free_are_equal(J[order[0]], J[order[1]])) return 1;
@@ -4194,7 +4241,7 @@ VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, 
     return separation.hi >= 0;
 }
 
-/* The body in its axes 1, 2, 3. Axis 3 is reversed if the axes would be left-handed. */
+/* Expresses the body in its axes 1, 2, 3. Axis 3 is reversed if the axes would be left-handed. */
 VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
 {
     const vm_two *J = b->moment, *w = b->omega.x;
@@ -4233,8 +4280,8 @@ VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
     return axes;
 }
 
-/* 1 if omega stays what it is: a sphere or a point, or a rotation about a principal axis or in the equator of a
-   symmetric body */
+/* Returns 1 if omega stays constant: for a sphere or a point, a rotation about a principal axis, and a rotation about
+   an axis in the equatorial plane of a symmetric body. */
 VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 {
     const int no1 = axes->w1.hi == 0, no2 = axes->w2.hi == 0, no3 = axes->w3.hi == 0;
@@ -4244,70 +4291,71 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 
 #endif
 /* mechanics/torque_free.h - exact rotation of a body on which no torque acts
-   A body that is free, as after a jump, turns in a way that has a closed form: omega by the Jacobi functions sn, cn,
-   dn of the time, the attitude by one theta function and a steady turn (Jacobi 1850). Nothing is integrated, so that
-   any time costs the same and errors do not grow with it. The mass centre moves on a straight line.
+   The rotation of a free body, for example after a jump, has a closed form: the angular velocity omega follows from
+   the Jacobi functions sn, cn, dn of the time, and the attitude from one theta function and a steady turn (Jacobi
+   1850). Nothing is integrated, so that every time costs the same and errors do not grow with time. The mass centre
+   moves on a straight line.
 
        vm_torque_free motion;
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   All bodies are served, triaxial, symmetric and spherical ones, rods and points (whose spin about a null axis
-   stays), and rotations about any axis, the middle one and the separatrix included, without a threshold to choose.
+   The functions serve all bodies, triaxial, symmetric and spherical ones, rods and points (whose spin about a null axis
+   stays constant), and all rotations, also those about the middle axis and on the separatrix, which tend to the middle
+   axis. No threshold has to be chosen.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
 
 #include <string.h>
 
-/* A motion prepared by vm_torque_free_init. Plain data: it may be copied. The fields are for reading at most.
+/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
 
-   Accuracy, measured up to 1e6 turns, with the inputs taken as exact: attitude within 8 eps (rad), omega within 5
-   eps |omega|, also next to the separatrix (1 - m from 1e-2 to 1e-27) and for nearly equal moments. An error of eps
-   in an input changes the attitude by eps times the angle turned, and by more next to the separatrix, since every
-   turn-over then moves. If there are products of inertia, the principal moments are known to two words only: 5e-12
-   rad after 1e6 turns at 1 - m = 1e-16 (float: 4e-4 rad for needles, 8e-3 at 1e-6). Angular momentum stays within 10
-   eps tr(I) |omega|. Components of omega below 2^-505 (float 2^-57) of the largest count as 0.
-
-   Cost: a time takes about 20 times the C library's sin, preparing a motion 10 to 20 times that, and 40 times with
-   products of inertia. */
+   Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
+   |omega|, also next to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
+   equal moments and with products of inertia. An error of eps in an input changes the attitude by eps times the angle
+   turned, and by more next to the separatrix, because every turn-over then moves. For tensors with products of
+   inertia the principal moments are known to two words only, which limits the accuracy after many turns next to the
+   separatrix. Components of omega below 2^-505 (float 2^-57) of the largest count as 0. */
 typedef struct VM_TAG(vm_torque_free) {
-    vm_body body;                /* at t0 */
-    vm_real t0;                  /* s */
+    vm_body body;                /* the body at the time t0 */
+    vm_real t0;                  /* the time at which the motion was given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* turns axes in which angular momentum is along 3, or -3, into inertial ones */
     vm_real spin[3];             /* omega is spin[0] cn, spin[1] sn, spin[2] dn along 1, 2, 3, rad/s */
     vm_real lean[3];             /* y, x, w - 1 of the quaternion M below are lean[0] cn, lean[1] sn, lean[2] dn */
-    vm_two phase;                /* u/(4K) at t0; u itself on the separatrix */
-    vm_two phase_rate;           /* its rate, per second */
+    vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
+    vm_two phase_rate;           /* rate of the phase, per second */
     vm_two K;                    /* quarter period of sn in u; 0 on the separatrix */
-    vm_two turn_rate;            /* kappa: mean rate of half the angle about the angular momentum, turns/s */
-    vm_real m1;                  /* 1 - m, m the parameter of sn, cn, dn */
-    vmi_theta_form far_form;     /* how they are computed far from 0 */
-    vmi_doubled_theta theta;     /* the theta function whose argument half that angle has beyond its mean */
+    vm_two turn_rate;            /* mean rate kappa of h, half the angle about the angular momentum, turns/s */
+    vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
+    vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
+    vmi_doubled_theta theta;     /* the theta function whose argument is the deviation of h from its mean */
 } vm_torque_free;
 
-/* The solution. Along principal axes 1, 2, 3, where 2 has the middle moment and omega circles 3
-   (torque_free_axes.h), and with d12 = |I1 - I2| and so on, sigma = sign(I1 - I3), s = sign(w3),
+/* The solution. Let 1, 2, 3 be the principal axes, where 2 has the middle moment and omega circles 3
+   (torque_free_axes.h), I1, I2, I3 the moments, T the kinetic energy and L the size of the angular momentum. With d12
+   = |I1 - I2|, d23 and d13 alike, sigma = sign(I1 - I3) and s = sign(w3), omega = (w1, w2, w3) along these axes is
      w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u,  u = u0 + wp t,                                     (A)
      a1^2 = w1^2 + I2 d23/(I1 d13) w2^2,  a2^2 = a1^2 I1 d13/(I2 d23),  a3^2 = w3^2 + I2 d12/(I3 d13) w2^2,
      wp^2 = a3^2 d13 d23/(I1 I2),  m = I1 d12 a1^2/(I3 d23 a3^2),  1 - m = |2T I2 - L^2|/(I3 d23 a3^2),
-   where w1, w2, w3 on the right are those at t0. With L = |J omega| and l = J omega/L the attitude is
+   where w1, w2, w3 on the right are those at t0, and t is the time since t0. With the tensor of inertia J, so that
+   L = |J omega|, the unit vector l = J omega/L and the unit vector e3 of axis 3 the attitude is
      q(t) = start (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u),                                    (B)
-     M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)),
-   where M is the shortest rotation that takes l to s e3, kappa a constant that an integral of the third kind gives,
-   and theta a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) is Jacobi's; van Zon and Schofield, J.
+     M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)).
+   M is the shortest rotation that takes l to s e3, kappa is a constant that an integral of the third kind gives, and
+   theta is a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) is Jacobi's; van Zon and Schofield, J.
    Comput. Phys. 225 (2007), have a theta series for 2h.
 
-   The order of the steps: axes, squares of the amplitudes and parameter, kappa, phase and rates, theta function, and
-   start, which makes q(t0) the given one. They are taken in two words, since the rates wp/(4K) and kappa are
-   multiplied by long times. At a time only the products of rates and time are in two words. The units of moments and
-   omega are powers of two that make them about 1. */
+   The steps are: axes, squares of the amplitudes and parameter, kappa, phase and rates, theta function, and at last
+   start, which makes q(t0) the given attitude. They are computed in two words, because the rates wp/(4K) and kappa
+   are multiplied by long times. At a given time only the products of rates and time are in two words. The units of
+   moments and omega are powers of two for which moments and omega are about 1. */
 
 /* ---- amplitudes and parameter ---- */
 
-/* Squares of a1, a2, a3, of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. No difference is
-   in them but S, which torque_free_axes.h has in three words. */
+/* The squares of a1, a2, a3, of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
+   difference in them is S of torque_free_axes.h, which is computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -4336,14 +4384,15 @@ VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_
     return square;
 }
 
-/* Sets m1 = 1 - m, the parameter of sn, cn, dn */
+/* Sets m1 = 1 - m, with the parameter m of sn, cn, dn */
 VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
 {
     motion->m1 = m1.hi;
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the axes, and the amplitudes of omega and of the quaternion M. sign is that of cn on the separatrix, else 1 */
+/* Sets the axes, and the amplitudes of omega and of the quaternion M. `sign` is the sign of cn on the separatrix, and
+   1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -4365,9 +4414,10 @@ VM_API vm_two vmi_torque_free_two_pi(void)
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* 2 kappa by Pi(-N | m) with N = I3 d12/(I1 d23), for m < 1 and I1 != I2; *mean becomes agm(1, k'):
+/* Returns 2 kappa by the integral Pi(-N | m) with N = I3 d12/(I1 d23), for m < 1 and I1 != I2. Sets *mean to agm(1,
+   k'), with k'^2 = 1 - m and the letters of (A). With c = I3 a3/L,
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
-     2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if not;  c = I3 a3/L */
+     2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                             vm_two *mean)
 {
@@ -4388,7 +4438,7 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* kappa, the mean rate of h, and *mean = agm(1, k'), which is 0 on the separatrix */
+/* Returns kappa, the mean rate of h in (B). Sets *mean to agm(1, k'), k'^2 = 1 - m, which is 0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
@@ -4398,15 +4448,15 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
         *mean = vmi_two(1, 0);
         twice = vmi_two_times(vmi_two_root(square->a3), vmi_two_minus(axes->I1, axes->I3));
         twice = vmi_two_over(vmi_two_plus(L, twice), axes->I1);
-    } else if (square->m1.hi == 0) { /* it tends to the rotation about axis 2 */
+    } else if (square->m1.hi == 0) { /* the motion tends to the rotation about axis 2 */
         *mean = vmi_two(0, 0);
         twice = vmi_two_over(L, axes->I2);
     } else twice = vmi_torque_free_triaxial_rate(axes, square, mean);
     return vmi_two_shifted(twice, VM_C(0.5));
 }
 
-/* u at t0, over 4K where mean > 0, by sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2; *sign is that of cn on the separatrix,
-   which u cannot show, else 1 */
+/* Returns the argument u of (A) at t0, divided by 4K where mean > 0, from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Sets
+   *sign to the sign of cn on the separatrix, where u does not contain it, else to 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -4418,13 +4468,13 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     *sign = 1;
     if (mean.hi > 0) {
         F = vmi_two_over(vmi_two_times(F, mean), vmi_torque_free_two_pi());
-        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* 2K - F */
+        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* u is 2K - F */
     } else if (axes->w1.hi < 0) *sign = -1;
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K, the phase, and both rates, in the unit of the scaled omega. Returns the sign of cn on the separatrix, else
-   1 */
+/* Sets K, the phase, and both rates, in the unit of the scaled omega. Returns the sign of cn on the separatrix, and 1
+   elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -4446,7 +4496,7 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
 
 /* ---- the theta function ---- */
 
-/* y of the theta function, cd(y | m1) = c = I3 a3/L, as an integral of the first kind:
+/* Returns the y of the theta function, cd(y | m1) = c = I3 a3/L, as an integral of the first kind:
    R_F(N, N/c^2, N + 1) = y for N = I3 d12/(I1 d23) */
 VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square)
 {
@@ -4455,8 +4505,8 @@ VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const
     return vmi_carlson_rf(N, vmi_two_over(N, c_square), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* Sets the theta function, conjugated where sigma s < 0; for m = 0 it stays 1. It is summed directly for K <= 2K',
-   and by Jacobi's transformation for K > 2K'. */
+/* Sets the theta function, conjugated where sigma s < 0. For m = 0 it stays 1. It is summed directly for K <= 2K',
+   and by Jacobi's transformation for K > 2K', where K' (Kc in the code) is K of the parameter 1 - m. */
 VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square)
 {
@@ -4476,7 +4526,7 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets a motion whose omega stays what it is: axis 3 is that of omega, and sn = 0 */
+/* Sets a motion with constant omega: axis 3 is the axis of omega, and sn = 0 */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -4490,10 +4540,10 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
 }
 
-/* Sets all but the unit of time and start */
+/* Sets all fields that do not depend on the unit of time, except `start` */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
-    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* its square, below eps^2 about a stable axis */
+    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of a negligible nutation of eps^2 */
     const vmi_torque_free_axes axes = vmi_torque_free_order(b);
     vmi_torque_free_squares square;
     int constant = vmi_torque_free_is_constant(&axes);
@@ -4512,8 +4562,8 @@ VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_fre
 
 /* ---- at a time ---- */
 
-/* rate t less the nearest whole turn, |result| <= 1. It has no meaning beyond 2^(2p - 4) turns, where the type has p
-   digits */
+/* The product rate t less the nearest number of whole turns, |result| <= 1. It has no meaning beyond 2^(2p - 4)
+   turns, where the type has p digits. */
 VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
@@ -4522,11 +4572,12 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* sn, cn, dn at the time t after t0. Returns u/(4K) without half turns, |..| <= 1/4, or u on the separatrix. */
+/* Computes sn, cn, dn at the time t after t0. Returns u/(4K) without half turns, |u/(4K)| <= 1/4, or u on the
+   separatrix. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
-    const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* where sech is next to the smallest number */
+    const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* sech of this is next to the smallest number */
     vmi_thetas theta;
     vm_real turns;
     int half_turns = 0, quarters = 0;
@@ -4544,24 +4595,24 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
         turns = v.hi;
     }
     if (v.hi * v.hi > VMI_NEAR) theta = vmi_theta_far(&motion->far_form, 0, v);
-    else theta = vmi_theta_near(v.hi, motion->m1); /* NaN too */
+    else theta = vmi_theta_near(v.hi, motion->m1); /* also for NaN */
     theta = vmi_theta_shift(theta, motion->far_form.kp, (vmi_bits)((quarters + 2 * half_turns) & 3));
     vmi_theta_ratios(theta, motion->far_form.kp, sn, cn, dn);
     return turns;
 }
 
-/* (A) and (B) at the time t after t0: omega in body axes, and the rotation (cos h + s e3 sin h) M */
+/* Evaluates (A) and (B) at the time t after t0: omega in body axes, and the rotation (cos h + s e3 sin h) M */
 VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, w, x, y, over, c, s;
     const vm_real turns = vmi_torque_free_functions(motion, t, &sn, &cn, &dn);
     vmi_doubled_at(&motion->theta, turns, &re, &im);
     vmi_sincos_turns(vmi_torque_free_fraction(motion->turn_rate, t).hi + motion->theta.shift * turns, &sine, &cosine);
-    w = 1 + motion->lean[2] * dn; /* w, x, y: M but for its length sqrt(2 w) */
+    w = 1 + motion->lean[2] * dn; /* w, x, y: the quaternion M times sqrt(2 w) */
     x = motion->lean[1] * sn;
     y = motion->lean[0] * cn;
     over = 1 / VM_SQRT(2 * w * (re * re + im * im));
-    c = over * (cosine * re - sine * im); /* cos h and sin h over that length */
+    c = over * (cosine * re - sine * im); /* cos h and sin h, divided by sqrt(2 w) */
     s = over * (sine * re + cosine * im);
     *turn = vmi_quat(c * w, vmi_times(&motion->axes, vmi_vec3(c * x - s * y, c * y + s * x, s * w)));
     *omega = vmi_times(&motion->axes, vmi_vec3(motion->spin[0] * cn, motion->spin[1] * sn, motion->spin[2] * dn));
@@ -4569,7 +4620,7 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 
 /* ---- setting up ---- */
 
-/* Sets all that vm_torque_free_at needs, from moments, axes, and omega over a power of two */
+/* Sets all that vm_torque_free_at needs, from the moments, the axes, and omega divided by the given power of two */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
     vm_quat q = motion->body.q, turn;
@@ -4588,13 +4639,14 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
 }
 
-/* x, or 0 where its square would underflow: for 2^-505 (float 2^-57) and less, the largest being about 1 */
+/* Returns x, or 0 where the square of x would underflow: for 2^-505 (float 2^-57) and less, if the largest component
+   is about 1. */
 VM_API vm_two vmi_torque_free_squarable(vm_two x)
 {
     return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
 }
 
-/* Prepares the motion of a body whose omega is along its own axes (along_body = 1) or along the inertial ones (0) */
+/* Prepares the motion of a body whose omega is along its body axes (along_body = 1) or along the inertial axes (0) */
 VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, int along_body, vm_real t0)
 {
     const vm_real power = vmi_power_of_two(vmi_norm_max(body->omega));
@@ -4618,9 +4670,9 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     return VM_OK;
 }
 
-/* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; afterwards
-   vm_torque_free_at gives it at any time. Accuracy and cost are those at vm_torque_free. VM_BAD_ARGUMENT: a null
-   pointer. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA; then *motion stays as it was. */
+/* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; vm_torque_free_at
+   then gives it at any time. The accuracy is described at vm_torque_free. Returns VM_BAD_ARGUMENT for a null pointer,
+   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA, and leaves *motion unchanged then; VM_OK otherwise. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
     if (!motion || !body) return VM_BAD_ARGUMENT;
@@ -4628,8 +4680,8 @@ VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_r
 }
 
 /* Preparation of the exact torque-free motion from principal moments (kg m^2). The body's axes are the principal
-   ones, and omega (rad/s) is along them, not along the inertial axes; q is the attitude at t0 (s). The body has mass
-   1 and rests at the origin. Statuses as those of vm_torque_free_init. */
+   axes, and omega (rad/s) is along them, not along the inertial axes. q is the attitude at t0 (s). The body has mass
+   1 and rests at the origin. The statuses are those of vm_torque_free_init. */
 VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega,
                                          vm_real t0)
 {
@@ -4645,11 +4697,11 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
     return vmi_torque_free_start(motion, &body, 1, t0);
 }
 
-/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later than t0 or earlier. *omega
-   is along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1, if it was all zero).
-   VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE: t or the result is not finite, or t or the turns are beyond 1e290
-   (float 1e30); then *q and *omega stay as they were. Beyond 1/eps^2 turns the result is finite and has the right
-   angular momentum, but no phase. */
+/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega is
+   along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1 if it was all zero). Returns
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
+   is above 1e290 (float 1e30), and VM_OK otherwise. With an error *q and *omega stay unchanged. Beyond 1/eps^2 turns
+   the result is finite and has the right angular momentum, but no phase. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     const vm_real largest_factor = VM_MAX / VM_SPLIT; /* products in two words split their factors */
@@ -4669,9 +4721,9 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     return VM_OK;
 }
 
-/* A torque-free body at the time t (s), later than t0 or earlier. Attitude and omega are those of
-   vm_torque_free_attitude, but omega is along inertial axes; the mass centre is on its straight line. Statuses as
-   those of vm_torque_free_attitude; where it fails *body stays as it was. */
+/* A torque-free body at the time t (s). t may be later or earlier than t0. Attitude and omega are those of
+   vm_torque_free_attitude, but omega is along inertial axes. The mass centre is on its straight line. The statuses
+   are those of vm_torque_free_attitude; with an error *body stays unchanged. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -4689,8 +4741,8 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     return VM_OK;
 }
 
-/* A torque-free body a time t (s) later, in one call: vm_torque_free_init, then vm_torque_free_at, with their
-   statuses. later may be body. */
+/* A torque-free body a time t (s) later, in one call. It calls vm_torque_free_init, then vm_torque_free_at, and has
+   their statuses. later may be body. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;
@@ -4705,9 +4757,9 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
    A stream carries mass into a body, or out of it, at one point. The mass brings or takes momentum and angular
-   momentum with it: this is the reactive force (156), the reactive moment (158) and the reactive torque (157). Here
-   are the loads of an instant and the accelerations that follow from them, (159) and (160). To integrate a motion,
-   take mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
+   momentum with it, which causes the reactive force (156), the reactive moment (158) and the reactive torque (157).
+   This chapter computes these loads at an instant and the accelerations that follow from them, (159) and (160). To
+   integrate a motion, use mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
 
        vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
@@ -4726,58 +4778,61 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
-    VM_CARRIED = 2,  /* the mass moves as the point and the body do; velocity and spin of the stream are not read.
-                        There is no torque, but the force M' omega x d remains, which (166) neglects */
-    VM_AT_REST = 3   /* the mass is at rest (167)-(169), velocity and spin of the stream are not read */
+    VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; velocity and spin of the stream
+                        are not read. There is no torque, but a force M' omega x d remains (M' the rate, d from the mass
+                        centre to the point, omega the body's spin), which (166) neglects */
+    VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
 };
 
-/* The place in a body that mass is taken from or put to, where this is not the point at which its stream crosses */
+/* The place in a body from which mass is taken, or into which it is put, if this is not the point at which its stream
+   crosses the surface */
 typedef struct VM_TAG(vm_store) {
-    vm_vec3 at;          /* m, body axes, from the body's reference point */
-    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of the stored mass, about its own mass centre */
+    vm_vec3 at;          /* position from the body's reference point, m, body axes */
+    vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
 } vm_store;
 
-/* A stream of mass in space. Zero is a fair value of every field, and a term that is zero costs nothing. */
+/* A stream of mass in space. Every field may be zero, and a term that is zero costs no time. */
 typedef struct VM_TAG(vm_stream) {
-    vm_real rate;         /* kg/s; > 0: mass joins the body, < 0: mass leaves it */
+    vm_real rate;         /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
-    vm_vec3 at;           /* m, body axes: the point of crossing, from the body's reference point */
-    vm_vec3 velocity;     /* m/s, velocity of the mass when it crosses */
-    vm_vec3 spin;         /* rad/s, angular velocity of the mass when it crosses */
-    vm_inertia gyration;  /* m^2, body axes: inertia per unit mass of the crossing mass, about its own mass centre */
-    const vm_store *from; /* where the mass is taken from or put to; NULL: the point of crossing. Between the two it
-                             flows in a straight line, and its momentum on this way counts */
+    vm_vec3 at;           /* the point of crossing, from the body's reference point, m, body axes */
+    vm_vec3 velocity;     /* velocity of the mass when it crosses, m/s */
+    vm_vec3 spin;         /* angular velocity of the mass when it crosses, rad/s */
+    vm_inertia gyration;  /* inertia per unit mass of the crossing mass, about its own mass centre, m^2, body axes */
+    const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between store and point of
+                             crossing the mass flows in a straight line, and the momentum of this flow counts */
 } vm_stream;
 
-/* The reactive loads of an instant, in inertial axes except inertia_rate. For each stream M' is the rate, u the
-   velocity of the crossing mass, omega2 its angular velocity, kappa its gyration, and d goes from the body's mass
-   centre to the point of crossing; P(d) = |d|^2 E - d d^T:
+/* The reactive loads at an instant, in inertial axes except inertia_rate. The body has the mass M, the inertia I, the
+   velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of the crossing mass,
+   omega2 its angular velocity and kappa its gyration, d leads from the body's mass centre to the point of crossing,
+   and P(d) = |d|^2 E - d d^T:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
      torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
                                                         only for P(d) omega2 = 0
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
-   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160). v is momentum/mass, and
-   v' is its rate. */
+   The equations of motion are M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160),
+   with the outer force F and the outer moment M_S about the mass centre. v is momentum/mass, and v' is its rate. */
 typedef struct VM_TAG(vm_reactive) {
-    vm_vec3 force;           /* N */
-    vm_vec3 moment;          /* N m, about the mass centre */
-    vm_vec3 torque;          /* N m */
-    vm_vec3 drift;           /* m/s, velocity of the mass centre relative to the body's material */
-    vm_real mass_rate;       /* kg/s, sum of M' */
-    vm_inertia inertia_rate; /* kg m^2/s, body axes */
+    vm_vec3 force;           /* reactive force, N */
+    vm_vec3 moment;          /* reactive moment about the mass centre, N m */
+    vm_vec3 torque;          /* reactive torque, N m */
+    vm_vec3 drift;           /* velocity of the mass centre relative to the body's material, m/s */
+    vm_real mass_rate;       /* rate of the body's mass, the sum of M', kg/s */
+    vm_inertia inertia_rate; /* rate of the body's inertia, kg m^2/s, body axes */
 } vm_reactive;
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
-/* The velocity u of a stream's mass is, for every known motion, the velocity of the body's point (or zero) plus the
-   velocity that the stream gives (or zero); its spin likewise. These two functions say which; nothing else decodes
-   VM_RELATIVE ... VM_AT_REST. */
+/* The velocity u of a stream's mass is, for every known motion, the sum of two terms: the velocity of the body's
+   point (or zero) and the velocity that the stream gives (or zero). The same holds for its spin. The next two
+   functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* The velocity u of a stream's mass along a line: own is the body's velocity, given that of the stream */
+/* The velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` that of the stream. */
 VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
     vm_real u = 0;
@@ -4786,7 +4841,7 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* M' kappa */
+/* The product M' kappa of a stream's rate and a gyration */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -4799,8 +4854,9 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
     return i;
 }
 
-/* Momentum *p, and angular momentum *h about the mass centre, of the mass on the way between stores and points of
-   crossing. A straight flow of M' kg/s from s to d has the momentum M' (s - d), whatever its speed is. */
+/* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
+   stores and the points of crossing. A stream of rate M' with its store at s and its point of crossing at d makes a
+   straight flow, which has the momentum M' (s - d), whatever its speed is. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -4814,33 +4870,34 @@ VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, 
 
 /* The motion of a body as its streams need it */
 typedef struct VM_TAG(vmi_stream_seen) {
-    const vmi_mat3 *turn; /* from body axes to inertial ones */
-    vm_vec3 v;            /* momentum/mass, inertial axes */
+    const vmi_mat3 *turn; /* the rotation from body axes to inertial ones */
+    vm_vec3 v;            /* velocity, which is momentum/mass, inertial axes */
     vm_vec3 slip;         /* velocity of the body's material at the mass centre, less v; body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
     vm_vec3 centre;       /* mass centre from the reference point, body axes */
     int energy;           /* 1 if the sums `brought` and `lost` are wanted */
 } vmi_stream_seen;
 
-/* The sums over the streams of a moving body, in body axes except `absolute`. The velocity of mass that moves with
-   the body is kept relative to the body, and so these sums are exact for a body that moves fast. */
+/* The sums over the streams of a moving body, in body axes except `absolute`, with the letters of vm_reactive. The
+   velocity of mass that moves with the body is kept relative to the body, so that a high speed of the body costs
+   these sums no digits. */
 typedef struct VM_TAG(vmi_stream_sum) {
-    vm_real rate;       /* sum M' */
-    vm_real carried;    /* sum M' of the streams whose velocity is relative to the body */
-    vm_vec3 pushed;     /* sum M' (u - v) of these streams */
-    vm_vec3 absolute;   /* sum M' u of streams whose own velocity is absolute, inertial axes; 0 for mass at rest */
-    vm_vec3 moment;     /* sum d x M' (u - v) of all streams */
-    vm_vec3 own;        /* sum M' kappa omega2 */
-    vm_vec3 crossing;   /* sum M' d, d to the point of crossing */
-    vm_vec3 stored;     /* sum M' d_s, d_s to the store where there is one, else d */
-    vm_inertia inertia; /* I', rate of the inertia */
+    vm_real rate;       /* sum of M' */
+    vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
+    vm_vec3 pushed;     /* sum of M' (u - v) of the streams whose velocity is relative to the body */
+    vm_vec3 absolute;   /* sum of M' u of the streams whose velocity is absolute, inertial axes */
+    vm_vec3 moment;     /* sum of d x M' (u - v) of all streams */
+    vm_vec3 own;        /* sum of M' kappa omega2 */
+    vm_vec3 crossing;   /* sum of M' d, with d to the point of crossing */
+    vm_vec3 stored;     /* sum of M' d_s, with d_s to the stream's store, or d_s = d without a store */
+    vm_inertia inertia; /* I', the rate of the inertia */
     vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
-    vm_real lost;       /* the same sum of velocities relative to the body: twice the power that mixing takes */
+    vm_real lost;       /* sum like `brought` with velocities relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
 
-/* Takes up one stream whose `motion` exists: sets *push = M' (u - v), u the velocity of its mass, and *spin = omega2,
-   the angular velocity of its mass, and adds its part to the sums from which the force is made. `carried` is the
-   velocity of the body's point at which the mass crosses, minus v. All in body axes. */
+/* Adds one stream, whose `motion` exists, to the sums from which the force is made. Sets *push = M' (u - v), where u
+   is the velocity of its mass, and *spin to the angular velocity of its mass. `carried` is the velocity of the body's
+   point at which the mass crosses, minus v. All vectors are in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -4864,7 +4921,7 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     }
 }
 
-/* Adds a stream's part to sum->brought and sum->lost; push and spin are those of vmi_stream_motion */
+/* Adds the share of a stream to sum->brought and sum->lost. push and spin are those that vmi_stream_motion sets. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
@@ -4877,7 +4934,7 @@ VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, c
     sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
 }
 
-/* The sums over n streams. Returns 0 where the motion of a stream does not exist, else 1. */
+/* Computes the sums over n streams. Returns 0 if the motion of a stream does not exist, else 1. */
 VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
     const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
@@ -4900,15 +4957,15 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
         sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        /* the whole term is added at once, so that the terms of opposite streams cancel exactly */
+        /* add the whole term at once, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;
 }
 
-/* VM_OK if the gyration is finite and has no negative moment. Only the body has to satisfy the triangle inequality:
-   for motion in a plane a tensor with zz alone is enough, as long as the body itself is not that flat. */
+/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality is required of the body
+   only: for motion in a plane a gyration with zz alone is enough, as long as the body itself is not that flat. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -4916,7 +4973,7 @@ VM_API int vmi_check_gyration(const vm_inertia *i)
     return VM_OK;
 }
 
-/* VM_OK if the motion exists, all numbers are finite and the gyrations are possible */
+/* Returns VM_OK if the motion exists, all numbers are finite and the gyrations are possible, else the first error. */
 VM_API int vmi_check_stream(const vm_stream *s)
 {
     int status;
@@ -4930,7 +4987,8 @@ VM_API int vmi_check_stream(const vm_stream *s)
     return vmi_first_error(status, vmi_check_gyration(&s->from->gyration));
 }
 
-/* The first error of n streams in the table's order, else VM_OK */
+/* Returns VM_OK if n streams are valid, else that one of their errors which comes first in the order of
+   vmi_first_error. */
 VM_API int vmi_check_streams(int n, const vm_stream *s)
 {
     int k, status = VM_OK;
@@ -4946,9 +5004,9 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
 }
 
 /* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
-   from its reference point, in body axes (m). The loads of the streams add; their formulas stand with vm_reactive.
-   VM_BAD_ARGUMENT (a null pointer, n < 0, a motion that does not exist), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_STORED_STREAM (a stream has a store: integrate vm_flow_rhs instead). */
+   from its reference point, in body axes (m). The loads of the streams add; vm_reactive has their formulas. Returns
+   VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
 {
@@ -4983,7 +5041,7 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     return VM_OK;
 }
 
-/* I^-1 (moment - omega x I omega), body axes: Euler's equations solved for the angular acceleration */
+/* Solves Euler's equations: the angular acceleration I^-1 (moment - omega x I omega) for the inertia I, in body axes */
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
@@ -4991,10 +5049,10 @@ VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *f
 }
 
 /* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
-   They are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the mass
-   centre (N m), inertial axes.
-   v' is the rate of momentum/mass in m/s^2, omega' is in rad/s^2. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA (a singular inertia, that of a rod or a point, included). */
+   All vectors are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the
+   mass centre (N m). *acceleration is v', the rate of momentum/mass (m/s^2), and *angular_acceleration is omega'
+   (rad/s^2). Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for the
+   singular inertia of a rod or a point, and VM_OK otherwise. */
 VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {
@@ -5022,12 +5080,35 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 }
 
 #endif
+/* mechanics/attitude.h - how the attitude of a rotating body changes
+
+       vm_real rates[4]; // of w, x, y, z
+       vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
+
+   Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
+#ifndef VARMASS_MECHANICS_ATTITUDE_H
+#define VARMASS_MECHANICS_ATTITUDE_H
+
+/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length
+   back to 1 within some steps of any explicit method, at a rate below that of the rotation itself, so that a slow
+   rotation is not stiff. */
+VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
+{
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
+    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
+}
+
+#endif
 /* mechanics/flow.h - a free body in space with streams of mass
 
-   Right-hand sides for rk45 and rk87 of a rigid body whose mass, mass centre and inertia change while it moves: given
-   by its streams (151), (152), given as functions of time (170), or carried off by mass that moves with the body
-   (166). The momenta are the states, and velocity and angular velocity follow from them: a motion that keeps a
-   momentum keeps it exactly here, and rates may jump.
+   Right-hand sides for rk45 and rk87 of a rigid body whose mass, mass centre and inertia change while it moves. Streams
+   cause the change (151), (152), or functions of time give it (170), or the mass that is lost or gained moves with the
+   body (166). The states are momenta, from which velocity and angular velocity follow: a momentum that is conserved
+   stays exactly constant, and rates may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -5049,34 +5130,36 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
            rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
-   The equations, with the streams' M', u, d, kappa, omega2 of vm_reactive:
+   The equations, with a stream's letters M', u, d, kappa, omega2, P(d) of vm_reactive, and the outer force F and moment
+   M_S on a body of mass M, inertia I and angular velocity omega:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
-   r is the mass centre, p = M v the momentum, H the angular momentum about the mass centre, q the attitude, c the
-   mass centre from the reference point in body axes, d = at - c, and R turns body axes into inertial ones. [1] prints
-   the torque of (152) with I' omega2. Where a stream has a store at s, d_s = s - c replaces d in c' and P(d), the
-   store's gyration replaces kappa in I', and the mass on its way through the body holds the momentum M' (s - at) and
-   the angular momentum M' d x d_s. R belongs to q/|q|; the last term of q' is 0 for |q| = 1 and brings the length
-   back to 1, and no integrator loses order by it. The reference point of `at` and of the stores is fixed in the body,
-   at r - R c; if flow.centre is 0 at the start, it is the mass centre at that time.
+   r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
+   attitude. c leads from the reference point to the mass centre, in body axes, d = at - c, and R is the rotation of
+   q/|q| from body axes to inertial ones. [1] prints the torque of (152) with I' omega2. If a stream has a store at s,
+   d_s = s - c replaces d in c' and P(d), the store's gyration replaces kappa in I', and the mass on its way through the
+   body has the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 for |q| = 1 and
+   brings the length of q back to 1; integrators keep their order. The reference point, from which `at` and the stores
+   are measured, is fixed in the body, at r - R c. If flow.centre is 0 at the start, this point is the mass centre of
+   the start.
    Tests: tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_FLOW_H
 #define VARMASS_MECHANICS_FLOW_H
 
-/* Indices of the states in y, and how many states there are. Axes are inertial where nothing else is said. */
+/* Indices of the states in y, and numbers of states. Axes are inertial unless body axes are named. */
 enum {
-    VM_Y_R = 0,        /* r, 3 numbers, m */
-    VM_Y_Q = 3,        /* attitude q = w, x, y, z */
+    VM_Y_R = 0,        /* position of the mass centre, 3 numbers, m */
+    VM_Y_Q = 3,        /* attitude, 4 numbers w, x, y, z */
     VM_Y_P = 7,        /* momentum, 3 numbers, kg m/s; for vm_flow_carried_rhs the velocity v, m/s */
     VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
                           angular velocity in body axes, rad/s */
-    VM_Y_MASS = 13,    /* kg */
+    VM_Y_MASS = 13,    /* mass, kg */
     VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
-    VM_Y_INERTIA = 17, /* xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
-    VM_Y_BALANCE = 23, /* vm_flow_balanced_rhs: integrals of momentum 3, angular momentum 3, energy 1 */
-    VM_FLOW_GIVEN_STATES = 13,   /* vm_flow_given_rhs, vm_flow_carried_rhs: flow.update gives mass, centre, inertia */
-    VM_FLOW_STATES = 23,         /* vm_flow_rhs: mass, centre and inertia are states */
-    VM_FLOW_BALANCED_STATES = 30 /* vm_flow_balanced_rhs: these, and the balance */
+    VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
+    VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
+    VM_FLOW_GIVEN_STATES = 13,   /* for vm_flow_given_rhs, vm_flow_carried_rhs: flow.update gives the mass data */
+    VM_FLOW_STATES = 23,         /* for vm_flow_rhs: mass, centre and inertia are states */
+    VM_FLOW_BALANCED_STATES = 30 /* for vm_flow_balanced_rhs: the states of vm_flow_rhs and the balance */
 };
 
 /* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
@@ -5084,36 +5167,37 @@ enum {
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
     vm_stream *streams; /* n streams, kept by the caller */
-    vm_vec3 force;      /* N, resultant of the outer forces, inertial axes */
-    vm_vec3 moment;     /* N m, their moment about the mass centre and all torques, inertial axes */
+    vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
+    vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time
        and state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a
-       rate that follows a valve, and the laws M(t), c(t), I(t) of mass for vm_flow_given_rhs and vm_flow_carried_rhs.
-       (A law of mass is a function here and not a vm_law, because it has ten numbers, which belong together.) It
-       returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
-       smooth function of t and y: what switches at some time belongs into the change of an ODE_RESTART event. */
+       rate that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs
+       and vm_flow_carried_rhs. (These laws are one function and not vm_laws, because their ten numbers belong
+       together.) It returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it
+       sets has to be a smooth function of t and y: a switch at some time belongs into the change of an ODE_RESTART
+       event. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
-    void *ctx;             /* for the caller's `update`; not used here */
-    vm_real mass;          /* M(t), kg: vm_flow_given_rhs, vm_flow_carried_rhs */
-    vm_vec3 centre;        /* c(t), m, body axes: vm_flow_given_rhs, and at the start vm_flow_start */
-    vm_inertia inertia;    /* I(t), kg m^2, body axes: vm_flow_given_rhs, vm_flow_carried_rhs */
-    vm_vec3 drift;         /* c'(t), m/s, body axes: vm_flow_carried_rhs */
-    vm_real least_mass;    /* kg: the mass at which vm_flow_mass_left is 0 */
-    vm_real least_inertia; /* kg m^2, where vm_flow_inertia_left is 0 */
-    /* VM_OK, or why the last evaluations gave NaN or ended the run. In a trial step beyond the end the mass may not be
-       positive, or the inertia may be one that no body has; the derivatives are then NaN, so that the integrator
-       shortens its step. An event should stop the run before that. */
+    void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
+    vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
+    vm_vec3 centre;        /* mass centre for vm_flow_given_rhs, and of the start for vm_flow_start, m, body axes */
+    vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
+    vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
+    vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
+    vm_real least_inertia; /* least pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
+    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. In a trial step beyond the end of a
+       motion the mass may be zero or negative, or the inertia impossible. The derivatives are then NaN, so that the
+       integrator shortens its step. An event should stop the run before that. */
     int status;
-    /* 0, or how many numbers y has room for, VM_LENGTH(y). All functions here check it. vm_flow_start writes no more:
-       VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and, if there is room for all VM_FLOW_BALANCED_STATES, the zeros
-       of the balance too. */
+    /* 0 for unknown, or how many numbers y has room for, VM_LENGTH(y), which all functions below check. vm_flow_start
+       writes no more: VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and, if there is room for all
+       VM_FLOW_BALANCED_STATES, the zeros of the balance too. */
     int y_size;
 } vm_flow;
 
-/* Whether there is an array for n streams */
+/* Returns 1 if n is 0, or if n is positive and there is an array of streams. */
 VM_INLINE int vmi_flow_has_streams(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
 
-/* Sets n derivatives to NaN, which makes the integrator shorten its step. Returns 0: the run goes on. */
+/* Sets n derivatives to NaN, which makes the integrator shorten its step. Returns 0, so that the run goes on. */
 VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
 {
     int k;
@@ -5121,24 +5205,12 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Notes the status of an evaluation in *kept and returns it. Of several failures in a row the first is kept, because
-   the later ones follow from its NaN. */
+/* Stores the status of an evaluation in *kept and returns it. Of several failures in a row *kept holds the first,
+   because the later ones follow from its NaN. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
     return status;
-}
-
-/* q omega/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length back to
-   1 within some steps of any explicit method, at a rate below that of the rotation itself. */
-VM_INLINE void vmi_flow_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
-{
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    dydt[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    dydt[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    dydt[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    dydt[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
 /* Mass, mass centre and inertia of a body at an instant */
@@ -5148,7 +5220,7 @@ typedef struct VM_TAG(vmi_flow_mass) {
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* They come from the state, or, if given = 1, from the flow's laws */
+/* Mass, mass centre and inertia from the state y or, if given = 1, from the flow's laws */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -5176,8 +5248,8 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
     return VM_OK;
 }
 
-/* From a state y: the rotation to *turn; velocity, angular velocity and the like to *seen. Returns VM_OK,
-   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* From a state y, sets *turn to the rotation and *seen to velocity, angular velocity and all else that the streams
+   need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -5200,8 +5272,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     return VM_OK;
 }
 
-/* The seven rates from VM_Y_BALANCE on: momentum, angular momentum and energy that streams take out, minus what outer
-   loads put in */
+/* Sets the seven rates from VM_Y_BALANCE on: momentum, angular momentum and energy that the streams take out, minus
+   those that the outer loads put in */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
@@ -5212,7 +5284,7 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
 }
 
-/* The right-hand side of n states; n tells which of the three it is */
+/* Evaluates the right-hand side of n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs, as n tells */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
@@ -5236,7 +5308,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     force = vmi_add(flow->force, vmi_add(sum.absolute, force));
     moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
     vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
-    vmi_flow_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
@@ -5248,9 +5320,9 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 }
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
-   An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of this chapter. Returns
-   VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
-   y_size that is too small; and what flow.update returns. */
+   An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of mechanics/flow.h. Returns
+   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_SHORT_ARRAY if y_size is too
+   small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5259,8 +5331,8 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
    An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
-   The streams make forces and moments as in vm_flow_rhs.
-   With no streams this is (170): mass joins and leaves at rest, at the mass centre. Errors as for vm_flow_rhs. */
+   The streams make forces and moments as in vm_flow_rhs. Without streams this is (170): mass joins and leaves at
+   rest, at the mass centre. The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5270,13 +5342,14 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
 /* Right-hand side vm_flow_rhs with seven integrals that check the balances.
    An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are
    zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
-   out, minus what the outer loads put in. Added to the body's own they stay constant. (Two exceptions where a stream
-   has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.) The energy
-   has the continuous limit of (113), (118), for either sign of M':
+   out, minus those that the outer loads put in. The sum of an integral and the body's own quantity stays constant.
+   (There are two exceptions if a stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the
+   energy does not balance.) The rate T' of the kinetic energy has the continuous limit of (113), (118), for either
+   sign of M', in the letters of the banner:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
-     w = u - v - omega x d, omega_r = omega2 - omega:
-   the first sum is what the streams bring; the second is what engines give (M' < 0) or plastic impact takes (M' > 0).
-   Errors as for vm_flow_rhs. */
+     w = u - v - omega x d, omega_r = omega2 - omega.
+   The first sum is the energy that the streams bring. The second is what engines give (M' < 0) or plastic impact
+   takes (M' > 0). The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5285,9 +5358,9 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
    An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
-   The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum); streams
-   are not read. v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S. Errors as for
-   vm_flow_rhs. */
+   The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum). Streams
+   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S, with
+   the letters of the banner and M_S in body axes. The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -5306,7 +5379,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
     vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
-    vmi_flow_turning(q, square, omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
              vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
@@ -5314,8 +5387,8 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return 0;
 }
 
-/* How many numbers vm_flow_start writes: as many as y is known to have room for, but the balance only if y_size says
-   so */
+/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes the
+   zeros of the balance only if y_size tells that there is room. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
@@ -5323,7 +5396,7 @@ VM_API int vmi_flow_size_at_start(const vm_flow *flow)
     return VM_FLOW_STATES;
 }
 
-/* What can be wrong in the arguments of vm_flow_start, which also needs the factors of the inertia to exist */
+/* Checks the arguments of vm_flow_start. The inertia must be possible and not singular. */
 VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 {
     vmi_inertia_ldl factors;
@@ -5335,11 +5408,12 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
     return VM_OK;
 }
 
-/* Initial state y of a body with streams. Writes the VM_FLOW_STATES first states, or as many as flow.y_size says; the
-   mass centre is flow.centre, and the streams are as flow.streams says at the start. Sets flow.mass and flow.inertia
-   too. For vm_flow_given_rhs y_size or the length of y has to be VM_FLOW_GIVEN_STATES at least; the states of
-   vm_flow_carried_rhs are others, and the caller sets them. VM_BAD_ARGUMENT (a null pointer, n < 0, a motion that
-   does not exist), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (a rod or a point, too), VM_SHORT_ARRAY. */
+/* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
+   The mass centre is flow.centre, and the streams are those of flow.streams at the start. Sets flow.mass and
+   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and y_size must
+   say so if y has fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the caller sets. Returns
+   VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -5373,10 +5447,10 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body that n states y describe, its quaternion with length 1. n = VM_FLOW_GIVEN_STATES takes mass, mass centre
-   and inertia from the flow, a larger n takes them from y. Not for the states of vm_flow_carried_rhs, which are
-   others. VM_BAD_ARGUMENT (n < VM_FLOW_GIVEN_STATES, too), VM_SHORT_ARRAY, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_NOT_FINITE. */
+/* The body that n states y describe, with a quaternion of length 1. For n = VM_FLOW_GIVEN_STATES mass, mass centre
+   and inertia come from the flow, for a larger n from y. The states of vm_flow_carried_rhs are different and must not
+   be given. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY, VM_BAD_MASS,
+   VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
     vm_body b;
@@ -5403,7 +5477,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
 }
 
 /* Mass minus flow.least_mass, kg: an event function that stops a run before the mass is used up.
-   For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. NaN for a null pointer. */
+   It is for vm_flow_rhs and vm_flow_balanced_rhs, and the event's ctx is the vm_flow. Returns NaN for a null pointer.
+   */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5412,9 +5487,10 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 }
 
 /* Least pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
-   It stops a run before the inertia becomes singular, where the pivot is 0. For vm_flow_rhs and vm_flow_balanced_rhs;
-   the event's ctx is the vm_flow. The triangle inequality is not watched, because the inertia of thin bodies is
-   always close to its limit. NaN for a null pointer and where the inertia is not finite. */
+   It stops a run before the inertia becomes singular, where the least pivot is 0. It is for vm_flow_rhs and
+   vm_flow_balanced_rhs, and the event's ctx is the vm_flow. The triangle inequality is not watched, because the
+   inertia of thin bodies is always close to its limit. Returns NaN for a null pointer and an inertia that is not
+   finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5430,8 +5506,8 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #endif
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   The right-hand side of mechanics/flow.h for motion in a plane, with 10 states in the place of 23. The streams have
-   no stores; else everything is as in space.
+   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. The streams have
+   no stores; all else is as in space.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
@@ -5446,13 +5522,13 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #ifndef VARMASS_MECHANICS_FLOW2_H
 #define VARMASS_MECHANICS_FLOW2_H
 
-/* Where the states stand in y, inertial axes unless it says body axes; and how many there are */
+/* Where the states of vm_flow2_rhs stand in y, and how many there are. Axes are inertial unless body axes are named. */
 enum {
-    VM_FLOW2_X = 0,       /* mass centre, 2 numbers x, y, m */
-    VM_FLOW2_ANGLE = 2,   /* rad, anticlockwise */
+    VM_FLOW2_X = 0,       /* position of the mass centre, 2 numbers x, y, m */
+    VM_FLOW2_ANGLE = 2,   /* angle of the body axes, rad, anticlockwise */
     VM_FLOW2_P = 3,       /* momentum, 2 numbers, kg m/s */
     VM_FLOW2_H = 5,       /* angular momentum about the mass centre, kg m^2/s */
-    VM_FLOW2_MASS = 6,    /* kg */
+    VM_FLOW2_MASS = 6,    /* mass, kg */
     VM_FLOW2_CENTRE = 7,  /* mass centre from the reference point, 2 numbers, body axes, m */
     VM_FLOW2_INERTIA = 9, /* moment of inertia about the mass centre, kg m^2 */
     VM_FLOW2_STATES = 10
@@ -5460,30 +5536,31 @@ enum {
 
 /* A stream of mass in the plane */
 typedef struct VM_TAG(vm_stream2) {
-    vm_real rate;     /* kg/s; > 0: mass joins the body, < 0: mass leaves it */
+    vm_real rate;     /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;       /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
-    vm_real x, y;     /* m, body axes: the point of crossing, from the body's reference point */
-    vm_real vx, vy;   /* m/s, velocity of the mass when it crosses */
-    vm_real spin;     /* rad/s, angular velocity of the mass when it crosses */
-    vm_real gyration; /* m^2, inertia per unit mass of the crossing mass, about its own mass centre */
+    vm_real x, y;     /* the point of crossing, from the body's reference point, m, body axes */
+    vm_real vx, vy;   /* velocity of the mass when it crosses, m/s */
+    vm_real spin;     /* angular velocity of the mass when it crosses, rad/s */
+    vm_real gyration; /* inertia per unit mass of the crossing mass, about its own mass centre, m^2 */
 } vm_stream2;
 
 /* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
     vm_stream2 *streams; /* n streams, kept by the caller */
-    vm_real fx, fy;      /* N, resultant of the outer forces, inertial axes */
-    vm_real moment;      /* N m, their moment about the mass centre and all torques */
+    vm_real fx, fy;      /* resultant of the outer forces, N, inertial axes */
+    vm_real moment;      /* moment of the outer forces about the mass centre, plus all torques, N m */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
-       vm_flow.update does; it returns 0, or another number, which ends the run */
+       vm_flow.update does. It returns 0; another number ends the run. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow2) * flow);
-    void *ctx;  /* for the caller's `update`; not used here */
-    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run: see vm_flow.status */
+    void *ctx;  /* pointer for the caller's `update`; not used by the functions below */
+    int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* sin and cos of x, with errors below 0.6 eps. The same as vmi_sincos, with a shorter reduction below 2^20 quarter
-   turns (float 2^10): pi/2 is the sum of `first`, of 33 (float 14) bits, whose products with j are exact, and
-   `second`, which is known to 2^-87 (2^-38). Rounding j times `second` costs 2^-67 (2^-28). */
+/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) the reduction by j quarter
+   turns is shorter than that of vmi_sincos: pi/2 is the sum of `first`, which has 33 (float 14) bits, so that j times
+   `first` is exact, and `second`, which makes the sum right to 2^-87 (float 2^-38). Rounding j times `second` makes
+   an error of 2^-67 (float 2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -5513,29 +5590,29 @@ VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 
 /* The motion of a body in the plane as its streams need it */
 typedef struct VM_TAG(vmi_stream_seen2) {
-    vm_real sine, cosine;       /* of the body's angle */
-    vm_real vx, vy;             /* momentum/mass, body axes */
-    vm_real omega;              /* rad/s */
+    vm_real sine, cosine;       /* sine and cosine of the body's angle */
+    vm_real vx, vy;             /* velocity, which is momentum/mass, body axes */
+    vm_real omega;              /* angular velocity, rad/s */
     vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
 } vmi_stream_seen2;
 
-/* The sums over the streams of a body in the plane, in body axes except fx, fy; the letters of vm_reactive */
+/* The sums over the streams of a body in the plane, in body axes except fx, fy, with the letters of vm_reactive */
 typedef struct VM_TAG(vmi_stream_sum2) {
-    vm_real rate;    /* sum M' */
-    vm_real carried; /* sum M' of the streams whose velocity is relative to the body */
-    vm_real px, py;  /* sum M' (u - v) of these streams */
-    vm_real fx, fy;  /* sum M' u of the other streams, inertial axes, and the outer force */
-    vm_real moment;  /* sum d x M' (u - v) + M' kappa omega2, and the outer moment */
-    vm_real sx, sy;  /* sum M' d */
-    vm_real inertia; /* sum M' (kappa + d^2) */
+    vm_real rate;    /* sum of M' */
+    vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
+    vm_real px, py;  /* sum of M' (u - v) of the streams whose velocity is relative to the body */
+    vm_real fx, fy;  /* sum of M' u of the streams whose velocity is absolute, inertial axes, plus the outer force */
+    vm_real moment;  /* sum of d x M' (u - v) + M' kappa omega2, plus the outer moment */
+    vm_real sx, sy;  /* sum of M' d */
+    vm_real inertia; /* sum of M' (kappa + d^2) */
 } vmi_stream_sum2;
 
-/* Adds a stream of known motion to the sums */
+/* Adds a stream, whose `motion` exists, to the sums */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);
     const vm_real dx = s->x - b->centre_x, dy = s->y - b->centre_y;
-    vm_real ux, uy, spin = 0; /* M' (u - v) in the end, and omega2 */
+    vm_real ux, uy, spin = 0; /* ux, uy become M' (u - v); spin is omega2 */
     if (vmi_stream_moves_with_body(s->motion)) {
         ux = -b->omega * dy;
         uy = b->omega * dx;
@@ -5569,7 +5646,7 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, v
     sum->inertia += s->rate * (s->gyration + dx * dx + dy * dy);
 }
 
-/* VM_OK if the mass and the inertia of the state y are positive */
+/* Returns VM_OK if the mass and the inertia of the state y are positive, else VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 {
     if (!(y[VM_FLOW2_MASS] > 0)) return VM_BAD_MASS;
@@ -5579,8 +5656,8 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
    An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
-   Returns VM_BAD_ARGUMENT, which ends the run, for a null pointer, n < 0, a motion that does not exist; and what
-   flow.update returns. */
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, or the number that
+   flow.update returns, each of which ends the run. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -5631,8 +5708,8 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 /* mechanics/flow1.h - translation, and bodies on a line or an axle, with streams of mass
 
    Right-hand sides of motions with streams of mass that need fewer states than a body in space: translation in space
-   (172), straight motion (175), (176), and rotation about a fixed axle (173a), which has the equation of straight
-   motion with the inertia in the place of the mass.
+   (172), straight motion (175), (176), and rotation about a fixed axle (173a), whose equation is that of a straight
+   motion with the moment of inertia instead of the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -5649,27 +5726,27 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* Where the states of vm_translation_rhs stand in y, and how many there are */
 enum {
-    VM_TRANSLATION_R = 0,    /* mass centre, 3 numbers, m */
+    VM_TRANSLATION_R = 0,    /* position of the mass centre, 3 numbers, m */
     VM_TRANSLATION_P = 3,    /* momentum, 3 numbers, kg m/s */
-    VM_TRANSLATION_MASS = 6, /* kg */
+    VM_TRANSLATION_MASS = 6, /* mass, kg */
     VM_TRANSLATION_STATES = 7
 };
 
-/* Where the states of vm_flow1_rhs stand in y, and how many there are. For an axle read angle (rad), angular momentum
-   (kg m^2/s) and moment of inertia about the axle (kg m^2). */
+/* Where the states of vm_flow1_rhs stand in y, and how many there are. For an axle they are the angle (rad), the
+   angular momentum (kg m^2/s) and the moment of inertia about the axle (kg m^2). */
 enum {
-    VM_FLOW1_X = 0,    /* place, m */
+    VM_FLOW1_X = 0,    /* position, m */
     VM_FLOW1_P = 1,    /* momentum, kg m/s */
-    VM_FLOW1_MASS = 2, /* kg */
+    VM_FLOW1_MASS = 2, /* mass, kg */
     VM_FLOW1_STATES = 3
 };
 
-/* A stream of mass onto or off a body on a line, or an axle. For an axle `rate` is M' (kappa + rho^2), with the
-   distance rho from the axle and the gyration kappa of the mass, and `velocity` is the stream's angular momentum per
-   unit mass divided by kappa + rho^2. */
+/* A stream of mass onto or off a body on a line, or an axle. For an axle `rate` is M' (kappa + rho^2) and `velocity`
+   is the stream's angular momentum per unit mass divided by kappa + rho^2, where M' is the mass per time, rho the
+   distance of the mass from the axle and kappa its gyration (inertia per unit mass). */
 typedef struct VM_TAG(vm_stream1) {
-    vm_real rate;     /* kg/s; > 0: mass joins. Axle: kg m^2/s */
-    vm_real velocity; /* m/s. Axle: rad/s */
+    vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
+    vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
     int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
 } vm_stream1;
 
@@ -5677,15 +5754,16 @@ typedef struct VM_TAG(vm_stream1) {
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
     vm_stream1 *streams; /* n streams, kept by the caller */
-    vm_real force;       /* N, resultant of the outer forces. Axle: their moment, N m */
+    vm_real force;       /* resultant of the outer forces, N (axle: their moment about the axle, N m) */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
-       vm_flow.update does; it returns 0, or another number, which ends the run */
+       vm_flow.update does. It returns 0; another number ends the run. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow1) * flow);
-    void *ctx;  /* for the caller's `update`; not used here */
-    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run: see vm_flow.status */
+    void *ctx;  /* pointer for the caller's `update`; not used by the functions below */
+    int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-/* The velocity u of a stream's mass: v is the body's velocity, given that of the stream; one set of axes */
+/* The velocity u of a stream's mass, where v is the velocity of the body and `given` that of the stream, all along
+   the same axes */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
@@ -5694,7 +5772,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
     return u;
 }
 
-/* The right-hand side of vm_translation_rhs after flow->update */
+/* Evaluates the right-hand side of vm_translation_rhs after flow->update */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
@@ -5718,7 +5796,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     return 0;
 }
 
-/* flow->update, then the rates. Out of line, so that a flow without update saves no registers for the call. */
+/* Calls flow->update, then evaluates the rates. This function is not inlined, so that a flow without update saves no
+   registers for the call. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5728,9 +5807,10 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
 
 /* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
    An ode_rhs of VM_TRANSLATION_STATES states; ctx is a vm_flow, of which n, streams, force, update, y_size and status
-   are used. Body axes are along the inertial ones; at, spin, gyration and stores of the streams are not read. Returns
-   VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
-   y_size that is too small; and what flow.update returns. */
+   are used. r is the position, p the momentum, M the mass, F the outer force, M' the rate of a stream and u the
+   velocity of its mass. Body axes are along the inertial ones. The fields at, spin, gyration and from of the streams
+   are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist,
+   VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5739,7 +5819,7 @@ VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return vmi_translation_rates(f, y, dydt);
 }
 
-/* The right-hand side of vm_flow1_rhs after flow->update */
+/* Evaluates the right-hand side of vm_flow1_rhs after flow->update */
 VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
@@ -5760,7 +5840,7 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     return 0;
 }
 
-/* flow->update, then the rates; out of line for the reason given above */
+/* Calls flow->update, then evaluates the rates. It is not inlined, for the reason at vmi_translation_updated_rates. */
 VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5768,10 +5848,11 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
     return vmi_flow1_rates(flow, y, dydt);
 }
 
-/* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176). An ode_rhs of
-   VM_FLOW1_STATES states; ctx is a vm_flow1. x' = p/M, p' = F + sum M' u, M' = sum of the rates. Returns
-   VM_BAD_ARGUMENT, which ends the run, for a null pointer, n < 0, a motion that does not exist; and what flow.update
-   returns. */
+/* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
+   An ode_rhs of VM_FLOW1_STATES states; ctx is a vm_flow1. The position x, the momentum p and the mass M change by
+   x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i, with the outer force F, the streams' rates M_i and the
+   velocities u_i of their mass. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not
+   exist, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
@@ -5783,9 +5864,9 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #endif
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
-   Motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151), (171) and
-   (175), (176); the motion along a line at a constant rate of mass; the spin of a rocket whose jet damps it, from
-   Euler's equations. All are right to a few eps, down to a rate of zero.
+   These are motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151),
+   (171) and (175), (176); the motion along a line at a constant rate of mass; and the spin of a rocket whose jet damps
+   it, from Euler's equations. The formulas keep their accuracy down to a rate of zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -5793,16 +5874,16 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #ifndef VARMASS_MECHANICS_ROCKET_H
 #define VARMASS_MECHANICS_ROCKET_H
 
-/* A spinning axisymmetric body whose mass is taken from around the mass centre, which stays in its place, and leaves
-   through a nozzle on the axis (rate < 0), or goes the other way (rate > 0). The z axis is the axis of symmetry. */
+/* A spinning axisymmetric body whose mass comes from around the mass centre, which stays in its place, and leaves
+   through a nozzle on the axis (rate < 0), or flows the opposite way (rate > 0). The z axis is the axis of symmetry. */
 typedef struct VM_TAG(vm_jet) {
-    vm_real rate;                /* kg/s, < 0: mass leaves */
-    vm_real axial;               /* C0, kg m^2, moment of inertia about the axis at t = 0 */
-    vm_real transverse;          /* A0, kg m^2, moment of inertia across the axis at t = 0 */
-    vm_real gyration_axial;      /* m^2, inertia per unit mass about the axis, of stored and of crossing mass */
-    vm_real gyration_transverse; /* m^2, inertia per unit mass across the axis, of the stored mass */
-    vm_real gyration_out;        /* m^2, inertia per unit mass across the axis, of the crossing mass */
-    vm_real nozzle;              /* m, distance of the nozzle from the mass centre */
+    vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
+    vm_real axial;               /* moment of inertia C0 about the axis at t = 0, kg m^2 */
+    vm_real transverse;          /* moment of inertia A0 across the axis at t = 0, kg m^2 */
+    vm_real gyration_axial;      /* inertia per unit mass about the axis, of stored and of crossing mass, m^2 */
+    vm_real gyration_transverse; /* inertia per unit mass across the axis, of the stored mass, m^2 */
+    vm_real gyration_out;        /* inertia per unit mass across the axis, of the crossing mass, m^2 */
+    vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
 VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
@@ -5810,10 +5891,10 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
     return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Velocity when the mass has gone from m0 to m by mass of the velocity u (151), (171).
-   v0 (m/s) is the velocity at mass m0 (kg), impulse (N s) that of the outer forces meanwhile. u = 0 is Levi-Civita's
-   case. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
-   terms. NaN where a mass is not positive and for infinite arguments. */
+/* Velocity after the mass changes from m0 to m by mass of the absolute velocity u (151), (171).
+   v0 (m/s) is the velocity at mass m0 (kg), u is in m/s, and impulse (N s) is that of the outer forces during the
+   change. u = 0 is Levi-Civita's case. About a fixed axle this formula gives the angular velocity, with moments of
+   inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */
 VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
@@ -5821,22 +5902,22 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
     return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
 }
 
-/* Velocity of Tsiolkovsky's rocket when its mass has come from m0 to m: v0 + w ln(m/m0), (175), (176).
-   v0 (m/s) is the velocity at mass m0 (kg), w (m/s) that of the crossing mass relative to the body; there is no outer
-   force. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
-   terms. NaN where a mass is not positive and for infinite arguments. */
+/* Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m: v0 + w ln(m/m0), (175), (176).
+   v0 (m/s) is the velocity at mass m0 (kg), w (m/s) that of the crossing mass relative to the body. There is no outer
+   force. About a fixed axle this formula gives the angular velocity, with moments of inertia instead of masses. The
+   error is at most 4 eps of |v0| + |w ln(m/m0)|. Returns NaN if a mass is not positive and for infinite arguments. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
     if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(w)) return VM_NAN;
-    if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact */
+    if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact here */
     else l = vmi_two_plus(vmi_log(m), vmi_minus(vmi_log(m0)));
     return v0 + w * l.hi;
 }
 
-/* *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34), NaN beyond; within 2 ulp.
-   They are the means of 1/m over a flow at constant rate. */
+/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34). They become NaN for
+   other x. They are means of 1/m over a flow at constant rate, with the mass m relative to its first value. */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
@@ -5846,14 +5927,15 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 }
 
 /* Position and velocity on a line after t seconds of a stream of constant rate.
-   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; the force (N), the rate and the velocity of the stream are constant.
-   t may be negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute
-   velocity u:
+   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0. The force (N), the rate and the velocity of the stream are constant.
+   t may be negative. With tau = rate t/m0, m = m0 + rate t, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2,
+   for an absolute velocity u:
      v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B;
    for a velocity w relative to the body:
      v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
-   Within 8 eps of the terms, for every rate, zero included. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS where m0 or
-   m0 + rate t is not positive. */
+   Errors are within 8 eps of the terms of these sums for every rate >= 0. Where mass leaves, this bound grows with
+   m0/m, because roundings of rate t are large against a small m. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS
+   if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
 {
@@ -5869,7 +5951,7 @@ VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_re
     if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
     if (vmi_stream_moves_with_body(stream->motion)) {
         difference = first - second;
-        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near -1 both are large */
+        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near tau = -1 both terms are large */
         acceleration = (force + stream->rate * given) / m0;
         result[0] = x0 + t * (v0 + acceleration * t * difference);
         result[1] = v0 + acceleration * t * first;
@@ -5893,12 +5975,13 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
 
 /* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
    There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
-   gyration_axial t the transverse part of omega has the length
+   gyration_axial t the transverse part omega_t of omega has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-   omega_z stays constant, and the transverse part turns by omega_z times the integral of C/A - 1. With
-   tau = rate gyration_transverse t/A0 and L, B of vm_linear_flow: ln(A/A0) = tau L, and the integral is
-   t (C0/A0 L - 1 + rate t gyration_axial/A0 B). The error is at most 8 times what an eps in the inputs makes.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA where A or C is not positive. */
+   where omega_t0 is its value at t = 0; omega_z stays constant, and the transverse part turns by omega_z times the
+   integral of C/A - 1 over time. With tau = rate gyration_transverse t/A0 and the L, B of vm_linear_flow, ln(A/A0) is
+   tau L, and the integral is t (C0/A0 L - 1 + rate t gyration_axial/A0 B). The error is at most 8 times what an eps
+   in the inputs makes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK
+   otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
@@ -5926,14 +6009,15 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 /* mechanics/drum.h - a band that winds up on a drum
 
    A band that arrives at a constant velocity winds up on a drum, whose mass and inertia grow (chapter 5.2, Fig. 20).
-   Here are the geometry (181)-(188), the exact equations of motion, the reduced ones of the dissertation (192)-(193),
-   the motion on a rigid shaft in closed form (194)-(206), and the vibrations of an elastic shaft (210)-(226).
+   This chapter has the geometry (181)-(188), the exact equations of motion, the reduced equations of the dissertation
+   (192)-(193), the motion on a rigid shaft in closed form (194)-(206), and the vibrations of an elastic shaft
+   (210)-(226).
 
-   The band moves at the velocity v along y and meets the drum at S + (R, 0), S the centre of the shaft. After the
-   angle phi it covers the arc from 0 to phi, whose mass centre is in the direction phi/2. R stays constant: the first
-   layer, 0 <= phi <= 2 pi, is meant. The letters of the formulas: mu the band's mass per angle, j = mu R^2 (186), D
-   the damping, and e = mu v R - D, whose sign says whether the band drives the drum (e > 0) or the drum comes to
-   rest.
+   The band moves at the velocity v along y and meets the drum at S + (R, 0), where S is the centre of the shaft and R
+   the radius. After the drum has turned by the angle phi, the band covers the arc from 0 to phi, whose mass centre is
+   in the direction phi/2. R stays constant, because only the first layer, 0 <= phi <= 2 pi, is considered. The letters
+   of the formulas are the fields of vm_drum, mu for the band's mass per angle, j = mu R^2 (186), and e = mu v R - D
+   with the damping D. The sign of e tells whether the band drives the drum (e > 0) or the drum comes to rest (e < 0).
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -5944,66 +6028,67 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 
 /* A drum, its shaft and the band */
 typedef struct VM_TAG(vm_drum) {
-    vm_real radius;    /* R, m */
-    vm_real mass;      /* M0 > 0 of the empty drum, kg */
-    vm_real inertia;   /* J0 > 0 of the empty drum about its axle, kg m^2 */
-    vm_real band;      /* mu >= 0, the band's mass per angle, kg/rad: vm_drum_band */
-    vm_real speed;     /* v of the band, m/s */
-    vm_real damping;   /* D of the rotation, N m s */
-    vm_real stiffness; /* c >= 0 of the shaft, N/m */
-    vm_real omega;     /* Omega_b > 0, the angular velocity at phi = 0, rad/s */
+    vm_real radius;    /* radius R of the drum, m */
+    vm_real mass;      /* mass M0 > 0 of the empty drum, kg */
+    vm_real inertia;   /* inertia J0 > 0 of the empty drum about its axle, kg m^2 */
+    vm_real band;      /* the band's mass per angle mu >= 0, kg/rad, which vm_drum_band computes */
+    vm_real speed;     /* velocity v of the band, m/s */
+    vm_real damping;   /* damping D of the rotation, N m s */
+    vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
+    vm_real omega;     /* angular velocity Omega_b > 0 at phi = 0, rad/s */
 } vm_drum;
 
 /* The drum with the band that it carries at some angle phi */
 typedef struct VM_TAG(vm_drum_geometry) {
-    vm_real mass;         /* M (182), kg */
-    vm_real arc_centre;   /* S S' (184), m: distance of the band's mass centre from the shaft */
-    vm_real offset;       /* S S1 (185) corrected, m: the mass centre is S1 = S + offset (cos phi/2, sin phi/2) */
-    vm_real axle_inertia; /* J_S (187), about the axle, kg m^2 */
-    vm_real inertia;      /* J_S1 (188), about the mass centre, kg m^2 */
+    vm_real mass;         /* mass M (182), kg */
+    vm_real arc_centre;   /* distance S S' of the band's mass centre from the shaft (184), m */
+    vm_real offset;       /* distance S S1 (185) corrected, m; mass centre S1 = S + offset (cos phi/2, sin phi/2) */
+    vm_real axle_inertia; /* inertia J_S about the axle (187), kg m^2 */
+    vm_real inertia;      /* inertia J_S1 about the mass centre (188), kg m^2 */
 } vm_drum_geometry;
 
 /* Where the states of vm_drum_rhs and vm_drum_rhs_reduced stand in y, and how many there are */
 enum {
     VM_DRUM_X = 0,     /* deflection of the shaft, 2 numbers x, y of S, m */
-    VM_DRUM_ANGLE = 2, /* phi, rad */
+    VM_DRUM_ANGLE = 2, /* angle phi, rad */
     VM_DRUM_V = 3,     /* velocity of S, 2 numbers, m/s */
-    VM_DRUM_OMEGA = 5, /* phi', rad/s */
+    VM_DRUM_OMEGA = 5, /* angular velocity phi', rad/s */
     VM_DRUM_STATES = 6
 };
 
 /* Where the states of vm_drum_rhs_angle stand in y, and how many there are */
 enum {
     VM_DRUM_DEFLECTION = 0, /* deflection of the shaft, 2 numbers x, y of S, m */
-    VM_DRUM_SLOPE = 2,      /* dx/dphi, dy/dphi, m/rad */
+    VM_DRUM_SLOPE = 2,      /* derivatives dx/dphi, dy/dphi of the deflection, m/rad */
     VM_DRUM_ANGLE_STATES = 4
 };
 
-/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b): with ' = d/dphi
-     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213), and for y with mu v/(M0 Omega_b) on the right (214) */
+/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b). With ' = d/dphi, x satisfies
+     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213); y has mu v/(M0 Omega_b) on the right instead of 0 (214) */
 typedef struct VM_TAG(vm_drum_shaft) {
-    vm_real k;     /* sqrt(c/M0)/Omega_b, a pure number */
-    vm_real delta; /* (mu/M0 + e/(J0 Omega_b) - j/J0)/2, 1/rad, corrected */
-    vm_real A;     /* mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), 1/rad, corrected */
-    vm_real shift; /* mu v/(M0 Omega_b k^2), m: y oscillates about shift/(1 - A phi) */
+    vm_real k;     /* frequency over angular velocity, sqrt(c/M0)/Omega_b, a pure number */
+    vm_real delta; /* damping (mu/M0 + e/(J0 Omega_b) - j/J0)/2, 1/rad, corrected */
+    vm_real A;     /* change of the frequency, mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), 1/rad, corrected */
+    vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m: y oscillates about shift/(1 - A phi) */
 } vm_drum_shaft;
 
 /* The band's mass per angle on a drum, mu = R h b rho (181), kg/rad.
-   Radius R of the drum, thickness h and width b of the band in m, density in kg/m^3. NaN in, NaN out. */
+   The radius R of the drum, the thickness h and the width b of the band are in m, the density rho in kg/m^3. NaN in
+   an argument gives NaN. */
 VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm_real density)
 {
     return radius * thickness * width * density;
 }
 
-/* What the equations of motion need of the drum at the angle phi */
+/* Mass and inertia of the drum at the angle phi, as the equations of motion need them */
 typedef struct VM_TAG(vmi_drum_mass) {
-    vm_real M;       /* mass */
-    vm_real J;       /* inertia about the axle */
-    vm_real steiner; /* M (S S1)^2, so that J - steiner is the inertia about the mass centre */
+    vm_real M;       /* mass, kg */
+    vm_real J;       /* inertia about the axle, kg m^2 */
+    vm_real steiner; /* M (S S1)^2, kg m^2, so that J - steiner is the inertia about the mass centre S1 */
 } vmi_drum_mass;
 
-/* Sets *m for the angle phi, s = sin(phi/2). With s = 0 the distance S S1 is neglected. VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_STIFFNESS, VM_BAD_INERTIA */
+/* Sets *m for the angle phi and s = sin(phi/2). With s = 0 the distance S S1 is neglected. Returns VM_OK,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -6025,9 +6110,8 @@ VM_API int vmi_drum_finite(const vm_drum *d)
 }
 
 /* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
-   phi >= 0 in rad.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative one), VM_BAD_INERTIA, VM_DOMAIN
-   (phi < 0). */
+   The angle phi >= 0 is in rad. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN for phi < 0, and VM_OK otherwise. */
 VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 {
     vm_real s, c;
@@ -6053,18 +6137,19 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 
 /* Right-hand side of the drum on an elastic shaft, exact.
    An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), which lack the drift of the
-   mass centre and have the shaft's torque with the other sign. With q = mu R (sin phi, 1 - cos phi):
+   mass centre and have the torque of the shaft with the opposite sign. With the deflection rS = (xS, yS), the unit
+   vector k of z and q = mu R (sin phi, 1 - cos phi):
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
-   VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA, where the drum cannot be at this angle, end the run. */
+   Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE,
+   VM_BAD_MASS or VM_BAD_INERTIA if the drum cannot be at this angle. Each of these errors ends the run. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
     const vm_real phi = y[VM_DRUM_ANGLE], rate = y[VM_DRUM_OMEGA];
     const vm_real flow = d->band * rate, slip = d->speed - y[VM_DRUM_V + 1] - d->radius * rate;
-    vm_real s, c, qx, qy, force_x, force_y, moment, turn; /* turn: phi'' */
+    vm_real s, c, qx, qy, force_x, force_y, moment, turn; /* turn: the angular acceleration phi'' */
     vmi_drum_mass m;
     int status;
     (void)t;
@@ -6087,9 +6172,9 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It is what vm_drum_rhs becomes for small mu, with the
-   unbalance mu R phi'^2 (sin phi, -cos phi), which is of the same order as the terms that (192) keeps. Errors as for
-   vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. vm_drum_rhs becomes these equations for small mu. They
+   contain the unbalance mu R phi'^2 (sin phi, -cos phi), which is of the order of the terms that (192) keeps. The
+   errors are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6112,7 +6197,8 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Whether the fields that the motion on a rigid shaft depends on are finite and have the signs that vm_drum states */
+/* Returns 1 if the fields on which the motion on a rigid shaft depends are finite and have the signs that vm_drum
+   states, else 0. */
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
     return d && d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) &&
@@ -6120,13 +6206,14 @@ VM_API int vmi_drum_turns(const vm_drum *d)
            VM_IS_FINITE(d->damping);
 }
 
-/* j = mu R^2 in two words */
+/* The product j = mu R^2 in two words */
 VM_API vm_two vmi_drum_j(const vm_drum *d)
 {
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
 }
 
-/* e = mu v R - D in two words, computed in three, so that all digits are right where the two terms nearly cancel */
+/* The drive e = mu v R - D in two words. It is computed in three words, so that all digits are right where mu v R and
+   D nearly cancel. */
 VM_API vm_two vmi_drum_e(const vm_drum *d)
 {
     const vm_two band = vmi_two_product(d->band, d->radius);
@@ -6135,17 +6222,17 @@ VM_API vm_two vmi_drum_e(const vm_drum *d)
     return vmi_two(e.hi, e.mid);
 }
 
-/* a b/c in two words */
+/* The quotient a b/c in two words */
 VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 {
     return vmi_two_over(vmi_two_times(a, vmi_two(b, 0)), c);
 }
 
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
-   This function, vm_drum_time and vm_drum_angle are right within 4 ulp if the drum's fields are taken as exact,
-   through e = 0 and k1 = 1 - e/(j Omega_b) = 0 and up to the stop, as long as products of the fields do not overflow
-   or underflow. NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and where inertia or omega is
-   not positive or band is negative. */
+   The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's fields are taken
+   as exact and products of the fields do not overflow or underflow. This includes e = 0, k1 = 1 - e/(j Omega_b) = 0
+   and angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and if
+   inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -6157,9 +6244,9 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 }
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum; the independent variable is phi, and the angular
-   velocity phi'(phi) is that on a rigid shaft (196). VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN where the drum
-   does not get to phi, and the errors of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum. The independent variable is phi, and the angular
+   velocity phi' is that on a rigid shaft (196). Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if
+   the drum does not reach phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6173,7 +6260,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
     if (!(rate > 0)) return VM_DOMAIN;
-    acceleration = (e - j * rate) / m.J; /* d phi'/d phi (195): phi'' = acceleration phi' */
+    acceleration = (e - j * rate) / m.J; /* dphi'/dphi (195), so that phi'' is acceleration phi' */
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
     dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
@@ -6184,7 +6271,8 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| where e < 0.
-   The drum never reaches it: it is the limit for t to infinity. Infinity where e >= 0, NaN as for vm_drum_rate. */
+   The drum never reaches this angle, which is the limit for t to infinity. Returns infinity for e >= 0, and NaN as
+   vm_drum_rate does. */
 VM_API vm_real vm_drum_stop(const vm_drum *d)
 {
     vm_two e;
@@ -6195,8 +6283,8 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 }
 
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
-   With x = e phi/(J0 Omega_b), without branches: t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2].
-   Accuracy and NaN as for vm_drum_rate; infinity at the stop. */
+   With x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2] for every sign of
+   e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN as vm_drum_rate does. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -6212,10 +6300,10 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
     return vmi_drum_share(sum, phi, vmi_two(d->omega, 0)).hi;
 }
 
-/* A start p for Newton's method in vm_drum_angle. For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has
-   the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0 this p is too large, and so is the one that belongs to x = y +
-   a^2/b:
-   the smaller is taken. For a < 0 it is too small, and so is |a|/(|a| + b): the larger is taken. */
+/* The first approximation p for Newton's method in vm_drum_angle, in the letters of its comment. For e = 0 the term
+   f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0 this p is too
+   large, and so is ln(1 + a p + a^2/b)/a; the smaller of the two is taken. For a < 0 this p is too small, and so is
+   |a|/(|a| + b); the larger of the two is taken. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -6225,15 +6313,15 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 }
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
-   The inverse of vm_drum_time, by Newton's method in two words; no branch of Lambert's W is needed. Accuracy and NaN
-   as for vm_drum_rate. Time: some 4 steps, each of an exponential and divisions in two words.
-   With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and y = a p = ln(1 + x) the equation of vm_drum_time reads
+   This is the inverse of vm_drum_time, by Newton's method in two words; no branch of Lambert's W is needed. Accuracy
+   and NaN are those of vm_drum_rate. With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and y = a p = ln(1 + x)
+   the equation of vm_drum_time is
      p + b f^2 (x - y)/x^2 = 1,   x = e^y - 1,   f = p x/y.
-   Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from anywhere. */
+   Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
-    const vm_real precise = VM_EPSILON / 8; /* relative error of phi that the last step leaves */
-    const int most_steps = 40; /* 8 were the most for 400 000 drums with |a| and b from 1e-20 to 1e20 */
+    const vm_real precise = VM_EPSILON / 8; /* the relative error of phi that the last step may leave */
+    const int most_steps = 40; /* more than the quadratic convergence needs */
     vm_two angle, a, b, p, x, y, f, rest;
     vm_real step, left = 1;
     int i;
@@ -6259,10 +6347,11 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 }
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
-   r - k1 ln r = f1 is solved by r = -k1 W(x), x = -exp(-f1/k1)/k1, with W_-1 for 0 < k1 < 1 and W_0 for other k1. It
-   is here for comparison, vm_drum_angle is better: this form loses all digits next to e = 0, where r comes to the
-   branch point of W. x itself leaves the range of numbers next to k1 = 0 (it is 1e-869 for k1 = 1e-3), so ln |x| is
-   used. NaN for e = 0 and k1 = 0, and as for vm_drum_rate. */
+   With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and f1 = 1 + e^2 t/(J0 j Omega_b) the equation r - k1 ln r
+   = f1 is solved by r = -k1 W(x), x = -exp(-f1/k1)/k1, with the branch W_-1 for 0 < k1 < 1 and W_0 for other k1. The
+   function is for comparison, and vm_drum_angle is better: this form loses all digits next to e = 0, where x
+   approaches the branch point of W. ln |x| is used, because x itself leaves the range of numbers next to k1 = 0 (for
+   k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0 and k1 = 0, and as vm_drum_rate does. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -6273,7 +6362,7 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
     if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1;
-    if (l > -1 && k1 > 0) l = -1; /* rounding has put it beyond the branch point */
+    if (l > -1 && k1 > 0) l = -1; /* rounding has moved l beyond the branch point */
     if (k1 < 0) w = vm_wright_omega(l);
     else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* the sign of e tells the branch, because k1 may round to 1 */
     else w = vm_lambert_w0_neg_exp(l);
@@ -6281,12 +6370,12 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 }
 
 /* Coefficients of the elastic shaft in the first approximation, (213), (214).
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN where omega is not
-   positive. */
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN
+   if omega is not positive, and VM_OK otherwise. */
 VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
 {
     vm_drum_shaft r;
-    vm_real j, drive, mass; /* j/J0, e/(J0 Omega_b), mu/M0 */
+    vm_real j, drive, mass; /* the ratios j/J0, e/(J0 Omega_b), mu/M0 */
     if (!d || !s) return VM_BAD_ARGUMENT;
     if (!vmi_drum_finite(d)) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
@@ -6306,11 +6395,13 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
     return VM_OK;
 }
 
-/* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected:
+/* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected.
+   With the fields k, delta, A of *s it is
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
-   particular is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which gives the
-   amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as
-   2k/3 phi (1 + m + m^2)/(1 + m), which is right for A = 0, too. NaN where 1 - A phi <= 0 and for a null pointer. */
+   where `particular` is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which
+   gives the amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as
+   2k/3 phi (1 + m + m^2)/(1 + m), which is right for A = 0, too. Returns NaN if 1 - A phi <= 0 and for a null
+   pointer. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;
@@ -6322,19 +6413,20 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
     return a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0) * cosine + particular / square;
 }
 
-/* Whether the shaft's frequency stays real for the whole first layer (226): 1 if A < 1/(2 pi), else 0.
-   0 for a null pointer, too. */
+/* Whether the shaft's frequency stays real for the whole first layer (226).
+   Returns 1 if A < 1/(2 pi), else 0, and 0 for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
 #endif
 /* mechanics/lagrange.h - Lagrange's equations with variable mass
 
-   Integrates any system of n generalized coordinates whose kinetic energy you can write down, with masses that depend
-   on time and position (247). You give the energy, the masses and the generalized forces; mass matrix and derivatives
-   are found from the energy. The states are the coordinates q and the momenta pi = dT/dq', so that neither rates of
-   momenta nor rates of masses are needed:
+   Right-hand side for any system of n generalized coordinates whose kinetic energy T you can write down, with masses
+   that depend on time and position (247). You give T, the masses and the generalized forces Q; the mass matrix A, the
+   vector b and the derivatives are found from T. The states are the coordinates q and the momenta pi = dT/dq', so that
+   neither rates of momenta nor rates of masses are needed:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0.
-   (247) corrected, with T of the velocities of the material and r2 the place where a stream crosses:
+   This is (247) corrected. T is that of the velocities of the material, and a stream of rate M' crosses at the place r2
+   with the velocity u, the gyration kappa and the spin omega2; omega is the angular velocity of the body:
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A derivative that lets the masses vary with q, as (244)-(247) may be read, is wrong.
 
@@ -6359,12 +6451,12 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
            return vm_lagrange_start(&body, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &body, 2, ...)
        }
 
-   Q holds what the streams bring, too. A pendulum of length l that leaks at its bob has Q = -m g l sin q + m' l^2 q'
-   if the leaking mass moves on with the bob and takes its momentum along; without the last term the mass would leave
-   at rest.
-   Accuracy: A and b come from T by differences over unit rates, which are exact except for roundings of T at unit
-   rates and at rest. dT/dq comes from central differences of order 6, within 2e-13 of the largest T (float 1e-5) if T
-   varies in q over the given scales. Tests: tests/test_lagrange.c. */
+   Q contains the terms of the streams, too. A pendulum of length l and angle q whose mass m leaks at its bob has
+   Q = -m g l sin q + m' l^2 q' if the leaking mass has the velocity of the bob and takes its momentum along; without
+   the last term the mass would leave at rest.
+   Accuracy: A and b are differences of T at unit rates and at rest, which are exact except for roundings of T. dT/dq
+   is a central difference of order 6, with an error below 2e-13 (float 1e-5) of the largest T if T varies in q over
+   the given scales. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -6372,28 +6464,28 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
 typedef struct VM_TAG(vm_lagrange_system) {
     int n;        /* number of coordinates, > 0 */
     int n_masses; /* number of masses, inertias and other quantities that are frozen in dT/dq, >= 0 */
-    /* sets the n_masses masses at t and q; NULL where n_masses is 0 */
+    /* Sets the n_masses masses at time t and coordinates q. NULL if n_masses is 0. */
     void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx);
-    /* the kinetic energy T, J: a polynomial of degree 2 in the n rates q' */
+    /* Returns the kinetic energy T (J), a polynomial of degree 2 in the n rates q'. */
     vm_real (*energy)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx);
-    /* NULL, or adds the n generalized forces to Q (vm_lagrange_add_force does); returns 0, or a number that ends the
-       run */
+    /* NULL, or a function that adds the n generalized forces to Q, for example by vm_lagrange_add_force. It returns
+       0; another number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
-    void *ctx;             /* for the three functions; not used here */
-    const vm_real *scales; /* of each coordinate: over which change T varies noticeably; NULL: 1 for all */
-    vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, kept by the caller */
+    void *ctx;             /* argument of the three functions */
+    const vm_real *scales; /* for each coordinate the change over which T varies noticeably; NULL for 1 everywhere */
+    vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, kept by the caller */
 } vm_lagrange_system;
 
 /* Length of vm_lagrange_system.work */
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
 
-/* The parts of a system's work */
+/* The arrays into which a system's work is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
-    vm_real *A;      /* n n numbers */
-    vm_real *b;      /* n numbers */
-    vm_real *rates;  /* n numbers: pi - b, then the rates q' */
-    vm_real *trial;  /* n numbers: rates or coordinates at which T is tried */
-    vm_real *masses; /* n_masses numbers */
+    vm_real *A;      /* the mass matrix, n n numbers */
+    vm_real *b;      /* the linear terms of T in the rates, n numbers */
+    vm_real *rates;  /* pi - b, and later the rates q', n numbers */
+    vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
+    vm_real *masses; /* the frozen masses, n_masses numbers */
 } vmi_lagrange_parts;
 
 VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
@@ -6407,7 +6499,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
     return w;
 }
 
-/* T at the rates x e_i + z e_j; an index -1 means that the term is left out */
+/* The kinetic energy T at the rates x e_i + z e_j, where e_i is the unit vector of coordinate i. An index -1 means
+   that its term is left out. */
 VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
                                    int j, vm_real z)
 {
@@ -6420,7 +6513,7 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
 }
 
 /* Finds A and b from T. Off the diagonal the steps have the size 1/sqrt(A_ii), so that a coordinate with a large
-   energy does not cover the other's digits. */
+   energy does not hide the digits of the other coordinate. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6444,14 +6537,14 @@ VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, 
         }
 }
 
-/* Puts the masses at (t, q) into the work, where they stay while T is differentiated */
+/* Writes the masses at (t, q) into the work, where they stay while T is differentiated */
 VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Puts q' = A^-1 (pi - b) of the state y into the work. VM_SINGULAR; VM_NOT_FINITE where the reason is that t or the
-   state is not finite */
+/* Writes the rates q' = A^-1 (pi - b) of the state y into the work. Returns VM_SINGULAR if A is not positive
+   definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6464,9 +6557,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     return status;
 }
 
-/* dT/dq_i with the masses in the work, by a central difference of order 6. Its error is h^6/140 of the seventh
-   derivative plus a rounding error of eps/h; both are small for h = 2^-7 where eps = 2^-52, and for 2^-3 where eps =
-   2^-23. */
+/* The derivative dT/dq_i with the masses in the work, by a central difference of order 6 with the step h. Its error
+   is h^6/140 of the seventh derivative plus a rounding error of eps/h. Both are small for h = 2^-7 where eps = 2^-52,
+   and for h = 2^-3 where eps = 2^-23. */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -6487,7 +6580,7 @@ VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real
     return sum / h;
 }
 
-/* Whether all that vm_lagrange_system asks for is there */
+/* Returns 1 if the system has all the functions and arrays that vm_lagrange_system asks for, else 0. */
 VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 {
     return system && system->n > 0 && system->n_masses >= 0 && system->energy && system->work &&
@@ -6495,10 +6588,10 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 }
 
 /* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns VM_BAD_ARGUMENT,
-   VM_SINGULAR, where the mass matrix is not positive definite (as for vm_lagrange_separate; a mass has become
-   negative, for example), VM_NOT_FINITE where this is due to a t or y that is not finite, and what system->forces
-   returns; each of them ends the run. An event should stop it before. Time: 2 n^2 + 6 n + 1 calls of system->energy. */
+   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns 0; or
+   VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite (for example because a mass has become
+   negative), VM_NOT_FINITE if the reason is that t or y is not finite, or the number that system->forces returns, each
+   of which ends the run. An event should stop the run before. The number of calls of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -6519,7 +6612,7 @@ VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lag
 }
 
 /* Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'.
-   y is an array of 2 n numbers. VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+   y is an array of 2 n numbers. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, or VM_OK. */
 VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
     vmi_lagrange_parts w;
@@ -6540,7 +6633,7 @@ VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_rea
 }
 
 /* Rates q' of a system at time t, from its state y = q, pi.
-   y has 2 n numbers, rates n. VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE. */
+   y has 2 n numbers, rates has n. Returns VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE, or VM_OK. */
 VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_real *y, vm_real *rates)
 {
     int status;
@@ -6551,7 +6644,7 @@ VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_rea
 }
 
 /* Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i.
-   The masses are those at (t, q).    q and rates have n numbers. NaN for i outside 0 ... n - 1 and for a null
+   The masses are those at (t, q). q and rates have n numbers. Returns NaN for i outside 0 ... n - 1 and for a null
    pointer. */
 VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates,
                                      int i)
@@ -6564,14 +6657,15 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
 #endif
 /* mechanics/euler_angles.h - Euler's angles
 
-   The attitude of a body by the angles psi, theta, phi of the sequence 3-1-3: turn by psi about z, by theta about the
-   line of nodes, by phi about the body's z axis. Here are the quaternion of three angles, the axes about which they
-   turn, which Lagrange's equations need as domega/dq'_i, and the rates of the angles from an angular velocity.
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body, which turns by psi about z, by theta
+   about the line of nodes, and by phi about its own z axis. This chapter computes the quaternion of three angles, the
+   axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i, and the rates psi',
+   theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
 
-   Angles in rad. Errors are within 4 eps for angles up to 0.1/eps (4e14, float 8e5). Beyond 2^(p-1) quarter turns, p
-   the number of digits of vm_real, an angle carries no phase. Tests: tests/test_lagrange.c. */
+   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
+   the number of binary digits of vm_real, an angle carries no phase information. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
@@ -6585,11 +6679,11 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
     return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
 }
 
-/* Axes about which Euler's angles turn, in inertial axes: omega = psi' axis[0] + theta' axis[1] + phi' axis[2].
-   axis[i] is domega/dq'_i. Nothing is done for a null pointer. */
+/* Axes about which Euler's angles turn the body, in inertial axes. The angular velocity is omega = psi' axis[0] +
+   theta' axis[1] + phi' axis[2], so that axis[i] is domega/dq'_i. Nothing is done for a null pointer. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* of psi, of theta */
+    vm_real s, c, sine, cosine; /* s, c of psi; sine, cosine of theta */
     if (!axis) return;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6598,11 +6692,11 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
     axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
 }
 
-/* Axes about which Euler's angles turn, in body axes: omega = psi' axis[0] + theta' axis[1] + phi' axis[2].
-   Nothing is done for a null pointer. */
+/* Axes about which Euler's angles turn the body, in body axes. The angular velocity is omega = psi' axis[0] + theta'
+   axis[1] + phi' axis[2]. Nothing is done for a null pointer. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* of phi, of theta */
+    vm_real s, c, sine, cosine; /* s, c of phi; sine, cosine of theta */
     if (!axis) return;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6612,10 +6706,10 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 }
 
 /* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_SINGULAR where sin(theta) = 0. */
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR where sin(theta) is 0, and VM_OK otherwise. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3]; /* of psi, of theta */
+    vm_real s, c, sine, cosine, result[3]; /* s, c of psi; sine, cosine of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);
@@ -6626,6 +6720,30 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
     result[0] = omega.z - result[2] * cosine;
     return vmi_copy_if_finite(3, result, rates);
 }
+
+#endif
+/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
+
+   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
+       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
+   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c, tests/test_forces.c. */
+#ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
+#define VARMASS_OSCILLATORS_FORCE_TERMS_H
+
+/* x|x|^(alpha-1), alpha >= 0, computed by the power: the force of a spring over -k. The callers treat x = 0 and the
+   exponents that need no power. */
+VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
+{
+    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+}
+
+/* Van der Pol's term (404), feed - c x^2, N s/m: the force over the velocity at position x. feed > 0 (N s/m) feeds
+   the vibration, and c > 0 (N s/m^3) limits it. */
+VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
+
+/* The gyroscopic coupling 2 gyro, kg/s: the gyroscopic force is this times the velocity, turned by +90 degrees. gyro
+   is g of the remark after (516), kg/s. */
+VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
 
 #endif
 /* oscillators/waves.h - wave forms of a strongly nonlinear oscillator: ca, cos and cn
@@ -6837,7 +6955,7 @@ VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
     if (alpha == 3) return x * x * x;
-    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+    return vmi_elastic_power(x, alpha);
 }
 
 /* Energy per unit mass (259), v^2/2 + omega0^2 |x|^(alpha+1)/(alpha+1), m^2/s^2. */
@@ -9528,23 +9646,6 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 }
 
 #endif
-/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
-
-   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
-       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
-   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c. */
-#ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
-#define VARMASS_OSCILLATORS_FORCE_TERMS_H
-
-/* Van der Pol's term (404), feed - c x^2, N s/m: the force over the velocity at position x. feed > 0 (N s/m) feeds
-   the vibration, and c > 0 (N s/m^3) limits it. */
-VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
-
-/* The gyroscopic coupling 2 gyro, kg/s: the gyroscopic force is this times the velocity, turned by +90 degrees. gyro
-   is g of the remark after (516), kg/s. */
-VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
-
-#endif
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
    The equation is (404), with the mass m(t) and a spring of any exponent alpha:
@@ -9585,15 +9686,23 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 of averaging with cn. (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
-VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
+/* Writes the mean values a1, a2, a3 of each method. For cn (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
+VM_API void vmi_vdp_means(vm_vdp *v)
 {
-    const vm_real m = vm_osc_jacobi_parameter(v->alpha);
-    vm_real C2, C4, C6;
-    jacobi_cn_means(m, &C2, &C4, &C6);
-    v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
-    v->a1 = (v->alpha + 3) / 2 * v->a2;
-    v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+    v->a1 = 1;
+    v->a2 = 2 / (v->alpha + 3);
+    if (v->method == VM_VDP_ATEB) {
+        v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
+    } else if (v->method == VM_VDP_TRIGONOMETRIC) {
+        v->a3 = v->a2 / 4;
+    } else {
+        const vm_real m = vm_osc_jacobi_parameter(v->alpha);
+        vm_real C2, C4, C6;
+        jacobi_cn_means(m, &C2, &C4, &C6);
+        v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
+        v->a1 = (v->alpha + 3) / 2 * v->a2;
+        v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+    }
 }
 
 /* Checks that the numbers of a Van der Pol oscillator are in their domains. */
@@ -9616,11 +9725,7 @@ VM_API int vm_vdp_init(vm_vdp *v)
     if (!v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     status = vmi_vdp_check(v);
     if (status) return status;
-    v->a1 = 1;
-    v->a2 = 2 / (v->alpha + 3);
-    if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
-    else if (v->method == VM_VDP_TRIGONOMETRIC) v->a3 = v->a2 / 4;
-    else vmi_vdp_jacobi_means(v);
+    vmi_vdp_means(v);
     return VM_OK;
 }
 
@@ -9637,6 +9742,9 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
+/* Whether the closed forms hold: they know the terms feed and c, of an oscillator that is prepared */
+VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
+
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.
    first_A is the amplitude, m, at t = 0, of either sign. One formula stands for (422), (424), (427), (429),
    (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
@@ -9652,7 +9760,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     if (!v) return VM_NAN;
     vmi_linear_mass m;
     vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
-    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !(v->a1 > 0)) return VM_NAN;
+    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
     if (vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
         (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
@@ -9688,7 +9796,7 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
     const vm_real drive = vmi_vdp_drive(v, mass_rate);
     const int exists = (drive > 0 && v->c > 0) || (drive < 0 && v->c < 0);
     const int limited = v->c > 0, rest_is_stable = drive < 0 || (drive == 0 && limited);
-    if (!VM_IS_FINITE(drive) || !(v->a1 > 0)) return VM_NAN;
+    if (!VM_IS_FINITE(drive) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
     if (stable_or_NULL) *stable_or_NULL = exists ? limited : rest_is_stable;
     if (!exists) return 0;
     return VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3)));
@@ -11046,8 +11154,8 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 /* scenes/scene.h - what a scene is made of: bodies, effects, events
 
    A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that change
-   them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers to the one
-   function that its body, effect or event needs, so that the executable holds no other. All arrays are the caller's.
+   them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers only to the
+   functions that its body, effect or event needs, so that the executable holds no others. All arrays are the caller's.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s, which keeps its velocity
@@ -11065,252 +11173,257 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
        if (status < 0) printf("%s %d: %s\n", fault.kind, fault.index, vm_strerror(status));
        else status = vm_scene_run(&scene, &t, 10, y, work, NULL);            // y[0] = x(10), y[1] = v(10)
 
-   Bodies, effects and events are known by their index. With events, scene.events, scene.located (as many) and
-   scene.n_events are set as well, before the start. From the start on all arrays stay where they are. A start begins
-   everything anew, as the constructors have made it; a second vm_scene_run goes on where the first one ended.
-   An evaluation takes about 80 instructions for a body on a line and 20 to 40 for an effect, beyond the arithmetic of
-   its force. That is 3 times and 0.3 times the C library's sin.
+   Bodies, effects and events are known by their index. A scene with events also needs scene.events, scene.n_events and
+   scene.located, an array of n_events elements, before the start. After the start all arrays must stay where they are.
+   vm_scene_start sets all to what the constructors have made; a second vm_scene_run continues where the first ended.
+   A listed motor, for example, adds at most 35 machine instructions to an evaluation of the right-hand side.
 
-   The state y has so many numbers for each body, from y[bodies[i].at] on, positions first:
+   The state y has these numbers for body i, from y[bodies[i].at] on, positions first. r is the position of the mass
+   centre, v its velocity, q the attitude and omega the angular velocity:
      line   x, v                                 point  r (3), v (3)
      axle   angle, omega                         free   r (3), q (4), v (3), omega (3, in body axes)
      plane  x, y, angle, vx, vy, omega
-   One more number follows where the mass is a state. For a growing body two further groups follow: where the mass
-   centre is, in body axes and from where it was at the start (2 numbers in the plane, else 3), and the inertia about it
-   (1 number in the plane, else xx, yy, zz, xy, xz, yz).
+   If the mass is a state, it is one more number. A growing body has two further groups of numbers: the displacement of
+   the mass centre in the body since the start, in body axes (2 numbers in the plane, else 3), and the inertia about the
+   mass centre (1 number in the plane, else xx, yy, zz, xy, xz, yz).
 
    An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z of
-   a point or a free body. On an axle, the moment of inertia takes the place of the mass and a torque that of the force.
+   a point or a free body. On an axle, a moment of inertia replaces the mass, and a torque replaces the force.
 
    Tests: tests/test_scenes.c and tests/test_scene_*.c. Flash that each part takes: docs/scene-sizes.md. */
 #ifndef VARMASS_SCENES_SCENE_H
 #define VARMASS_SCENES_SCENE_H
 
 enum {
-    VM_LINE = 1, /* along a line */
-    VM_AXLE,     /* about a fixed axle */
-    VM_PLANE,    /* in the plane: translation and rotation */
-    VM_POINT,    /* in space, without rotation */
-    VM_FREE      /* in space, with rotation */
+    VM_LINE = 1, /* motion along a line */
+    VM_AXLE,     /* rotation about a fixed axle */
+    VM_PLANE,    /* translation and rotation in the plane */
+    VM_POINT,    /* translation in space */
+    VM_FREE      /* translation and rotation in space */
 }; /* the motions of a body */
 
-enum { VM_GROUND = -1 }; /* in place of the index of a body: an effect acts against the ground */
+enum { VM_GROUND = -1 }; /* stands for the ground where an index of a body is expected */
 
-/* Sums of what acts on a body at one evaluation. Every evaluation clears them, and then each effect adds its part. */
+/* Sums of the loads on a body at one evaluation. Every evaluation sets them to 0, and then each effect adds its
+   part. */
 typedef struct VM_TAG(vm_load) {
-    vm_real mass;       /* kg (on an axle kg m^2): the mass now */
-    vm_real extra_mass; /* kg: M'(v) (v - u) of a mass law M(v), which accelerates together with the mass */
-    vm_real mass_rate;  /* kg/s, where the mass is a state */
-    vm_real force[6];   /* N (N m on an angle), on each coordinate; 3 to 5: the torque on a free body, inertial axes */
-    vm_real mass_by_v;  /* kg s/m: M'(v) of a mass law M(v) */
-    vm_real joining_v;  /* m/s: the velocity of the mass that joins or leaves by such a law */
-    /* for growing bodies alone */
-    vm_vec3 drift;           /* m/s: r' - v, since the mass centre moves in the body; inertial axes */
-    vm_vec3 centre_rate;     /* m/s, of the mass centre in the body, body axes */
-    vm_inertia inertia_rate; /* kg m^2/s, body axes */
-    /* where the scene keeps a budget */
-    vm_real reactive[6];    /* N, N m: the part of `force` that is reactive */
+    vm_real mass;       /* kg (on an axle kg m^2): the present mass */
+    vm_real extra_mass; /* kg: M'(v) (reactive v - u) of a mass law M(v), added to the mass that is accelerated */
+    vm_real mass_rate;  /* kg/s: rate of the mass, if the mass is a state */
+    vm_real force[6];   /* N (N m on an angle) on each coordinate; 3 to 5: torque on a free body, inertial axes */
+    vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
+    vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
+    /* only for growing bodies */
+    vm_vec3 drift;           /* m/s, inertial axes: velocity of the mass centre relative to the body */
+    vm_vec3 centre_rate;     /* m/s, body axes: velocity of the mass centre relative to the body */
+    vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia */
+    /* only if the scene keeps a budget */
+    vm_real reactive[6];    /* N, N m: the reactive part of `force` */
     vm_real brought[6];     /* N, N m: momentum and angular momentum that streams bring per second */
     vm_real brought_energy; /* W: kinetic energy that streams bring per second */
-    vm_real mixing;         /* W: energy that is lost as this mass takes on the velocity of the body */
+    vm_real mixing;         /* W: kinetic energy lost per second as mass of streams takes on the body's velocity */
 } vm_load;
 
 typedef struct VM_TAG(vm_scene_body) vm_scene_body;
 
-/* A body of a scene, made by vm_scene_body_line and its like; the caller changes no field. */
+/* A body of a scene. A constructor such as vm_scene_body_line makes it; the caller changes no field. */
 struct VM_TAG(vm_scene_body) {
     /* set by the constructor */
-    int motion;        /* VM_LINE, ... */
+    int motion;        /* VM_LINE, VM_AXLE, VM_PLANE, VM_POINT or VM_FREE */
     int mass_is_state; /* 1: the mass is a number of the state, so that streams can change it */
-    int grows;         /* 1: mass centre and inertia are numbers of the state as well */
+    int grows;         /* 1: mass centre and inertia are numbers of the state too */
     int absent;        /* 1: the body is not present until an event brings it in */
-    int positions;     /* how many numbers of its state are positions */
-    int coordinates;   /* how many are velocities */
+    int positions;     /* number of positions in the state of the body */
+    int coordinates;   /* number of velocities in the state of the body */
     /* set by vm_scene_start, and kept up to date by a run */
-    int at;      /* index into y of the first number of its state */
-    int mass_at; /* index into y of the mass, where it is a state */
+    int at;      /* index in y of the first number of the body */
+    int mass_at; /* index in y of the mass, if the mass is a state */
     int away;    /* 1 while the body is not present */
-    /* What the motion needs, as pointers, so that a scene links only the motions of its bodies.
-       accelerate: the derivatives of the state from the load; returns a status.
-       begin: NULL, or what a growing body prepares before the effects of an evaluation. */
+    /* The functions of the motion. They are pointers, so that a program links only those for the motions of its bodies.
+       accelerate computes the derivatives of the state from the load and returns a status. begin is NULL, or prepares a
+       growing body before the effects of an evaluation. */
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
     void (*begin)(vm_scene_body *b, const vm_real *state);
-    vm_real mass; /* kg: the mass, where it is neither a state nor given by a law */
-    vm_load load; /* what acts on it at the last evaluation */
-    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes the state */
-    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads the state */
-    int (*check)(const vm_body *start); /* NULL, or a check of its inertia, which returns a status */
-    vm_body start;                      /* as it starts; of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z */
-    vm_real angle;                      /* rad: the angle at which an axle or a body in the plane starts */
-    vm_real law_offset;     /* kg: what jumps, and switching the mass law, have added to the mass by its law */
-    vm_inertia inertia;     /* kg m^2: now, body axes */
-    vm_inertia invertible;  /* kg m^2: the same with a dummy moment about each axis that has none */
-    vmi_mat3 axes;          /* of a growing body: its axes now, in inertial ones */
-    int listed_orders;      /* bits (1 << order) of the effects on it so far, while vm_scene_check runs */
-    int status;             /* VM_OK, or why the constructor could not make it */
-    vm_real noted_mass;     /* kg: the mass before an event, which switching an effect must not change */
+    vm_real mass; /* kg: the mass, if it is neither a state nor given by a law */
+    vm_load load; /* the loads on the body at the last evaluation */
+    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes `now` to the state */
+    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads `now` from the state */
+    int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
+    vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (in kg m^2), omega.z */
+    vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
+    vm_real law_offset;     /* kg: mass that jumps and switches of the mass law have added to the mass by the law */
+    vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
+    vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
+    vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
+    int listed_orders;      /* bits (1 << order) of the effects on the body that vm_scene_check has seen */
+    int status;             /* VM_OK, or the reason why the constructor could not make the body */
+    vm_real noted_mass;     /* kg: the mass before an event that must not change it */
 };
 
-/* Position (m), velocity (m/s) and acceleration (m/s^2) at time t of a point whose motion is given */
+/* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
 typedef void (*vm_moving_point)(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx);
 typedef struct VM_TAG(vm_scene) vm_scene;
 typedef struct VM_TAG(vm_effect) vm_effect;
 typedef struct VM_TAG(vm_event) vm_event;
 
-/* What a mass law M(t, x, v) returns: the mass and its partial derivatives */
+/* What a mass law M(t, x, v) returns: the mass and its partial derivatives by time t, position x and velocity v */
 typedef struct VM_TAG(vm_mass_law_values) {
-    vm_real mass; /* kg (on an axle kg m^2) */
-    vm_real by_t; /* dM/dt, kg/s (on an axle kg m^2/s) */
-    vm_real by_x; /* dM/dx, kg/m (on an axle kg m^2/rad) */
-    vm_real by_v; /* dM/dv, kg s/m (on an axle kg m^2 s/rad) */
+    vm_real mass; /* kg (on an axle kg m^2): the mass M */
+    vm_real by_t; /* kg/s (on an axle kg m^2/s): dM/dt */
+    vm_real by_x; /* kg/m (on an axle kg m^2/rad): dM/dx */
+    vm_real by_v; /* kg s/m (on an axle kg m^2 s/rad): dM/dv */
 } vm_mass_law_values;
 
-/* The place of an effect in the list of effects on its body */
+/* The place of an effect among the effects on its body */
 enum {
-    VMI_ORDER_MASS_LAW = 0, /* first, since the others need the mass */
+    VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
-    VMI_ORDER_LINK = 2 /* last, since its force is the reaction to the others */
+    VMI_ORDER_LINK = 2 /* links stand last, since their force is the reaction to all other forces */
 };
 
 /* What an effect needs of the mass of its body */
 enum { VMI_NEEDS_ANY_MASS = 0, VMI_NEEDS_MASS_STATE = 1, VMI_NEEDS_GROWING_BODY = 2 };
 
-/* Why an effect does not act now, as bits of vm_effect.idle */
+/* Reasons why an effect does not act now, as bits of vm_effect.idle */
 enum { VMI_IDLE_SWITCHED_OFF = 1, VMI_IDLE_BODY_AWAY = 2 };
 
-/* An effect, made by vm_effect_spring and its like. To write a new one: effects.h says how, above vmi_effect. */
+/* An effect. A constructor such as vm_effect_spring makes it. The comment above vmi_effect in effects.h explains how to
+   write a new one. */
 struct VM_TAG(vm_effect) {
     /* set by the constructor */
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
-    int variant; /* which of its variants it is: the kind of mass law, a band in layers, a cord */
-    /* set by vm_scene_start, so that an evaluation need not look for it */
+    int variant; /* its variant, such as the kind of a mass law, a band in layers, a cord */
+    /* found once by vm_scene_start, so that evaluations are fast */
     int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
-    int x, v;             /* indices into y: position and velocity of the coordinate on which it acts */
-    int other_x, other_v; /* indices into y: position and velocity of the coordinate that takes the reaction */
-    vm_load *load;        /* of the body */
-    vm_load *other_load;  /* of the body that takes the reaction; NULL for the ground */
-    /* set by the constructor, too */
-    int body, coordinate;        /* on what it acts */
-    int other, other_coordinate; /* against what: another body, or VM_GROUND */
+    int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
+    int other_x, other_v; /* indices in y: position and velocity of the coordinate that takes the reaction */
+    vm_load *load;        /* load of the body on which the effect acts */
+    vm_load *other_load;  /* load of the body that takes the reaction; NULL for the ground */
+    /* also set by the constructor */
+    int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
+    int other, other_coordinate; /* index and coordinate of the body that takes the reaction, or VM_GROUND */
     vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their places */
-    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_force: N or N m */
-    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
-    vm_moving_point point;                                          /* of vm_effect_link: NULL, or the far end */
-    const vm_stream *stream;                                        /* of vm_effect_stream_mass and its like */
-    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* NULL, or of vm_effect_varying */
+    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function of vm_effect_force */
+    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function of vm_effect_mass_law */
+    vm_moving_point point;                                          /* NULL, or the moving end of vm_effect_link */
+    const vm_stream *stream;                                        /* stream of vm_effect_stream_mass and its like */
+    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function of vm_effect_varying */
     int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
-    void *ctx;                             /* handed to the caller's function */
-    unsigned motions;                      /* bit (1 << motion) for each motion of a body on which it can act */
-    unsigned other_motions;                /* and of a body against which it can act */
-    int needs;                             /* VMI_NEEDS_... */
-    int order;                             /* VMI_ORDER_... */
+    void *ctx;                             /* pointer that the caller's function receives */
+    unsigned motions;                      /* bit (1 << motion) for each motion on which the effect can act */
+    unsigned other_motions;                /* bit (1 << motion) for each motion that can take the reaction */
+    int needs;                             /* what it needs of the mass of its body: VMI_NEEDS_... */
+    int order;                             /* its place among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
-    int not_on_angle; /* 1: the angle of a body in the plane is no coordinate for it */
+    int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
 };
 
 /* What a jump event does */
 enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 
-/* An event: when it happens, made by vm_event_at and its like, and what happens then, by vm_then_stop and its like. */
+/* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop what it
+   does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; NULL: it happens at `time` */
-    /* What happens then; returns a status, and VM_STOPPED ends the run. NULL: the event is only counted */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or it crosses zero at the event */
+    /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
+       run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
-    vm_real time;  /* s: when it happens, where `when` is NULL; else when it last happened, or when the scene started */
-    int direction; /* > 0: `when` rises through zero; < 0: it falls; 0: both */
-    /* of events that watch a body: they happen when its coordinate, velocity or mass crosses `value` */
-    int watches; /* 1: it watches a body */
+    vm_real time;  /* s: when it happens, if `when` is NULL; else when it last happened, or the start of the scene */
+    int direction; /* > 0: `when` rises through zero; < 0: `when` falls; 0: both count */
+    /* for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
+    int watches; /* 1: the event watches a body */
     int body, coordinate;
     vm_real value;
-    /* of events that switch an effect */
-    int switches; /* 1: it switches an effect */
+    /* for an event that switches an effect */
+    int switches; /* 1: the event switches an effect */
     int effect;   /* index of the effect */
-    int off;      /* 1: off; 0: on */
-    /* of jumps: check returns a status; jump computes the motion afterwards, on a line, in the plane, or anywhere */
+    int off;      /* 1: the effect is switched off; 0: on */
+    /* for a jump: check returns a status; jump computes the motion after the jump on a line, in the plane, or for any
+       motion */
     int (*check)(const vm_scene *scene, const vm_event *event);
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
-    int jump_kind;       /* VMI_JUMP_... */
-    int jump_body;       /* the body that loses or gains mass */
-    int other;           /* the body that separates from it, or is attached to it */
+    int jump_kind;       /* VMI_JUMP_NONE, VMI_JUMP_SEPARATES or VMI_JUMP_ATTACHES */
+    int jump_body;       /* index of the body that loses or gains mass */
+    int other;           /* index of the body that separates from jump_body, or is attached to it */
     vm_body part;        /* the part that separates */
-    int relative;        /* 1: the motion of `part` is relative to the body, in its axes */
-    vm_impulse external; /* acts from outside during the jump; the caller may set it */
-    /* of vm_event_user and vm_then_user */
+    int relative;        /* 1: the motion of `part` is relative to the body, in body axes */
+    vm_impulse external; /* impulse from outside during the jump; the caller may set it */
+    /* for vm_event_user and vm_then_user */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
-    void *ctx;      /* handed to user_when */
-    void *then_ctx; /* handed to user_then */
+    void *ctx;      /* pointer that user_when receives */
+    void *then_ctx; /* pointer that user_then receives */
     /* for the caller */
-    long most;  /* it happens so often at the most; 0: without limit. The caller may set it */
-    long count; /* how often it has happened */
+    long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
+    long count; /* how often the event has happened */
     /* set by vm_scene_start, and kept up to date by a run */
-    long seen;       /* crossings that the integrator had counted when the run last looked */
-    vm_scene *scene; /* to which it belongs */
-    int status;      /* VM_OK, or why a constructor could not make it */
+    long seen;       /* number of crossings by the integrator that the run has already handled */
+    vm_scene *scene; /* the scene to which the event belongs */
+    int status;      /* VM_OK, or the reason why a constructor could not make the event */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
 
-/* The budget of momentum, angular momentum and energy: what is there, what came in from outside, and the difference.
-   vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
+/* The budget of momentum, angular momentum and energy of a scene: what the bodies have, what came in from outside, and
+   the difference. vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
-    vm_vec3 impulse;          /* N s, of the effects and of the external impulses of jumps */
-    vm_vec3 angular_impulse;  /* N m s, of the same, about the origin */
+    vm_vec3 impulse;          /* N s: impulse of the effects and of the external impulses of jumps */
+    vm_vec3 angular_impulse;  /* N m s: angular impulse of the effects and of jumps about the origin */
     vm_vec3 brought;          /* N s: momentum that streams and mass laws brought */
-    vm_vec3 brought_angular;  /* N m s: angular momentum that they brought, about the origin */
-    vm_real work;             /* J, of the effects, reactive forces excepted */
+    vm_vec3 brought_angular;  /* N m s: angular momentum about the origin that streams and mass laws brought */
+    vm_real work;             /* J: work of the effects, without reactive forces */
     vm_real brought_energy;   /* J: kinetic energy that streams and mass laws brought */
-    vm_real mixing;           /* J: lost as this mass took on the velocity of the body */
-    vm_vec3 momentum;         /* N s, of all bodies that are present */
-    vm_vec3 angular_momentum; /* N m s, of all bodies that are present, about the origin */
-    vm_real energy;           /* J: their kinetic energy */
+    vm_real mixing;           /* J: kinetic energy lost as the mass of streams took on the velocity of the body */
+    vm_vec3 momentum;         /* N s: momentum of all bodies that are present */
+    vm_vec3 angular_momentum; /* N m s: angular momentum of all bodies that are present, about the origin */
+    vm_real energy;           /* J: kinetic energy of all bodies that are present */
     vm_real jump_energy;      /* J: kinetic energy that jumps have added */
-    vm_vec3 momentum_defect;  /* N s: what is there, minus what was there at the start, minus what came in */
-    vm_vec3 angular_defect;   /* N m s, likewise */
-    vm_real energy_defect;    /* J, likewise */
-    /* internal; as pointers, so that a scene without a budget links none of it */
+    vm_vec3 momentum_defect;  /* N s: momentum - momentum at the start - impulse - brought */
+    vm_vec3 angular_defect;   /* N m s: this difference for the angular momentum, angular_impulse and brought_angular */
+    vm_real energy_defect;    /* J: energy - energy at the start - work - brought_energy + mixing - jump_energy */
+    /* internal functions; they are pointers, so that a program without a budget does not link them */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
     void (*rates)(vm_scene *scene, const vm_real *y, vm_real *rates);
     void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *budget);
 };
 
-/* A scene. Fields that are 0 or NULL mean: there is none. */
+/* A scene. Every field that is 0 or NULL means that the scene has no such part. */
 struct VM_TAG(vm_scene) {
     /* set by the caller before vm_scene_start */
-    vm_scene_body *bodies; /* n_bodies of them */
+    vm_scene_body *bodies; /* array of n_bodies bodies */
     int n_bodies;
-    vm_effect *effects; /* n_effects of them */
+    vm_effect *effects; /* array of n_effects effects */
     int n_effects;
-    vm_event *events;   /* n_events of them */
-    ode_event *located; /* room for n_events, for the integrator, which locates the events */
+    vm_event *events;   /* array of n_events events */
+    ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
-    vm_budget *budget; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET_STATES numbers join the state */
-    /* called when a run starts and after each step, or at the times that follow; the run stops where it returns
-       another number than 0 */
+    vm_budget *budget; /* set by vm_scene_keep_budget: the budget at the start; it adds VM_BUDGET_STATES numbers to y */
+    /* NULL, or a function of the caller. It is called when a run starts and after each step, or at `times`. The run
+       stops if it returns a number other than 0. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times rising times; output is then called at them, not after steps */
+    const vm_real *times; /* s: NULL, or n_times rising times at which output is called, not after steps */
     int n_times;
-    void *output_ctx; /* handed to output */
-    int y_size;       /* how many numbers y has room for: a start and a run then check it. 0: they do not */
-    int work_size;    /* how many numbers work has room for, likewise */
+    void *output_ctx; /* pointer that output receives */
+    int y_size;       /* number of elements of y, which a start and a run check; 0 means no check */
+    int work_size;    /* number of elements of work, which a run checks; 0 means no check */
     /* set by vm_scene_start and by a run, for the caller to read */
     int status;     /* of the right-hand side: VM_OK, or why a body cannot be accelerated or an effect cannot act */
-    int ode_status; /* of the integrator: ODE_... */
-    int size;       /* how many numbers the state has; 0 before the start */
+    int ode_status; /* of the integrator: ODE_OK or another status of ode.h */
+    int size;       /* number of elements of the state; 0 before the start */
 };
 
-/* Sets of motions, a bit (1 << motion) each */
+/* Sets of motions, with the bit (1 << motion) for each motion */
 enum {
-    VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE, /* one coordinate */
+    VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE, /* motions with one coordinate */
     VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT,
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 
-/* The place of the mass among the numbers of a body, where it is a state */
+/* The place of the mass among the numbers of a body, if the mass is a state */
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
-/* How many numbers of the state belong to the body */
+/* The number of elements of the state that belong to the body */
 VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
 {
     int size = vmi_scene_mass_at(b) + (b->mass_is_state != 0);
@@ -11318,19 +11431,21 @@ VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
     return size;
 }
 
-/* Position on which an effect acts, relative to the coordinate that takes the reaction; the ground's position is 0 */
+/* Position of the coordinate on which an effect acts, relative to the coordinate that takes the reaction or to the
+   ground */
 VM_INLINE vm_real vmi_effect_x(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->x] - y[e->other_x] : y[e->x];
 }
 
-/* Velocity on which an effect acts, relative to the coordinate that takes the reaction; the ground's velocity is 0 */
+/* Velocity of the coordinate on which an effect acts, relative to the coordinate that takes the reaction or to the
+   ground */
 VM_INLINE vm_real vmi_effect_v(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->v] - y[e->other_v] : y[e->v];
 }
 
-/* Adds the force f to the coordinate of the effect, and -f to the one that takes the reaction */
+/* Adds the force f to the coordinate on which the effect acts, and -f to the coordinate that takes the reaction */
 VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 {
     e->load->force[e->coordinate] += f;
@@ -11340,19 +11455,18 @@ VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 #endif
 /* scenes/motions.h - the bodies of a scene, and how each of them moves
 
-   A body moves along a line, about an axle, in the plane, or in space: there as a point or, with rotation, free. Its
-   constructor states how it starts, in SI units. Each kind of body brings four functions: put writes its motion into
-   the state, get reads it from there, accelerate computes the derivatives of the state from the load, and check refuses
-   an inertia that it cannot have.
+   A body moves along a line, about an axle, in the plane, as a point in space, or free in space, with rotation. The
+   arguments of its constructor are its motion at the start, in SI units. Each kind of body has four functions: put
+   writes its motion into the state, get reads its motion from the state, accelerate computes the derivatives of the
+   state from the load, and check refuses an inertia that the body cannot have.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
                                  vm_scene_body_axle(0.5, 0, 30),                             // 0.5 kg m^2 at 30 rad/s
                                  vm_scene_body_absent(vm_scene_body_point(1, zero, zero))};  // an event brings it in
 
-   The constructors check nothing but NULL pointers; vm_scene_check and vm_scene_start refuse a mass that is not
-   positive (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite
-   (VM_NOT_FINITE).
+   The constructors check only for NULL pointers; vm_scene_check and vm_scene_start refuse a mass that is not positive
+   (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite (VM_NOT_FINITE).
 
    Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_MOTIONS_H
@@ -11372,7 +11486,7 @@ VM_API vm_scene_body vmi_scene_body(int motion, int positions, int coordinates)
 
 /* -- One coordinate: a line and an axle -- */
 
-/* x'' = F/(M + extra mass) */
+/* Computes the acceleration x'' = force/(mass + extra_mass) along the only coordinate */
 VM_API int vmi_single_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     rates[0] = state[1];
@@ -11395,7 +11509,7 @@ VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->v.x = state[1];
 }
 
-/* A body on a line. mass in kg, x in m, v in m/s. */
+/* A body on a line. mass is in kg, the position x in m, the velocity v in m/s. */
 VM_API vm_scene_body vm_scene_body_line(vm_real mass, vm_real x, vm_real v)
 {
     vm_scene_body b = vmi_scene_body(VM_LINE, 1, 1);
@@ -11422,7 +11536,8 @@ VM_API void vmi_axle_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->inertia.zz = now->mass;
 }
 
-/* A body on a fixed axle. inertia about the axle in kg m^2, angle in rad, omega in rad/s. */
+/* A body on a fixed axle. inertia is the moment of inertia about the axle in kg m^2; angle is in rad, omega in
+   rad/s. */
 VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_AXLE, 1, 1);
@@ -11437,7 +11552,7 @@ VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real 
 
 /* -- The plane -- */
 
-enum { VMI_PLANE_X, VMI_PLANE_Y, VMI_PLANE_ANGLE, VMI_PLANE_VX, VMI_PLANE_VY, VMI_PLANE_OMEGA }; /* its state */
+enum { VMI_PLANE_X, VMI_PLANE_Y, VMI_PLANE_ANGLE, VMI_PLANE_VX, VMI_PLANE_VY, VMI_PLANE_OMEGA }; /* indices in state */
 
 VM_API int vmi_plane_check(const vm_body *start) { return start->inertia.zz > 0 ? VM_OK : VM_BAD_INERTIA; }
 
@@ -11462,7 +11577,8 @@ VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
-/* As a lamina: the moments about x and y, which no motion in the plane asks for, make a body that is possible */
+/* Reads a body in the plane. As in a lamina, the moments of inertia about x and y, which no motion in the plane needs,
+   have the sum zz, so that such a body is possible. */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
@@ -11475,8 +11591,8 @@ VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body 
     now->inertia.xx = now->inertia.yy = now->inertia.zz / 2;
 }
 
-/* A body in the plane. mass in kg, inertia about the mass centre in kg m^2 (> 0), r in m, angle in rad (anticlockwise),
-   v in m/s, omega in rad/s. r.z and v.z do not count. */
+/* A body in the plane. mass is in kg, the moment of inertia about the mass centre in kg m^2 (> 0), the position r in m,
+   the angle in rad (anticlockwise), the velocity v in m/s, omega in rad/s. r.z and v.z have no effect. */
 VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
                                     vm_real omega)
 {
@@ -11505,7 +11621,7 @@ VM_API int vmi_point_body_check(const vm_body *start)
     return VM_BAD_INERTIA;
 }
 
-/* r' and v' of a point, and of a free body, whose state has q between r and v */
+/* Computes r' and v' of a point, or of a free body, in whose state q stands between r and v */
 VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
@@ -11527,7 +11643,7 @@ VM_API void vmi_point_body_get(const vm_scene_body *b, const vm_real *state, vm_
     now->v = vmi_get3(state + b->positions);
 }
 
-/* A point in space. mass in kg, r in m, v in m/s. */
+/* A point in space. mass is in kg, the position r in m, the velocity v in m/s. */
 VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 {
     vm_scene_body b = vmi_scene_body(VM_POINT, 3, 3);
@@ -11543,23 +11659,11 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 /* -- A free body in space -- */
 
-enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* its state; omega in body axes */
+enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes. The second term holds the length of q at 1; it
-   acts as fast as q turns, so that a slow rotation is not stiff. mechanics/flow.h has the same law. */
-VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
-{
-    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
-}
-
-/* Euler's equations I omega' = torque - omega x I omega in body axes. They are solved with the dummy moments, and so
-   the spin about the null axis of a rod stays: no load turns a rod about it. */
+/* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
+   includes the dummy moments of b->invertible; therefore the spin of a rod about its own axis stays, since no load
+   turns a rod about it. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -11582,12 +11686,12 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     const vm_vec3 omega = vmi_get3(state + VMI_FREE_OMEGA);
     const vmi_mat3 axes = vmi_rotation(q);
     vmi_point_body_accelerate(b, state, rates);
-    vmi_free_turn(q, omega, rates + VMI_FREE_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), omega, rates + VMI_FREE_Q);
     return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
 }
 
 /* The inertia with a dummy moment about each axis that has none, so that it can be inverted. No torque acts about such
-   an axis, so that the dummy accelerates nothing. */
+   an axis, so that the dummy moment has no effect on the motion. */
 VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
 {
     const vm_real trace = i->xx + i->yy + i->zz, dummy = trace > 0 ? trace : 1;
@@ -11623,8 +11727,8 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* A body that moves and turns freely in space, as *start says. It may be a rod, whose spin about itself then stays.
-   VM_BAD_ARGUMENT at the start of the scene where start is NULL. */
+/* A body that moves and turns freely in space. *start is its motion at the start. It may be a rod, whose spin about its
+   own axis then stays. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
@@ -11640,28 +11744,30 @@ VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 
 /* -- Any body -- */
 
-/* A body whose mass is a state, so that streams can change it. Otherwise it is `body`. */
+/* A body like `body` whose mass is a state, so that streams can change the mass. */
 VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 {
     body.mass_is_state = 1;
     return body;
 }
 
-/* A body that is not present until an event brings it in. Otherwise it is `body`. Effects on it do not act before. */
+/* A body like `body` that is not present until an event brings it in. Effects on the body do not act before this
+   event. */
 VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
     return body;
 }
 
-/* How many coordinates the mass moves in; of an axle, the one in which the inertia turns */
+/* The number of coordinates along which the mass moves; on an axle 1, the coordinate about which the inertia turns */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;
     return motion == VM_PLANE ? 2 : 3;
 }
 
-/* Numbers by coordinate as a vector, inertial axes: the part that moves the mass centre */
+/* The vector, in inertial axes, of the numbers in a, one for each coordinate, that belong to the motion of the mass
+   centre */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -11670,7 +11776,8 @@ VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
     return vmi_get3(a);
 }
 
-/* Numbers by coordinate as a vector: the part that turns the body, in the axes in which the numbers are */
+/* The vector of the numbers in a, one for each coordinate, that belong to the rotation of the body, in the axes of
+   these numbers */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
@@ -11679,7 +11786,7 @@ VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
     return vmi_vec3(0, 0, 0);
 }
 
-/* The angular velocity of a body, inertial axes */
+/* The angular velocity of a body in inertial axes */
 VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
 {
     const vm_vec3 omega = vmi_scene_turning(b, y + b->at + b->positions);
@@ -11689,7 +11796,8 @@ VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
     return vmi_times(&axes, omega);
 }
 
-/* Adds two vectors to numbers by coordinate: the inverse of vmi_scene_moving and vmi_scene_turning */
+/* Adds two vectors to the numbers in a, one for each coordinate: `moving` to those of the mass centre, `turning` to
+   those of the rotation. So it is the inverse of vmi_scene_moving and vmi_scene_turning. */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {
@@ -11710,8 +11818,8 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
 /* scenes/growing.h - bodies whose mass centre and inertia change
 
    The mass, the mass centre in the body, and the inertia of a growing body are numbers of the state, so that streams
-   can cross at its points (streams.h). It moves in the plane or in space. A body without extension (a rod, a point)
-   cannot grow.
+   can enter or leave at its points (streams.h). A growing body moves in the plane or in space. A body without extension
+   (a rod, a point) cannot grow.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_growing_plane(vm_scene_body_plane(2, 1, zero, 0, zero, 0))};
@@ -11721,10 +11829,10 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
 #ifndef VARMASS_SCENES_GROWING_H
 #define VARMASS_SCENES_GROWING_H
 
-/* Where the mass centre begins in the state of a growing body: after the mass */
+/* The index of the mass centre in the state of a growing body: it follows the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
-/* Where its inertia begins: after the 2 or 3 numbers of the mass centre */
+/* The index of the inertia in the state of a growing body: it follows the 2 or 3 numbers of the mass centre */
 VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
 {
     const int directions = b->motion == VM_PLANE ? 2 : 3;
@@ -11787,8 +11895,8 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
     vmi_plane_get(b, state, now);
 }
 
-/* A growing body in the plane, made of one by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when its inertia is
-   no longer positive. VM_BAD_MOTION at the start for any other body. */
+/* A growing body in the plane, made of a body by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when the inertia
+   is no longer positive. vm_scene_start returns VM_BAD_MOTION for any other body. */
 VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -11810,7 +11918,7 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* not used: Euler's equations below solve with pivots */
+    vmi_inertia_ldl factors; /* only for the check: vmi_free_accelerate solves Euler's equations with pivots */
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
@@ -11833,7 +11941,8 @@ VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, v
     vmi_free_get(b, state, now);
 }
 
-/* A rod or a point has an axis about which no stream could turn it, and is refused */
+/* Checks the inertia of a growing body. A rod or a point is refused, since no stream could turn it about one of its
+   axes. */
 VM_API int vmi_free_growing_check(const vm_body *start)
 {
     vmi_inertia_ldl factors;
@@ -11843,8 +11952,9 @@ VM_API int vmi_free_growing_check(const vm_body *start)
     return VM_OK;
 }
 
-/* A growing body in space, made of one by vm_scene_body_free. A run ends with VM_BAD_INERTIA when no body can have its
-   inertia any longer. VM_BAD_MOTION at the start for any other body, VM_BAD_INERTIA for a rod. */
+/* A growing body in space, made of a body by vm_scene_body_free. A run ends with VM_BAD_INERTIA when no body can have
+   the inertia any longer. vm_scene_start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for a rod or a
+   point. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -11862,8 +11972,8 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 
    The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
    return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v its
-   rate. Nothing is checked: an argument that is NaN gives NaN. The results are right to some eps of the terms that are
-   added.
+   rate (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6 VM_EPSILON times the sum
+   of the absolute values of the terms, if the angle of a sine or cosine is exact.
 
        vm_real x = VM_C(0.1), v = 2, mass = 3;
        vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
@@ -11872,31 +11982,34 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 #ifndef VARMASS_SCENES_FORCES_H
 #define VARMASS_SCENES_FORCES_H
 
-/* The force of a spring, -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN
-   below. The exponents 1, 2 and 3 take no power. */
+/* The force of a spring, -k x |x|^(alpha-1) (248). The stiffness k in N/m^alpha may have either sign. The result is NaN
+   for alpha < 0. The exponents alpha = 1, 2 and 3 are computed without a power. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
-    return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
+    return -k * vmi_elastic_power(x, alpha) * (x != 0);
 }
 
-/* The force of a linear damper, -damping v. damping in N s/m takes energy out if it is positive. */
+/* The force of a linear damper, -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
 VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping * v; }
 
-/* The force of Van der Pol's damper, (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
-   takes it out at large amplitudes. */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
+/* The force of Van der Pol's damper, (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in
+   N s/m^3 takes energy out at large amplitudes. */
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c)
+{
+    return vmi_van_der_pol_feed(b, c, x) * v;
+}
 
-/* The torque of a motor, stall_torque - kappa omega. Its characteristic is a straight line; stall_torque in N m is the
-   torque at rest, kappa in N m s. */
+/* The torque of a motor, stall_torque - kappa omega. omega is the angular velocity in rad/s, stall_torque the torque at
+   rest in N m, and kappa the slope of the straight characteristic in N m s. */
 VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real stall_torque, vm_real kappa)
 {
     return stall_torque - kappa * omega;
 }
 
-/* The force of harmonic excitation, amplitude cos(frequency t + phase). amplitude in N, frequency in rad/s, phase in
+/* The force of harmonic excitation, amplitude cos(frequency t + phase). amplitude is in N, frequency in rad/s, phase in
    rad. */
 VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real frequency, vm_real phase)
 {
@@ -11905,21 +12018,20 @@ VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real freque
     return amplitude * c;
 }
 
-/* The reactive force of a stream, rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
-   the velocity of its mass is u + (1 - reactive) v: for reactive = 1 the absolute velocity u, for reactive = 0 the
-   velocity u relative to the body. */
+/* The reactive force of a stream, rate (u - reactive v). The stream brings mass at the rate in kg/s; a negative rate
+   takes mass away. The velocity of this mass is u + (1 - reactive) v: the absolute velocity u for reactive = 1, and u
+   relative to the body, whose velocity is v, for reactive = 0. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
     return rate * (u - reactive * v);
 }
 
-/* The weight of a mass, mass g. It points along the coordinate, so that g is negative where the coordinate points up.
-   mass in kg, g in m/s^2. */
+/* The weight of a mass, mass g. mass is in kg and g in m/s^2. g is negative if the coordinate points up. */
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
-/* The force of an elastic shaft, -k r |r|^(alpha-1), r = (x, y). It points to the origin of the plane; r in m. The
-   components go to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN
-   below. */
+/* The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y). It points to the origin of the plane. r
+   is in m, the stiffness k in N/m^alpha, and the force is NaN for alpha < 0. The components are written to *fx and *fy;
+   if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -11928,8 +12040,9 @@ VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm
     *fy = f * y;
 }
 
-/* The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
-   frequency in rad/s. The components go to *fx and *fy; nothing happens if one of these pointers is NULL. */
+/* The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase). unbalance is the mass m times its
+   eccentricity e in kg m, and frequency is the angular velocity Omega in rad/s. The components are written to *fx and
+   *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
 {
@@ -11942,30 +12055,30 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
 }
 
 /* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
-   equation has the term 2 i gyro z'. It does no work. The components go to *fx and *fy; nothing happens if one of these
-   pointers is NULL. */
+   equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are written to
+   *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -2 * gyro * vy;
-    *fy = 2 * gyro * vx;
+    *fx = -vmi_gyroscopic_coupling(gyro) * vy;
+    *fy = vmi_gyroscopic_coupling(gyro) * vx;
 }
 
 #endif
 /* scenes/effects.h - springs, dampers, motors and other forces on a coordinate
 
-   An effect exerts a force of forces.h on a coordinate of a body. x and v are then the position and the velocity of
-   this coordinate. Where an effect acts against another body, x and v are relative to a coordinate of that body, which
-   takes the reaction; against VM_GROUND they are relative to a point at rest. A mass law of a body stands before the
-   other effects on it, and a link stands after them.
+   An effect exerts a force of forces.h on a coordinate of a body. x and v are the position and the velocity of this
+   coordinate. If an effect acts against another body, x and v are relative to a coordinate of that body, which takes
+   the reaction; against VM_GROUND they are relative to a point at rest. A mass law stands before all other effects on
+   its body, and a link stands after them.
 
        vm_effect effects[] = {vm_effect_gravity(0, 0, -9.81),                       // weight of body 0
                               vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1000, 0), // 1000 N/m to the ground
                               vm_effect_damper(1, 0, 0, 0, 5)};                     // 5 N s/m between bodies 1 and 0
 
-   Arguments of all constructors here: `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
-   coordinates of them (scene.h has a list). A constructor checks nothing but functions that are missing; vm_scene_check
-   and vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN or outside their
+   In all constructors of this file `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
+   their coordinates (scene.h has a list). A constructor checks only whether a function is missing; vm_scene_check and
+   vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN or outside their
    domain.
 
    Tests: tests/test_scene_effects.c. */
@@ -11974,16 +12087,16 @@ VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real
 
 #include <string.h>
 
-/* To add an effect, write one block like that of the spring below, and nothing else in the headers:
-     an enum          the places of its parameters in p[6];
-     vmi_apply_NAME   adds its force to the loads, at each evaluation;
-     vmi_NAME_check   only where not all finite parameters are allowed: returns a status;
-     vm_effect_NAME   the constructor: vmi_effect, the parameters by name, and what differs from its defaults (the
-                      motions on which it can act, the check).
+/* To add an effect, write one block like that of the spring (vm_effect_spring), and nothing else in the headers:
+     an enum          names the places of the parameters in p[6];
+     vmi_apply_NAME   adds the force to the loads, at each evaluation;
+     vmi_NAME_check   returns a status, if not all finite parameters are allowed;
+     vm_effect_NAME   is the constructor: it calls vmi_effect and sets the parameters and all that differs from the
+                      defaults (the motions on which the effect can act, the check).
    The force itself may be a function of forces.h. */
 
-/* An effect on a coordinate of a body against another one. It may act on all motions, is neither a mass law nor a link,
-   and its parameters are 0. */
+/* An effect on a coordinate of a body against a coordinate of another body. It can act on all motions, is neither a
+   mass law nor a link, and its parameters are 0. */
 VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int other_coordinate,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene))
@@ -12001,7 +12114,7 @@ VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int oth
     return e;
 }
 
-/* An effect on a coordinate of a body against the ground; otherwise it is what vmi_effect_between makes */
+/* An effect on a coordinate of a body against the ground, with the defaults of vmi_effect_between */
 VM_API vm_effect vmi_effect(int body, int coordinate,
                             void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene))
 {
@@ -12018,8 +12131,8 @@ VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, v
     e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[VMI_GRAVITY_G]);
 }
 
-/* Gravity along a coordinate, the force M g. M is the mass of the body now. g in m/s^2 is -9.81 where the coordinate
-   points up. Not on an axle (VM_BAD_MOTION), nor on the angle of a body in the plane (VM_NOT_ON_ANGLE). */
+/* Gravity along a coordinate, the force M g. M is the present mass of the body. g in m/s^2 is -9.81 if the coordinate
+   points up. Gravity cannot act on an axle (VM_BAD_MOTION) or on the angle of a body in the plane (VM_NOT_ON_ANGLE). */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_gravity);
@@ -12041,8 +12154,8 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
 
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
-/* A nonlinear spring, the force -k z |z|^(alpha-1), z = x - rest (248). k in N/m^alpha may have either sign; rest is in
-   m or rad. VM_DOMAIN for alpha < 0. */
+/* A nonlinear spring, the force -k z |z|^(alpha-1) with z = x - rest (248). The stiffness k in N/m^alpha may have
+   either sign; rest is in m or rad. vm_scene_start returns VM_DOMAIN if alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
 {
@@ -12062,8 +12175,8 @@ VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real
     vmi_effect_act(e, -e->p[VMI_SPRING_STIFFNESS] * extension);
 }
 
-/* A linear spring, the force -k (x - rest). k in N/m may have either sign; rest is in m or rad. Unlike vm_effect_spring
-   it links no power. */
+/* A linear spring, the force -k (x - rest). The stiffness k in N/m may have either sign; rest is in m or rad. Unlike
+   vm_effect_spring, this effect does not link the power function. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
 {
@@ -12082,7 +12195,7 @@ VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* A linear damper, the force -damping v. damping in N s/m takes energy out if it is positive. */
+/* A linear damper, the force -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
     vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
@@ -12098,8 +12211,8 @@ VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
 
-/* A damper of the rotation, the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
-   on an axle, in the plane, or free. */
+/* A damper of the rotation, the torque -damping omega. damping is in N m s; if it is positive, the damper takes energy
+   out. omega is the angular velocity of a body on an axle, in the plane, or free. */
 VM_API vm_effect vm_effect_rotational_damper(int body, vm_real damping)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_rotational_damper);
@@ -12118,8 +12231,8 @@ VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *
     vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
-/* Van der Pol's damper, the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
-   it out at large amplitudes. */
+/* Van der Pol's damper, the force (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in N s/m^3
+   takes energy out at large amplitudes. */
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_van_der_pol);
@@ -12137,8 +12250,9 @@ VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_STALL_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
-/* A motor, the torque stall_torque - kappa v. Its characteristic is a straight line; stall_torque in N m is the torque
-   at rest, kappa is in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
+/* A motor, the torque stall_torque - kappa v. v is the angular velocity in rad/s, stall_torque the torque at rest in
+   N m, and kappa the slope of the straight characteristic in N m s. On a coordinate that is a length the units are N
+   and N s/m. */
 VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real stall_torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
@@ -12157,7 +12271,7 @@ VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, 
     vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_AMPLITUDE], frequency, phase));
 }
 
-/* Harmonic excitation, the force amplitude cos(frequency t + phase). amplitude in N (N m on an angle), frequency in
+/* Harmonic excitation, the force amplitude cos(frequency t + phase). amplitude is in N (N m on an angle), frequency in
    rad/s, phase in rad. */
 VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real amplitude, vm_real frequency, vm_real phase)
 {
@@ -12174,9 +12288,9 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle);
-   x and v are relative to the other coordinate, which takes the reaction. VM_BAD_ARGUMENT at the start where force is
-   NULL. */
+/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle).
+   x and v are position and velocity relative to other_coordinate of the body `other`, which takes the reaction.
+   vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -12186,22 +12300,22 @@ VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, in
     return e;
 }
 
-/* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle), for time, position and
-   velocity of the coordinate. VM_BAD_ARGUMENT at the start where force is NULL. */
+/* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle) for the time t and the
+   position x and velocity v of the coordinate. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
     return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
-/* An effect that the caller's function applies. It may depend on the whole state.
-   apply adds to effect->load->force[coordinate]; where the mass is a state, to effect->load->mass_rate; where it is
-   neither a state nor given by a law, to effect->load->mass.
-   apply may read effect->load->mass; y[effect->x] and y[effect->v], position and velocity of coordinate 0; the state of
-   body i from y[scene->bodies[i].at] on; effect->p and effect->ctx; and effect->load->force, the sum of the effects
-   that stand before it in the list, so that a stop that is listed last can take away the force that it holds.
-   other is another body, or VM_GROUND. The effect acts only while both bodies are present; effect->other_load,
-   effect->other_x and effect->other_v belong to the other one. VM_BAD_ARGUMENT at the start where apply is NULL. */
+/* An effect that the caller's function applies. It may depend on the whole state. apply adds to
+   effect->load->force[coordinate]; if the mass is a state, also to effect->load->mass_rate; if the mass is neither a
+   state nor given by a law, also to effect->load->mass. apply may read effect->load->mass; y[effect->x] and
+   y[effect->v], position and velocity of coordinate 0; the state of body i from y[scene->bodies[i].at] on; effect->p
+   and effect->ctx; and effect->load->force, the sum of the effects that stand before it in the list. So a stop that is
+   listed last can take away the force that presses on it. other is another body, or VM_GROUND. The effect acts only
+   while both bodies are present; effect->other_load, effect->other_x and effect->other_v belong to the body `other`.
+   vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -12223,8 +12337,8 @@ VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_
     e->load->force[1] += fy;
 }
 
-/* An elastic shaft, the force -k r |r|^(alpha-1), r = (x, y). k in N/m^alpha; VM_DOMAIN for alpha < 0. For a body in
-   the plane, or a point, on whose coordinates 0 and 1 it acts. */
+/* An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y). The stiffness k is in N/m^alpha; a start
+   returns VM_DOMAIN if alpha < 0. The effect acts on coordinates 0 and 1 of a body in the plane or of a point. */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_shaft);
@@ -12248,8 +12362,9 @@ VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y,
     e->load->force[1] += fy;
 }
 
-/* A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m, frequency = Omega
-   in rad/s, phase in rad. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
+/* A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance is the mass m times its
+   eccentricity e in kg m, frequency the angular velocity Omega in rad/s, and phase is in rad. The effect acts on
+   coordinates 0 and 1 of a body in the plane or of a point. */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_unbalance);
@@ -12273,7 +12388,8 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
 }
 
 /* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation has
-   the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does no work. */
+   the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the plane or
+   of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
@@ -12285,18 +12401,20 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 #endif
 /* scenes/mass.h - mass that follows a law, and its reactive force
 
-   A mass law M(t, x, v) says what mass a body has at any time; the mass is then no state of the scene. What joins or
-   leaves has the velocity u + (1 - reactive) v, where v is that of the body. So M v' = F + M' (u - reactive v), with
+   A mass law M(t, x, v) gives the mass of a body at any time; the mass is then no number of the state. The mass that
+   joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. So the equation of motion
+   under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
      reactive = 1  the absolute velocity u: the full reactive force (156), with u = 0 Levi-Civita's (167)-(169);
-     reactive = 0  the velocity of the body and u beyond it: no reactive force if u = 0 (166).
-   x and v are those of a line or an axle: J(phi), J(omega). For any other motion a law is M(t). u is in m/s; on a line
-   u.x alone counts, on an axle too, in rad/s.
+     reactive = 0  the velocity u relative to the body: no reactive force if u = 0 (166).
+   A law may depend on position x and velocity v only on a line or an axle, where it is J(phi) or J(omega). u is in m/s;
+   on a line only u.x is used, and on an axle too, in rad/s.
 
        vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0); // body 0 loses 10 g/s, which keeps its velocity
 
-   A law stands before the other effects on its body, and a body has one at the most. What jumps add comes on top of the
-   law. If an event switches a law off, the mass stays as it is; if it switches a law on, the law goes on from the mass
-   that is there (of M0 + c t then only c counts). So a switch never changes a mass suddenly.
+   A law stands before all other effects on its body, and a body has at most one law. Mass that jumps add is added to
+   the mass of the law. If an event switches a law off, the mass remains constant; if it switches a law on, the law
+   continues from the present mass (for the law M0 + c t then only c has an effect). So a switch never changes a mass
+   suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
@@ -12306,8 +12424,8 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
    of a law or the rate of a stream */
 enum { VMI_MASS_U = 0, VMI_MASS_REACTIVE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
 
-/* Adds the reactive force rate (u - reactive v) to each coordinate in which the mass moves, and to the budget what the
-   mass brings */
+/* Adds the reactive force rate (u - reactive v) on each coordinate along which the mass moves, and adds to the budget
+   what the mass brings */
 VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate, const vm_real *u,
                                   vm_real reactive)
 {
@@ -12326,8 +12444,9 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
     }
 }
 
-/* Gives the body the mass of a law. M' = by_t + by_x v + by_v v'; the last term is not known before the acceleration
-   is, so that (M'(v) (v - u)) v' goes to the other side of the equation, into extra_mass. */
+/* Gives the body the mass of a law. The rate is M' = by_t + by_x v + by_v v'. The acceleration v' is not known yet;
+   therefore its reactive force by_v v' (u - reactive v) moves to the left side of the equation of motion, as the mass
+   extra_mass = by_v (reactive v - u). */
 VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_law_values *now,
                                 const vm_real *u, vm_real reactive)
 {
@@ -12346,9 +12465,10 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
-   the mass that joins or leaves is u + (1 - reactive) v. VM_BAD_ARGUMENT at the start where law is NULL. A run ends
-   with VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
+/* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of the
+   mass that joins or leaves is u + (1 - reactive) v. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run ends
+   with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + M'(v) (reactive v - u) is not
+   positive. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {
@@ -12365,9 +12485,9 @@ VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real 
 
 /* The kinds of vm_effect_mass. M0 is the mass with which the body was made. */
 enum {
-    VM_MASS_OF_T, /* M0 + c t, c in kg/s */
-    VM_MASS_OF_X, /* M0 + c x, c in kg/m */
-    VM_MASS_OF_V2 /* M0 + c v^2, c in kg s^2/m^2 */
+    VM_MASS_OF_T, /* M0 + c t at the time t, c in kg/s */
+    VM_MASS_OF_X, /* M0 + c x at the position x, c in kg/m */
+    VM_MASS_OF_V2 /* M0 + c v^2 at the velocity v, c in kg s^2/m^2 */
 };
 
 VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -12388,10 +12508,10 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. kind is VM_MASS_OF_T, VM_MASS_OF_X or
-   VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of the mass that joins or leaves is
-   u + (1 - reactive) v, with u along coordinate 0. VM_BAD_ARGUMENT at the start for another kind; errors of a run as in
-   vm_effect_mass_law. */
+/* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. M0 is the mass with which the body was
+   made. kind is VM_MASS_OF_T, VM_MASS_OF_X or VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of
+   the mass that joins or leaves is u + (1 - reactive) v, with u along coordinate 0. vm_scene_start returns
+   VM_BAD_ARGUMENT for an unknown kind; a run ends with the errors of vm_effect_mass_law. */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass);
@@ -12409,8 +12529,8 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 /* scenes/mass_of_time.h - mass that follows a vm_law, and its reactive force
 
    A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table, or
-   a function. Here it is the mass of a body of a scene, of any motion. mass.h explains u and reactive, and what a
-   switch does; a law that depends on position or velocity is vm_effect_mass_law.
+   a function. vm_effect_mass_of_time makes it the mass of a body of any motion. mass.h explains u, reactive and the
+   switching of a law. For a law that depends on position or velocity use vm_effect_mass_law.
 
        vm_vec3 zero = {0, 0, 0};
        vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
@@ -12420,7 +12540,8 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 #ifndef VARMASS_SCENES_MASS_OF_TIME_H
 #define VARMASS_SCENES_MASS_OF_TIME_H
 
-/* A law that fails at t sets the status of the scene, so that a step that leads there is refused */
+/* Gives the body the mass of its law. If the law fails at t, the scene has the status of the law, so that the
+   integrator refuses the step. */
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_mass_law_values now = {0, 0, 0, 0};
@@ -12429,17 +12550,17 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* Whether a constructor made the law */
+/* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. */
 VM_API int vmi_check_mass_of_time(const vm_effect *e)
 {
     return ((const vm_law *)e->ctx)->derivatives ? VM_OK : VM_BAD_ARGUMENT;
 }
 
-/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the one with
-   which the body was made does not count. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law
-   stays the caller's and must stay where it is. VM_BAD_ARGUMENT at the start where law is NULL or no constructor
-   made it. A run ends where the law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where
-   that fails. */
+/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass with
+   which the body was made has no effect. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law is
+   not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL or no constructor made
+   it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of vm_law_at if this function
+   fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
@@ -12457,9 +12578,10 @@ VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, 
 #endif
 /* scenes/streams.h - streams of mass into and out of the bodies of a scene
 
-   A stream changes a mass that is a state (vm_scene_body_with_mass_state). vm_effect_stream is a stream that crosses at
-   the mass centre: it changes the mass and has a reactive force. The other four are for a stream of chapter 5 that
-   crosses at a point of a growing body; each is one thing that the stream does, and each may be left out:
+   A stream carries mass into a body or out of it. It changes a mass that is a state (vm_scene_body_with_mass_state).
+   vm_effect_stream is a stream that enters or leaves at the mass centre: it changes the mass and has a reactive force.
+   Four further effects are for a vm_stream of mechanics/streams.h that enters or leaves at a point of a growing body.
+   Each of them is one action of the stream, and each may be left out:
      vm_effect_stream_mass    mass, mass centre and inertia; the mass centre then moves with r' = v + (M'/M) d
      vm_effect_stream_force   reactive force M' (u - v) (156)
      vm_effect_stream_moment  moment d x M' (u - v) about the mass centre (158)
@@ -12482,9 +12604,10 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_scene_reactive(e, y, s, rate, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A stream that crosses at the mass centre, with its reactive force. The mass of the body must be a state
-   (VM_MASS_IS_NO_STATE). rate in kg/s (on an axle kg m^2/s) is negative for mass that leaves; its own velocity is
-   u + (1 - reactive) v, as in vm_effect_mass_law. The inertia of the body stays as it is. */
+/* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
+   negative for mass that leaves; the velocity of the mass is u + (1 - reactive) v, as in vm_effect_mass_law. The
+   inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a
+   state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -12497,13 +12620,15 @@ VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real rea
     return e;
 }
 
-/* A stream at a point of a growing body: the motion of the body as the stream sees it, and the sums of chapter 5 */
+/* A stream at a point of a growing body: the motion of the body, as vmi_stream_sums needs it, and the sums of this
+   function */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
 } vmi_crossing;
 
-/* Fills *c. A varying stream whose motion has become unknown sets the status of the scene, which ends the run. */
+/* Fills *c with the sums of the stream of an effect. If vary has written an unknown motion to the stream, the scene
+   gets the status VM_BAD_ARGUMENT, which ends the run. */
 VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s, vmi_crossing *c)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -12521,8 +12646,9 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT;
 }
 
-/* Adds a reactive force and a moment or torque, inertial axes, to the load and to the budget. The budget has what the
-   stream brings together with the mass; here it loses from `mixing` the power of these loads. */
+/* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget. What the mass of the
+   stream brings is entered in the budget with the mass (vmi_apply_stream_mass); the power of force and torque is
+   subtracted from `mixing`. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -12579,7 +12705,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Chapter 5's check of a stream, and that it has no store: a scene has no place for what is on the way to it */
+/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene does not account for mass on
+   the way to or from a store */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
@@ -12597,40 +12724,42 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Mass, mass centre and inertia that a stream brings to a growing body. The stream stays the caller's: where an event
-   changes it, the run goes on with the change. Its points are in body axes from where the mass centre was at the start.
-   The budget's `mixing` is right where the stream's mass, force, moment and torque are all listed. At the start
-   VM_BAD_ARGUMENT for a NULL pointer or an unknown motion, VM_STORED_STREAM for a stream with a store, VM_DOES_NOT_GROW
-   for a body that is not a growing one. */
+/* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes it,
+   the run continues with the change. stream->at is in body axes, from the place of the mass centre at the start.
+   `mixing` of the budget is right if the effects for mass, force, moment and torque of the stream are all listed.
+   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown, VM_STORED_STREAM if it has a
+   store, and VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
 }
 
-/* Reactive force M' (u - v) of a stream at a point of a growing body (156). Conditions and errors are those of
-   vm_effect_stream_mass. */
+/* Reactive force M' (u - v) of a stream at a point of a growing body (156). M' is the rate of the mass, u its velocity
+   and v that of the body. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_force);
 }
 
-/* Moment d x M' (u - v) of a stream on a growing body (158). It is that of the reactive force about the mass centre.
-   Conditions and errors are those of vm_effect_stream_mass. */
+/* Moment d x M' (u - v) of a stream on a growing body (158). It is the moment about the mass centre of the reactive
+   force, which acts at the point d. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_moment);
 }
 
-/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). Conditions and errors are those of
-   vm_effect_stream_mass. */
+/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). M' is the rate of the mass, kappa its
+   gyration, omega2 its angular velocity; I' is the rate of the inertia of the body, omega its angular velocity.
+   Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_torque);
 }
 
-/* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass or its like. At each evaluation
-   vary receives a copy of the stream and writes what differs at t and y: the point, which may move in the body, the
-   rate, the velocity. VM_BAD_ARGUMENT at the start where vary is NULL or the effect has no stream. */
+/* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
+   each evaluation vary receives a copy of the stream and writes what has changed at t and y: the point, which may move
+   in the body, the rate or the velocity. vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no
+   stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)
@@ -12644,12 +12773,13 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
 #endif
 /* scenes/band.h - a band that winds up on a drum or off it
 
-   The drum is a body on an axle (chapter 5.2). Its angle phi is 0 where the drum is bare, and the inertia with which
-   the body was made is that of the bare drum. The band comes or goes at the radius
+   The drum is a body on an axle (chapter 5.2 of [1]). It is bare at the angle phi = 0, and the body is made with the
+   inertia of the bare drum. The band comes or goes at the radius
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (by_layer),
-   and the inertia grows by rho b h radius^3 per radian. In layers, the torque has a kink at each complete turn.
-   vm_band_at computes what is wound up at any angle; vm_effect_band is the mass law of the drum in a scene.
+   and the inertia grows by rho b h radius^3 per radian: R is the radius of the drum, h the thickness of the band, b its
+   width and rho its density. In layers, the torque has a kink at each complete turn. vm_band_at computes what is wound
+   up at any angle; vm_effect_band is the mass law of the drum in a scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
@@ -12658,29 +12788,30 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
 #ifndef VARMASS_SCENES_BAND_H
 #define VARMASS_SCENES_BAND_H
 
-/* A band. Its own velocity is speed + (1 - reactive) (radius omega): it comes at the absolute velocity `speed` for
-   reactive = 1, and it moves with the drum for speed = 0, reactive = 0. */
+/* A band. Its velocity is speed + (1 - reactive) (radius omega), where omega is the angular velocity of the drum. The
+   band comes at the absolute velocity `speed` if reactive is 1, and moves with the drum if speed and reactive are 0. */
 typedef struct VM_TAG(vm_band) {
-    vm_real radius;    /* m: R, of the bare drum, > 0 */
-    vm_real thickness; /* m: h, >= 0 */
-    vm_real width;     /* m: b, >= 0 */
-    vm_real density;   /* kg/m^3: rho, >= 0 */
-    vm_real speed;     /* m/s */
-    vm_real reactive;     /* a pure number */
-    int by_layer;      /* 1: in layers; 0: along a spiral */
+    vm_real radius;    /* m: radius R of the bare drum, > 0 */
+    vm_real thickness; /* m: thickness h, >= 0 */
+    vm_real width;     /* m: width b, >= 0 */
+    vm_real density;   /* kg/m^3: density rho, >= 0 */
+    vm_real speed;     /* m/s: velocity of the band, absolute or relative to the drum */
+    vm_real reactive;     /* 1: speed is absolute; 0: speed is relative to the drum */
+    int by_layer;      /* 1: the band lies in layers; 0: along a spiral */
 } vm_band;
 
-/* What is wound up at an angle */
+/* The part of a band that is wound up at an angle */
 typedef struct VM_TAG(vm_band_now) {
-    vm_real radius;  /* m, at which the band comes or goes */
-    vm_real rate;    /* kg/rad: mu, mass per radian at this radius (181) */
-    vm_real mass;    /* kg: of the band that is wound up */
-    vm_real inertia; /* kg m^2: of the band that is wound up */
+    vm_real radius;  /* m: radius at which the band comes or goes */
+    vm_real rate;    /* kg/rad: mass mu that comes per radian at this radius (181) */
+    vm_real mass;    /* kg: mass of the part that is wound up */
+    vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
 } vm_band_now;
 
-/* The band in layers. line = rho b h. Mass and inertia are line times the integrals of the radius and its cube over
-   phi; over n complete layers these are sums of R + i h and its cube, i < n. The sums of i, i^2 and i^3 are sum1, sum2
-   and sum1^2. */
+/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass and
+   inertia are line times the integrals of the radius and of its cube over phi; over n complete layers these are 2 pi
+   times the sums of R + i h and of its cube for i = 0 ... n - 1. The sums of i, i^2 and i^3 are sum1, sum2 and
+   sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -12699,8 +12830,8 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-/* The drum without a band: `radius` is its radius, and `others`, for all other numbers, is 0. Both are NaN where there
-   is no result. */
+/* The result for a drum without a band: its radius is `radius`, and all other numbers are `others`. If a result does
+   not exist, both arguments are NaN, else `others` is 0. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -12711,8 +12842,9 @@ VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
     return none;
 }
 
-/* Radius, mass and inertia of the band that is wound up at the angle phi. phi < 0 gives the bare drum. NaN where phi is
-   not finite, the radius is not positive, a size is negative, or band is NULL. Each number is right to some eps. */
+/* Radius, mass and inertia of the band that is wound up at the angle phi. If phi < 0, the drum is bare. All numbers are
+   NaN if phi is not finite, the radius is not positive, another size is negative, or band is NULL. In double the
+   relative errors are at most 1e-13, tested up to 30 turns. */
 VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
 {
     if (!band || !VM_IS_FINITE(phi) || !vmi_band_is_valid(band)) return vmi_band_none(VM_NAN, VM_NAN);
@@ -12751,8 +12883,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Applies the law J(phi): on an axle the moment of inertia takes the place of the mass. u is the angular velocity
-   about the axle at which the band arrives. */
+/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the angular
+   velocity about the axle at which the band arrives. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -12772,8 +12904,8 @@ VM_API int vmi_band_check(const vm_effect *e)
 }
 
 /* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle, and the band is
-   its mass law. At the start VM_BAD_ARGUMENT where band is NULL, VM_DOMAIN where its radius is not positive or a size
-   is negative. */
+   its mass law. vm_scene_start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if its radius is not positive or
+   a size is negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
     vm_effect e = vmi_effect(body, 0, band ? vmi_apply_band : NULL);
@@ -12794,9 +12926,9 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 #endif
 /* scenes/links.h - rigid links and cords between bodies
 
-   A link keeps the distance between two mass centres, or between a mass centre and a point that moves as given; a cord
-   is a link that can pull but not push. Its force is the reaction to what else acts on its ends, so that it stands last
-   in the list of effects on a body, and a body has one at the most.
+   A link keeps the distance between two mass centres, or between a mass centre and a point with a given motion. A cord
+   is a link that can pull but not push. The force of a link is the reaction to all other forces on its ends. Therefore
+   a link stands last among the effects on a body, and a body has at most one link.
 
        vm_effect pendulum = vm_effect_link(0, VM_GROUND, pivot, NULL, 1, 0, 10); // 1 m long, hung up at pivot(t)
 
@@ -12808,7 +12940,7 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 typedef struct VM_TAG(vmi_link_end) {
     vm_real r[3], v[3];
     vm_real a[3];        /* acceleration without the link */
-    vm_real mobility[3]; /* acceleration by force, along each coordinate: 1/mass, or 0 where it cannot move */
+    vm_real mobility[3]; /* acceleration per force along each coordinate: 1/mass, or 0 where the end cannot move */
 } vmi_link_end;
 
 VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
@@ -12842,19 +12974,20 @@ VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
     for (i = 0; i < 3; i++) end->mobility[i] = 0;
 }
 
-enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* its variant is 1 for a cord */
+enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* places of the parameters; the variant is 1 for a cord */
 
-/* The factor lambda of the force lambda d on the near end, d = r - far end. The deviation C = (d^2 - l^2)/2 obeys
-   C'' + 2 rate C' + rate^2 C = 0, in which C' = d v, C'' = d a + v^2 (v, a: relative), and the link adds to d a lambda
-   times the sum of mobility d^2. 0 for a cord that is slack. VM_SINGULAR where the ends are in one place or cannot move
-   along the link; VM_NOT_FINITE. */
+/* Computes the factor lambda of the force lambda d on the end `here`, where d leads from `there` to `here`. With the
+   length l of the link, the deviation C = (d^2 - l^2)/2 obeys C'' + 2 rate C' + rate^2 C = 0. In this equation C' = d v
+   and C'' = d a + v^2, where v and a are relative velocity and acceleration; the link adds lambda times the sum of
+   mobility d^2 to d a. lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are in one place or cannot move
+   along the link, and VM_NOT_FINITE if a number is not finite. */
 VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const vmi_link_end *there, vm_real *lambda)
 {
-    /* A cord does not pull while it is shorter by this part of its length. That is more than the uncertainty of the
-       length, so that the cord is not taut and slack in turns. */
+    /* A cord does not pull while it is shorter than its length by this fraction. The fraction is larger than the
+       uncertainty of the length, so that the cord does not alternate between taut and slack. */
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
     const vm_real length = e->p[VMI_LINK_LENGTH], rate = e->p[VMI_LINK_RATE];
-    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* products of d, v and a */
+    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products of d, v and a */
     int i;
     for (i = 0; i < 3; i++) {
         const vm_real v = here->v[i] - there->v[i], d = here->r[i] - there->r[i];
@@ -12899,13 +13032,14 @@ VM_API int vmi_link_check(const vm_effect *e)
 }
 
 /* A rigid link of a given length, or a cord, which can only pull. It holds the mass centre of `body`, a point or a body
-   in the plane, at the distance `length` (m) from the mass centre of `other` (not a body on an axle), or, for other =
-   VM_GROUND, from a point that moves as `point` says, which may lie above the plane; point is NULL otherwise.
-   cord = 1 makes it a cord. rate > 0 (1/s): deviations of the length die out as exp(-rate t); a cord that becomes taut
-   at a speed v is drawn out by v/(e rate) at most. In float a cord of 1 m at 5 m/s needs a rate of at most 200/s.
-   At the start VM_DOMAIN where length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass centre
-   moves in it; VM_TWO_LINKS, VM_LINK_NOT_LAST, VM_SAME_BODY. A run ends with VM_SINGULAR where the ends are in one
-   place or cannot move along the link. */
+   in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other mass centre is
+   that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the function `point`
+   gives the motion of the point, which may lie above the plane. cord = 1 makes the link a cord. Deviations of the
+   length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that becomes taut at the speed v is stretched by about
+   v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested for a cord of 1 m at
+   6 m/s. vm_scene_start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose
+   mass centre moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the
+   ends are in one place or cannot move along the link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {
@@ -12925,8 +13059,8 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 #endif
 /* scenes/state.h - the state of a scene: its size, and the bodies in it
 
-   A scene's state y holds the numbers of each body one after the other, and at the end, where the scene keeps a budget,
-   the VM_BUDGET_STATES numbers of it. scene.h has a table of the numbers of each body.
+   The state y of a scene holds the numbers of the bodies, one body after the other. If the scene keeps a budget, its
+   VM_BUDGET_STATES numbers follow. scene.h has a table of the numbers of each body.
 
        vm_body now;
        vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y
@@ -12935,26 +13069,26 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 #ifndef VARMASS_SCENES_STATE_H
 #define VARMASS_SCENES_STATE_H
 
-enum { VM_BUDGET_STATES = 15 }; /* how many numbers a budget adds to the state */
+enum { VM_BUDGET_STATES = 15 }; /* number of elements that a budget adds to the state */
 
-/* How many numbers of work vm_scene_run needs for a state of so many numbers */
+/* The number of elements of work that vm_scene_run needs for a state of `size` numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
-/* Whether a list of so many elements can be there */
+/* Whether a list can have n elements: n is not negative, and list is not NULL unless n is 0 */
 VM_INLINE int vmi_scene_is_list(int n, const void *list)
 {
     if (n > 0) return list != NULL;
     return n == 0;
 }
 
-/* Whether the lists that an evaluation reads can be there */
+/* Whether the lists of bodies and effects, which an evaluation reads, have possible lengths and are not NULL */
 VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
 {
     return vmi_scene_is_list(s->n_bodies, s->bodies) && vmi_scene_is_list(s->n_effects, s->effects);
 }
 
-/* How many numbers the state of a scene has. It depends on the bodies and on whether the scene keeps a budget.
-   VM_BAD_ARGUMENT where scene is NULL, its bodies are missing or their number is negative. */
+/* Number of elements of the state of a scene. It depends on the bodies and on whether the scene keeps a budget. Returns
+   VM_BAD_ARGUMENT if scene is NULL, its bodies are missing or their number is negative. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
     int i, size = 0;
@@ -12973,9 +13107,9 @@ VM_API void vmi_scene_body_now(const vm_scene *s, int body, const vm_real *y, vm
     b->get(b, y + b->at, now);
 }
 
-/* The motion of a body in the state y. The scene must have been started; 0 <= body < n_bodies. A mass that is given by
-   a law is that of the last evaluation of the right-hand side. All numbers of *now are NaN for an index that does not
-   exist, for NULL pointers, and before a start. */
+/* The motion of a body in the state y. The scene must have been started, and 0 <= body < n_bodies. If a law gives the
+   mass, its value is that of the last evaluation of the right-hand side. All numbers of *now are NaN if no body has
+   this index, if a pointer is NULL, and before a start. */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
 {
     const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
@@ -12990,7 +13124,8 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
     now->r = now->v = now->omega = none;
 }
 
-/* Writes a body that moves as `now` into the state. Its angle comes apart, since `now` does not tell complete turns. */
+/* Writes the motion `now` of a body into the state. The angle is a separate argument, since `now` does not include
+   complete turns. */
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -13000,7 +13135,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Makes the effects idle that act on or against a body that is not present, and the others of these not */
+/* Makes effects idle whose body, or whose body that takes the reaction, is not present, and makes all other effects
+   active unless they are switched off */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
@@ -13028,7 +13164,7 @@ VM_API void vmi_scene_presence(vm_scene *s)
 
 #include <string.h>
 
-/* Clears the load of a body before the effects add to it; of the forces only those that the body has */
+/* Sets the load of a body to 0 before the effects add to it, and of the forces only those on coordinates of the body */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -13057,7 +13193,7 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
-/* Why a body with this load cannot be accelerated */
+/* The status that says why a body with this load cannot be accelerated */
 VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
     if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
@@ -13065,8 +13201,8 @@ VMI_APART int vmi_scene_mass_status(const vm_load *load)
     return VM_BAD_MASS;
 }
 
-/* Writes the derivatives of a body's state and returns a status. A mass that is a state must be positive in y as well:
-   load->mass may also hold what an effect has added. */
+/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in y
+   as well, because load->mass may include what an effect has added. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
@@ -13079,8 +13215,9 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* After an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. Of several
-   evaluations in a row that fail the status stays that of the first, `before`, from whose NaN the others follow. */
+/* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
+   is the status of the evaluation before; if that failed too, its status is kept, because its NaN has caused this
+   failure. */
 VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 {
     int k;
@@ -13095,10 +13232,10 @@ VMI_APART void vmi_scene_clear_derivatives(const vm_scene_body *b, vm_real *dydt
     for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
 }
 
-/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. It returns 0, or
-   VM_BAD_ARGUMENT for a NULL pointer or a negative number of bodies or effects. Where a body cannot be accelerated
-   (its mass or inertia is not positive, for one) or an effect cannot act, scene.status says why and all derivatives are
-   NaN, so that an integrator tries a shorter step. */
+/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
+   VM_BAD_ARGUMENT if a pointer is NULL or the number of bodies or effects is negative. If a body cannot be accelerated,
+   for example because its mass is not positive, or if an effect cannot act, scene.status is the reason and all
+   derivatives are NaN, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
@@ -13122,8 +13259,8 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #endif
 /* scenes/check.h - what can be wrong with a scene
 
-   vm_scene_check looks at bodies, effects and events once, before a run, and says what is wrong and where.
-   vm_scene_start calls it.
+   vm_scene_check examines bodies, effects and events once, before a run, and reports what is wrong and where.
+   vm_scene_start calls vm_scene_check.
 
        vm_scene_fault fault;
        int status = vm_scene_check(&scene, &fault);
@@ -13133,10 +13270,10 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #ifndef VARMASS_SCENES_CHECK_H
 #define VARMASS_SCENES_CHECK_H
 
-/* Where a scene is wrong */
+/* The part of a scene that is wrong */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect", "event"; "scene" for its arrays, and where nothing is wrong */
-    int index;        /* of the body, effect or event; -1 for the scene itself */
+    const char *kind; /* "body", "effect", "event", or "scene" for its arrays and if nothing is wrong */
+    int index;        /* index of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
@@ -13144,13 +13281,14 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_is_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
-    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* its mass is the inertia */
+    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* `mass` is the inertia on an axle */
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->check) return (b->check)(&b->start);
     return VM_OK;
 }
 
-/* A free body has six velocities, but no coordinate for its rotation */
+/* Checks that a body and its coordinate exist. A free body has six velocities, but only three coordinates, since its
+   rotation has none. */
 VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
 {
     if (body < 0 || body >= s->n_bodies) return VM_NO_SUCH_BODY;
@@ -13159,8 +13297,8 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
     return VM_OK;
 }
 
-/* On a body mass laws stand first and links last, and there is one of either at the most. The body keeps a bit for each
-   order that stands on it so far. */
+/* Checks the place of an effect among the effects on a body: a mass law stands first and a link last, and there is at
+   most one of each. b->listed_orders has a bit for each order that stands on the body so far. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
@@ -13173,7 +13311,8 @@ VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
     return VM_OK;
 }
 
-/* That the bodies of an effect move as it needs. A link holds mass centres; that of a growing body moves in it. */
+/* Checks that the bodies of an effect have motions on which it can act. A link holds mass centres, so that it cannot
+   act on a growing body, whose mass centre moves in the body. */
 VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 {
     const vm_scene_body *b = s->bodies + e->body, *other = e->other == VM_GROUND ? NULL : s->bodies + e->other;
@@ -13209,14 +13348,14 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     return status;
 }
 
-/* Whether a body can take up or give off another. On a line or an axle both move alike; else a point may be one of
-   them, since a point has no spin to bring. */
+/* Whether a body of one motion can take up or give off a body of another motion. On a line or an axle both must have
+   the same motion. In the plane or in space one of them may be a point, since a point has no rotation. */
 VM_API int vmi_scene_can_jump(int motion, int other)
 {
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* A jump. The part that separates must be a body that the one into which it goes can be. */
+/* Checks a jump. The part that separates must be a possible body for the motion of the body that it becomes. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -13268,15 +13407,15 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
     fault_or_NULL->index = index;
 }
 
-/* The first thing that is wrong with a scene, or VM_OK. It returns the status and writes to *fault_or_NULL in which
-   body, effect or event the fault is. One pass, in time proportional to their number; it uses a mark in each body. The
-   statuses are those that the constructors' comments name, and
-     VM_BAD_ARGUMENT        a NULL pointer, a negative count, no body, a function that is missing
-     VM_NOT_FINITE          a parameter, a time or a number of a body is infinite or NaN
-     VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       of a body, or of the part that separates
-     VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      an index that does not exist
-     VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   the list of effects
-     VM_BAD_TIMES           times of output that do not increase */
+/* The first thing that is wrong with a scene, or VM_OK. Returns the status of this fault, and writes to *fault_or_NULL
+   in which body, effect or event it is. The time is proportional to the number of bodies, effects and events. The
+   statuses are those in the comments of the constructors, and
+     VM_BAD_ARGUMENT        if a pointer is NULL, a count is negative, or a body or a function is missing;
+     VM_NOT_FINITE          if a parameter, a time or a number of a body is infinite or NaN;
+     VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;
+     VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      for an index that does not exist;
+     VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   for the list of effects;
+     VM_BAD_TIMES           if the times of output do not increase. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 {
     int i, status = vmi_scene_check_arrays(scene);
@@ -13319,8 +13458,8 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 
 #include <string.h>
 
-/* Whether the scene was started and its lists are still those of the start, as far as can be seen. The state may have
-   become shorter, since a budget may be given up. */
+/* Whether the scene was started and its lists are, as far as can be seen, those of the start. The state may have become
+   shorter, since a scene may end its budget. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -13332,7 +13471,7 @@ VM_API int vmi_scene_is_started(const vm_scene *s)
     return 1;
 }
 
-/* The event function that the integrator watches; ctx is the event of the scene */
+/* The function whose zeros the integrator locates; ctx is the event of the scene */
 VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 {
     const vm_event *e = (const vm_event *)ctx;
@@ -13340,7 +13479,8 @@ VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
     return 1;
 }
 
-/* The integrator's event i. An event that is only counted, without limit, need not end a step: ODE_RECORD. */
+/* Prepares the integrator's event i. It has the action ODE_RECORD, which does not end a step, if the event is only
+   counted, without limit. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -13352,7 +13492,8 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     if (!s->events[i].then && !s->events[i].most) located->action = ODE_RECORD;
 }
 
-/* Notes in an effect where its coordinates and loads are. Against the ground, other_coordinate may be any number. */
+/* Stores in an effect where its coordinates and loads are. If it acts against the ground, other_coordinate may be any
+   number. */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
     vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
@@ -13370,7 +13511,7 @@ VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
     e->other_v = e->other_x + other->positions;
 }
 
-/* Writes the bodies as they start into the state; returns where the numbers of the budget begin */
+/* Writes the motions of all bodies at the start into the state. Returns the index of the first number of the budget. */
 VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
 {
     int i, k, at = 0;
@@ -13398,10 +13539,10 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
     }
 }
 
-/* Start of a scene at time t: checks it and fills its state y, vm_scene_size numbers. Returns VM_OK or what
-   vm_scene_check says, with the place of the fault in *fault_or_NULL; VM_BAD_ARGUMENT where y is NULL, VM_NOT_FINITE
-   for t, VM_SHORT_ARRAY where scene.y_size is set and too small. y is untouched if the start fails. After the start the
-   arrays of the scene must stay where they are. */
+/* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns VM_OK,
+   or a status of vm_scene_check, with the place of the fault in *fault_or_NULL; VM_BAD_ARGUMENT if y is NULL;
+   VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the start
+   fails. After the start the arrays of the scene must stay where they are. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);
@@ -13423,9 +13564,10 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 #endif
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates along with its bodies what comes in from outside: the impulse and the work
-   of the effects, and what streams bring. At any time, what is there must be what was there at the start plus what
-   came in. The difference, the defect, shows the error of a run, and what constraints take.
+   A scene that keeps a budget integrates, together with the motion of its bodies, what comes in from outside: the
+   impulse and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of
+   the bodies must equal those at the start plus what came in. The difference, the defect, shows the error of a run and
+   the reactions of constraints.
 
        vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
@@ -13459,7 +13601,7 @@ VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
     sum[2] += a.z;
 }
 
-/* Adds to the rates of the sums what the load of a body makes of them */
+/* Adds the load of a body to the rates of the budget's sums */
 VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
@@ -13477,8 +13619,8 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds what a body makes of the rates. The part M'(v) v' of its mass rate is known only now, with the acceleration
-   v'. */
+/* Adds the contribution of a body to the rates of the budget's sums. The term M'(v) v' of the mass rate can be computed
+   only now, since the acceleration v' is known. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -13492,7 +13634,7 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
     vmi_scene_enter_loads(b, y, rates);
 }
 
-/* The derivatives of the sums, after an evaluation */
+/* Computes the rates of the budget's sums after an evaluation */
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
@@ -13501,8 +13643,8 @@ VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
         if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
 
-/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. What is the mass of
-   a body on an axle is its inertia and has no momentum. */
+/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. A body on an axle has
+   its inertia in place of the mass, and no momentum. */
 VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *budget)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -13524,7 +13666,7 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *bud
     }
 }
 
-/* At the start of the scene: notes what is there, and sets the sums to 0 */
+/* Begins the budget at the start of the scene: stores the momentum and energy of the bodies, and sets the sums to 0 */
 VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 {
     const vm_budget functions = *s->budget;
@@ -13537,9 +13679,10 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET_STATES; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be
-   called before vm_scene_start; the state then has VM_BUDGET_STATES numbers more. *budget_or_NULL must stay where it
-   is; the scene keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
+   none. To be called before vm_scene_start; the state then has VM_BUDGET_STATES further numbers. *budget_or_NULL must
+   stay where it is; the scene stores in it the values at the start. Between two runs a scene may end its budget, but
+   not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -13551,10 +13694,10 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
-   are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
-   bodies. VM_BAD_ARGUMENT where the scene keeps no budget, a pointer is NULL or a count negative; VM_NOT_STARTED;
-   VM_NOT_FINITE for such a state. */
+/* The budget of a scene in the state y at time t: what the bodies have, what came in since the start, and the defects.
+   Defects come from rounding, from the errors of the integrator, and from constraints: a line, an axle and the plane
+   hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative,
+   VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite, and else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
@@ -13585,24 +13728,25 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
 #endif
 /* scenes/events.h - when an event happens, and what it does
 
-   An event is made in two steps: vm_event_... says when it happens, vm_then_... says what happens then, one thing for
-   an event. An event without vm_then_... is only counted: event.count says how often it has happened, event.time when
-   it last did, and the motion is what it would be without the event.
+   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what happens then. An event
+   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often it
+   has happened and event.time when it last happened, and the motion is the same as without the event.
 
        vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
                             vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
-       ode_event located[2];                                                    // as many
+       ode_event located[2];                                                    // one for each event
        vm_scene scene;
        memset(&scene, 0, sizeof scene);                                         // its bodies and effects: see scene.h
        scene.events = events;
        scene.located = located;
        scene.n_events = 2;
 
-   An event at a time happens once. A crossing happens as often as it may, or event.most times: direction > 0 counts
-   rising values, < 0 falling ones, 0 both. Only motion crosses a value; an event that sets a coordinate beyond it does
-   not. Bodies that are not present cross nothing. Events at one instant happen in the order of the list; where a jump
-   and a crossing are within rounding of each other, either may be the first. To get the times (or states) of all events
-   of one run, set scene.located[i].times (or .states) and .room after the start.
+   An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if this is
+   0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only motion crosses a
+   value: an event that moves a coordinate beyond the value causes no crossing, and neither does a body that is not
+   present. Events at one instant happen in the order of the list; if a jump and a crossing are within rounding of each
+   other, either of the two may be the first. To get the times (or states) of all events of one run, set
+   scene.located[i].times (or .states) and .room after the start.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
@@ -13623,7 +13767,8 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
     return e;
 }
 
-/* An event at a time (s), which happens once. A time before the start of the run is due as the run begins. */
+/* An event at a time in s, which happens once. If the time is before the start of the run, the event happens as the run
+   begins. */
 VM_API vm_event vm_event_at(vm_real time)
 {
     vm_event e = vmi_event(0, 0, 0, 0);
@@ -13639,7 +13784,7 @@ VM_API vm_real vmi_when_position(const vm_event *e, vm_real t, const vm_real *y)
     return y[e->scene->bodies[e->body].at + e->coordinate] - e->value;
 }
 
-/* An event when a position crosses a value. The position is a coordinate of a body, value is in m or rad. */
+/* An event when a position crosses a value. The position is a coordinate of a body, and value is in m or rad. */
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, coordinate, value, direction);
@@ -13654,7 +13799,7 @@ VM_API vm_real vmi_when_velocity(const vm_event *e, vm_real t, const vm_real *y)
     return y[b->at + b->positions + e->coordinate] - e->value;
 }
 
-/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, value is in m/s or
+/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, and value is in m/s or
    rad/s. */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction)
 {
@@ -13682,8 +13827,8 @@ VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 
 VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { return e->user_when(t, y, e->ctx); }
 
-/* An event when a function of the caller's crosses zero. when(t, y, ctx) gets the state of the whole scene.
-   VM_BAD_ARGUMENT at the start where when is NULL. */
+/* An event when a function of the caller crosses zero. when(t, y, ctx) receives the state of the whole scene.
+   vm_scene_start returns VM_BAD_ARGUMENT if when is NULL. */
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
 {
     vm_event e = vmi_event(0, 0, 0, direction);
@@ -13703,24 +13848,24 @@ VM_API int vmi_then_stop(vm_event *e, vm_real t, vm_real *y)
     return VM_STOPPED;
 }
 
-/* The event ends the run, which returns VM_STOPPED. */
+/* The event ends the run. vm_scene_run then returns VM_STOPPED. */
 VM_API vm_event vm_then_stop(vm_event event)
 {
     event.then = vmi_then_stop;
     return event;
 }
 
-/* Notes the masses of all bodies, for vmi_scene_hold_masses after a change */
+/* Stores the masses of all bodies, which vmi_scene_hold_masses restores after a change */
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
     for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
-/* Gives all bodies the mass that was noted. Switching a mass law, and a jump, would otherwise change a mass without
-   anything that carries off the mass and its momentum. The loads are evaluated twice: first to see which masses the
-   laws give now, and what they lack; then anew, since the masses have changed and the loads depend on them.
-   A body uses only one of `mass` and `law_offset`, the latter where it has a mass law, so that both may be changed. */
+/* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass law,
+   would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find by how
+   much the masses of the laws differ from the stored ones, then again with the corrected masses. A body uses only one
+   of the fields `mass` and `law_offset`, the latter if it has a mass law, so that both may be corrected. */
 VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
@@ -13747,8 +13892,9 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* The event switches an effect off (off = 1) or on (0). effect is its index. Switching a mass law does not change the
-   mass at this instant: the law goes on from the mass that is there. VM_NO_SUCH_EFFECT at the start. */
+/* The event switches an effect off (off = 1) or on (off = 0). effect is the index of the effect. Switching a mass law
+   does not change the mass at this instant: the law continues from the present mass. vm_scene_start returns
+   VM_NO_SUCH_EFFECT if no effect has this index. */
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 {
     event.then = vmi_then_switch;
@@ -13760,8 +13906,8 @@ VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
 
-/* The event calls a function of the caller's. then(t, y, ctx) may change y; it returns a status: VM_OK to go on,
-   VM_STOPPED or a negative number to end the run with it. VM_BAD_ARGUMENT at the start where then is NULL. */
+/* The event calls a function of the caller. then(t, y, ctx) may change y and returns a status: VM_OK to continue, or
+   VM_STOPPED or a negative number, with which the run ends. vm_scene_start returns VM_BAD_ARGUMENT if then is NULL. */
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
     event.then = vmi_then_user;
@@ -13774,9 +13920,8 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 #endif
 /* scenes/jumps.h - separation and attachment as events of a scene
 
-   An event can make a part separate from a body, which then moves on as a body of its own, or attach one body to
-   another, by the laws of chapter 3 (mechanics/jumps.h). The part must be among the bodies, absent before; an attached
-   body is absent afterwards.
+   An event can separate a part from a body, or attach one body to another, by the laws of mechanics/jumps.h. A part
+   that separates becomes another body of the scene, which must be absent before; an attached body is absent afterwards.
 
        vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
        vm_body part;
@@ -13785,28 +13930,28 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
        part.v.x = 2;    // m/s faster than the body
        vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);
 
-   A part is described as it is the instant after: in inertial axes, or, where relative is set, in the axes of the body,
-   with r from the mass centre of the body, and q, v and omega relative to the body as it moves there. In the plane and
-   on an axle the new body takes the angle of the old one, plus the angle with which it was made. event.external is an
-   impulse that acts from outside during the jump.
+   A part is described by its motion just after the jump: in inertial axes, or, if relative is 1, in the axes of the
+   body, with r from the mass centre of the body, and q, v and omega relative to the motion of the body at this point.
+   In the plane and on an axle the new body has the angle of the body from which it separates, plus the angle with which
+   it was made. event.external is an impulse that acts from outside during the jump.
 
-   Who can jump: bodies of one motion; a point and a body in the plane; a point and a free body. The functions whose
-   names end in _on_line and _in_plane do the same as vm_then_separate and vm_then_attach for these motions alone, and
-   link less (docs/scene-sizes.md). A point that takes up a body at another place loses the spin of the two; the
-   budget's angular_defect shows it.
+   Two bodies can jump together if they have the same motion, or if one of them is a point and the other is in the plane
+   or free. The functions whose names end in _on_line and _in_plane are vm_then_separate and vm_then_attach for these
+   motions alone, and link less code (docs/scene-sizes.md). A point that takes up a body at another place loses the
+   angular momentum of the two about their mass centre; angular_defect of the budget shows this.
 
-   A run ends with VM_IS_THERE where a part would separate into a body that is present already, with VM_IS_AWAY where a
-   body that jumps is not present, and with the errors of vm_separate and vm_attach. At the start vm_scene_check refuses
-   bodies that cannot jump together (VM_BAD_MOTION), a body with itself (VM_SAME_BODY), and a part that cannot be a
-   body.
+   A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
+   jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
+   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
 #define VARMASS_SCENES_JUMPS_H
 
-/* The jump on a line and on an axle. v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), sign = -1 for a part that
-   separates, and the mass centre moves by sign m/(M + sign m) of the way to that of the part (15). Line and axle go
-   through the same formulas: the numbers that a motion does not use are 0. */
+/* Computes the jump on a line and on an axle. With sign = -1 for a part that separates and 1 for a body that is
+   attached, the velocity becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and the mass centre moves by the
+   fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v belong to the body, m and v2 to
+   the part. Line and axle use the same formulas: the numbers that a motion does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
@@ -13824,7 +13969,7 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     return VM_OK;
 }
 
-/* The motion of a part in inertial axes, where it is given relative to the body */
+/* Converts the motion of a part, given relative to the body, to inertial axes */
 VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -13846,7 +13991,8 @@ VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
     return j;
 }
 
-/* The jump in the plane. A rest without inertia is a point, which cannot move on as a body in the plane. */
+/* Computes the jump in the plane. Returns VM_BAD_INERTIA if the rest has no inertia: it is then a point, which cannot
+   be a body in the plane. */
 VM_API int vmi_event_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_impulse2 external = vmi_event_impulse2(&e->external);
@@ -13879,15 +14025,15 @@ VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *o
     return vm_attach(body, other, &e->external, b);
 }
 
-/* The angle of a body in the plane or on an axle, complete turns included; of any other body a number that put
-   ignores */
+/* The angle of a body in the plane or on an axle, complete turns included. For all other bodies it is a number that put
+   ignores. */
 VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* A jump moves the mass centre of a growing body to r: so its place in the body changes as well */
+/* Changes the place of the mass centre in a growing body after a jump, which has moved the mass centre to r */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -13898,8 +14044,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Writes the bodies after a jump into the state: the one that lost or gained mass, and the part that separated, or NULL
-   where `other` was attached. Then the mass laws, which do not know of the jump, get their masses. */
+/* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
+   NULL if the body `other` was attached. Then corrects the masses of the mass laws, which the jump does not change. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -13919,8 +14065,8 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_hold_masses(s, t, y);
 }
 
-/* Writes the bodies after a jump into the state, and enters into the budget the energy that the jump adds and the
-   impulse from outside */
+/* Writes the bodies after a jump into the state, and adds to the budget the energy that the jump adds and the impulse
+   from outside */
 VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -13949,9 +14095,9 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* The event separates a part from a body on a line or on an axle. The part, as *part says, becomes the body `into`,
-   which was absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is
-   NULL. */
+/* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
+   with the index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start
+   returns VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event.then = vmi_then_separate;
@@ -13967,8 +14113,9 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
     return event;
 }
 
-/* The event separates a part from a body in the plane. The part, as *part says, becomes the body `into`, which was
-   absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is NULL. */
+/* The event separates a part from a body in the plane. The part has the motion *part and becomes the body with the
+   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
+   VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -13977,8 +14124,9 @@ VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, co
     return event;
 }
 
-/* The event separates a part from a body of any motion. The part, as *part says, becomes the body `into`, which was
-   absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is NULL. */
+/* The event separates a part from a body of any motion. The part has the motion *part and becomes the body with the
+   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
+   VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -14001,8 +14149,8 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* The event attaches a body to another one on its line or its axle. `added` becomes a part of `body` and is no longer
-   present. */
+/* The event attaches a body to another body on the same line or axle. The body `added` becomes a part of `body` and is
+   no longer present. */
 VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
 {
     event.then = vmi_then_attach;
@@ -14016,7 +14164,8 @@ VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
     return event;
 }
 
-/* The event attaches a body to another one in the plane. `added` becomes a part of `body` and is no longer present. */
+/* The event attaches a body to another body in the plane. The body `added` becomes a part of `body` and is no longer
+   present. */
 VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
@@ -14025,7 +14174,7 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
     return event;
 }
 
-/* The event attaches a body to another one, of any motion. `added` becomes a part of `body` and is no longer
+/* The event attaches a body to another body, of any motion. The body `added` becomes a part of `body` and is no longer
    present. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
@@ -14048,23 +14197,23 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 #ifndef VARMASS_SCENES_RUN_H
 #define VARMASS_SCENES_RUN_H
 
-/* How events follow one another in a run */
+/* How quickly events follow each other in a run */
 typedef struct VM_TAG(vmi_scene_pace) {
-    long happened; /* events at this instant */
-    vm_real gap;   /* s: the shortest time since a crossing at this instant last happened, VM_MAX without one */
-    int crowded;   /* so many instants one after another have had a gap that the time hardly resolves */
+    long happened; /* number of events at this instant */
+    vm_real gap;   /* s: the shortest time between a crossing at this instant and the one before; VM_MAX if none */
+    int crowded;   /* number of successive instants with a gap that the time hardly resolves */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* at one instant; more of them cause each other without end */
-    VMI_SCENE_MOST_CROWDED = 3,    /* instants one after another whose gap the time hardly resolves */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events: the next one is seen even if gaps shrink */
+    VMI_SCENE_MOST_EVENTS = 10000, /* events at one instant; if there are more, they cause each other without end */
+    VMI_SCENE_MOST_CROWDED = 3,    /* successive instants with a gap that the time hardly resolves */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, to see the next one even if gaps shrink */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 
-/* Whether event i is due at t: its time has come, or the integrator has counted it anew, *times times. Counts begin
-   anew with each run, so that the difference may be negative as a run begins. */
+/* Whether event i is due at the time t: its time has come, or the integrator has counted *times new crossings. The
+   integrator counts from 0 in each run, so that *times may be negative at the beginning of a run. */
 VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 {
     vm_event *e = s->events + i;
@@ -14074,8 +14223,8 @@ VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
     return *times > 0;
 }
 
-/* Applies to y, in the order of the list, each event that is due at t. Returns the first status that is not VM_OK, or
-   an error that follows it. */
+/* Applies to y, in the order of the list, each event that is due at the time t. Returns VM_OK, or the first status that
+   is not VM_OK, or an error of a later event. */
 VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
@@ -14099,12 +14248,12 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
     return status;
 }
 
-/* Applies all events of an instant; an event may cause others at the same instant. Events that follow one another
-   faster and faster, like the contacts of a ball that comes to rest, end the run where the time no longer resolves
-   them. Until then the step after such an event is short enough to see the next one. */
+/* Applies all events of an instant, including those that an event causes at the same instant. Events may follow each
+   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the time no longer
+   resolves them; until then the step after such an event is made so short that the next event is seen. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const vm_real resolved = 256 * VM_EPSILON * span; /* a gap that has two digits */
+    const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap has fewer than two digits */
     const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
     pace->happened = 0;
@@ -14124,8 +14273,8 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
     return status;
 }
 
-/* Calls output if it is due at t; *next is the index of the next time of output. VM_STOPPED where output ends the
-   run */
+/* Calls output if it is due at the time t. *next is the index of the next time of output. Returns VM_STOPPED if output
+   ends the run, else VM_OK. */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
     if (!s->output) return VM_OK;
@@ -14138,7 +14287,7 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return VM_OK;
 }
 
-/* The next time at which an event or output is due, t_end at the latest */
+/* The next time at which an event or an output is due, or t_end if that is earlier */
 VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 {
     vm_real due = t_end;
@@ -14151,11 +14300,11 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
     return due;
 }
 
-/* Looks for the reason why a run ends: whether a mass or an inertia would soon run out if the state went on at its
-   present rates. Tries longer and longer steps, up to a millionth of the time (float: a thousandth); the first failure
-   stays in s->status. A mass or an inertia on its way to 0 makes the equations so stiff that no step gets beyond 0; and
-   after a refused step shorter ones may have succeeded, so that s->status is VM_OK again. The run is over, so that its
-   work has room for a state and its rates. */
+/* Finds the reason why a run ends: whether a mass or an inertia would soon reach 0 if the state continued at its
+   present rates. It tries longer and longer steps, up to 1e-6 of the time (float: 1e-3). The first failure becomes
+   s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that no step
+   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is over,
+   so that its work has room for a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -14184,11 +14333,11 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
     }
 }
 
-/* One step, or up to the next time at which something is due. Where the integrator fails, a body that cannot be
-   accelerated is a better reason than its own. */
+/* Makes one step, at most to the next time at which something is due. If the integrator fails, returns the reason why a
+   body cannot be accelerated rather than the status of the integrator. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
-    const int ode_status = vmi_run(r, VMI_RK45, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
+    const int ode_status = vmi_rk45_run(r, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
     if (ode_status >= 0) return VM_OK;
     s->ode_status = ode_status;
     if (ode_status == ODE_MAX_STEPS) return VM_MAX_STEPS;
@@ -14197,8 +14346,8 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
-/* Prepares rk45 for the scene. Each number of the state has its tolerance; the budget has none, so that it follows the
-   steps of the bodies. The tolerances stand in work behind the integrator's numbers. */
+/* Prepares rk45 for the scene. Each number of the state has its tolerance. The numbers of the budget have none, so that
+   the bodies alone determine the steps. The tolerances are stored in work after the numbers of the integrator. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {
@@ -14231,21 +14380,20 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
     return VM_OK;
 }
 
-/* Run of a scene from *t to t_end, with its events and its output. rk45 integrates it. The scene must have been
+/* Run of a scene from *t to t_end, with its events and its output. The integrator is rk45. The scene must have been
    started, and t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of
-   rk45; their events are not used. *t and y become the time and the state at which the run ended. Returns VM_OK at
-   t_end,
-   VM_STOPPED before it, or
-     VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   nothing was done;
+   rk45, without events. *t and y become the time and the state at which the run ended. Returns VM_OK at t_end,
+   VM_STOPPED if an event or the output ended the run, or
+     VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
-                           a mass or an inertia ran out, even if the steps became too short just before that;
-     VM_NOT_FINITE         an effect, a law or an event gave an infinite number or NaN;
-     VM_SINGULAR           a link cannot act;
-     VM_TOO_MANY_EVENTS    events do not end: more than 10 000 at one instant, or four times in succession less than
-                           256 eps of the time after one another;
+                           if a mass or an inertia ran out, even if the steps became too short just before that;
+     VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN;
+     VM_SINGULAR           if a link cannot act;
+     VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession an
+                           event follows the one before within 256 VM_EPSILON of the time;
      VM_IS_THERE, VM_IS_AWAY and the errors of vm_separate and vm_attach
-                           a jump that is impossible;
-     VM_STEP_TOO_SMALL, VM_MAX_STEPS   from the integrator, whose own status is in scene.ode_status. */
+                           if a jump is impossible;
+     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

@@ -22,6 +22,7 @@
 #define VARMASS_ATEB_PLANS_H
 
 #include "../base/bits.h"
+#include "../base/chebyshev.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/sums.h"
@@ -311,18 +312,6 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Removes the highest power of c_0 + c_1 t + ... + c_k t^k by subtracting a multiple of Chebyshev's polynomial of
-   degree k. For 0 <= t <= 1 this changes the polynomial by at most |c_k| 2^(1-2k). */
-VM_API void vmi_ateb_remove_highest(vm_real *c, int k)
-{
-    vm_real term = c[k];
-    int i;
-    for (i = k; i > 0; i--) {
-        term *= -((vm_real)i * (vm_real)(2 * i - 1)) / (2 * (vm_real)(k - i + 1) * (vm_real)(k + i - 1));
-        c[i - 1] -= term;
-    }
-}
-
 /* Economises c_1 + c_2 tau + c_3 tau^2 + ... for 0 <= tau <= limit: writes to result a polynomial in tau/unit
    with at most ATEB_PLAN_LENGTH terms, and returns the number of its terms. Its error is at most tolerance/limit if
    these terms are enough. c is overwritten. */
@@ -335,10 +324,10 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* height = 2^(1-2k) */
+    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), what removing c[k] changes for each unit of it */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
-        vmi_ateb_remove_highest(c, k);
+        vmi_remove_highest(c, k, 0);
         height *= 4;
     }
     power = 1;

@@ -60,7 +60,7 @@ enum {
     VM_LINK_NOT_LAST = -27,      /* scenes: another effect on the body stands after its link */
     VM_STORED_STREAM = -28,      /* scenes and reactive loads: a stream comes from a store, which cannot be used here */
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
-    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: M + M'(v) (v - u) is not positive for a mass law M(v) */
+    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: M + M'(v) (reactive v - u) is not positive for a mass law M(v) */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
     VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
 };
@@ -106,7 +106,8 @@ VM_API const char *vm_strerror(int status)
     case VM_LINK_NOT_LAST: return "another effect stands after the link of its body: list the link last";
     case VM_STORED_STREAM: return "a stream from a store cannot be used here: integrate vm_flow_rhs";
     case VM_DOES_NOT_GROW: return "the stream needs a growing body: vm_scene_body_growing_plane or _growing_free";
-    case VM_NO_EFFECTIVE_MASS: return "M + M'(v) (v - u) of the mass law M(v) is not positive: no force accelerates it";
+    case VM_NO_EFFECTIVE_MASS:
+        return "M + M'(v) (reactive v - u) of the mass law M(v) is not positive: no force accelerates it";
     case VM_NOT_STARTED: return "the scene was not started, or was changed after its start: call vm_scene_start";
     case VM_BAD_STIFFNESS: return "a stiffness is not positive";
     default: return "unknown status";

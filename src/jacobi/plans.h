@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "../base/bits.h"
+#include "../base/chebyshev.h"
 #include "../base/real.h"
 #include "../base/sums.h"
 #include "../base/words.h"
@@ -52,14 +53,8 @@ enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 };
    degree. */
 VM_API void vmi_shorten(vm_real *c)
 {
-    int n, k;
-    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) {
-        vm_real term = c[n];
-        for (k = n; k > 1; k--) {
-            term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
-            c[k - 1] -= term;
-        }
-    }
+    int n;
+    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
 /* Computes p->a and p->b for |v| <= longest: the coefficients in powers of v^2, without the first one, 1, of

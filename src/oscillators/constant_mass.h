@@ -18,6 +18,7 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../jacobi/modulus.h"
+#include "force_terms.h"
 #include "waves.h"
 
 /* -- Period, velocity, energy -- */
@@ -60,7 +61,7 @@ VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
     if (alpha == 3) return x * x * x;
-    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+    return vmi_elastic_power(x, alpha);
 }
 
 /* Energy per unit mass (259), v^2/2 + omega0^2 |x|^(alpha+1)/(alpha+1), m^2/s^2. */

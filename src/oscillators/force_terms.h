@@ -2,11 +2,19 @@
 
    Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
        vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
-   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c. */
+   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c, tests/test_forces.c. */
 #ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
 #define VARMASS_OSCILLATORS_FORCE_TERMS_H
 
 #include "../base/real.h"
+#include "../base/scalars.h"
+
+/* x|x|^(alpha-1), alpha >= 0, computed by the power: the force of a spring over -k. The callers treat x = 0 and the
+   exponents that need no power. */
+VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
+{
+    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+}
 
 /* Van der Pol's term (404), feed - c x^2, N s/m: the force over the velocity at position x. feed > 0 (N s/m) feeds
    the vibration, and c > 0 (N s/m^3) limits it. */

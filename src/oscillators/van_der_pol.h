@@ -50,15 +50,23 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 of averaging with cn. (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
-VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
+/* Writes the mean values a1, a2, a3 of each method. For cn (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
+VM_API void vmi_vdp_means(vm_vdp *v)
 {
-    const vm_real m = vm_osc_jacobi_parameter(v->alpha);
-    vm_real C2, C4, C6;
-    jacobi_cn_means(m, &C2, &C4, &C6);
-    v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
-    v->a1 = (v->alpha + 3) / 2 * v->a2;
-    v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+    v->a1 = 1;
+    v->a2 = 2 / (v->alpha + 3);
+    if (v->method == VM_VDP_ATEB) {
+        v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
+    } else if (v->method == VM_VDP_TRIGONOMETRIC) {
+        v->a3 = v->a2 / 4;
+    } else {
+        const vm_real m = vm_osc_jacobi_parameter(v->alpha);
+        vm_real C2, C4, C6;
+        jacobi_cn_means(m, &C2, &C4, &C6);
+        v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
+        v->a1 = (v->alpha + 3) / 2 * v->a2;
+        v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+    }
 }
 
 /* Checks that the numbers of a Van der Pol oscillator are in their domains. */
@@ -81,11 +89,7 @@ VM_API int vm_vdp_init(vm_vdp *v)
     if (!v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     status = vmi_vdp_check(v);
     if (status) return status;
-    v->a1 = 1;
-    v->a2 = 2 / (v->alpha + 3);
-    if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
-    else if (v->method == VM_VDP_TRIGONOMETRIC) v->a3 = v->a2 / 4;
-    else vmi_vdp_jacobi_means(v);
+    vmi_vdp_means(v);
     return VM_OK;
 }
 
@@ -102,6 +106,9 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
+/* Whether the closed forms hold: they know the terms feed and c, of an oscillator that is prepared */
+VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
+
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.
    first_A is the amplitude, m, at t = 0, of either sign. One formula stands for (422), (424), (427), (429),
    (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
@@ -117,7 +124,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     if (!v) return VM_NAN;
     vmi_linear_mass m;
     vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
-    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !(v->a1 > 0)) return VM_NAN;
+    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
     if (vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
         (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
@@ -153,7 +160,7 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
     const vm_real drive = vmi_vdp_drive(v, mass_rate);
     const int exists = (drive > 0 && v->c > 0) || (drive < 0 && v->c < 0);
     const int limited = v->c > 0, rest_is_stable = drive < 0 || (drive == 0 && limited);
-    if (!VM_IS_FINITE(drive) || !(v->a1 > 0)) return VM_NAN;
+    if (!VM_IS_FINITE(drive) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
     if (stable_or_NULL) *stable_or_NULL = exists ? limited : rest_is_stable;
     if (!exists) return 0;
     return VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3)));

@@ -18,7 +18,7 @@
 #include "scene.h"
 #include "state.h"
 
-/* Clears the load of a body before the effects add to it; of the forces only those that the body has */
+/* Sets the load of a body to 0 before the effects add to it, and of the forces only those on coordinates of the body */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -47,7 +47,7 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
-/* Why a body with this load cannot be accelerated */
+/* The status that says why a body with this load cannot be accelerated */
 VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
     if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
@@ -55,8 +55,8 @@ VMI_APART int vmi_scene_mass_status(const vm_load *load)
     return VM_BAD_MASS;
 }
 
-/* Writes the derivatives of a body's state and returns a status. A mass that is a state must be positive in y as well:
-   load->mass may also hold what an effect has added. */
+/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in y
+   as well, because load->mass may include what an effect has added. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
@@ -69,8 +69,9 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* After an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. Of several
-   evaluations in a row that fail the status stays that of the first, `before`, from whose NaN the others follow. */
+/* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
+   is the status of the evaluation before; if that failed too, its status is kept, because its NaN has caused this
+   failure. */
 VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 {
     int k;
@@ -85,10 +86,10 @@ VMI_APART void vmi_scene_clear_derivatives(const vm_scene_body *b, vm_real *dydt
     for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
 }
 
-/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. It returns 0, or
-   VM_BAD_ARGUMENT for a NULL pointer or a negative number of bodies or effects. Where a body cannot be accelerated
-   (its mass or inertia is not positive, for one) or an effect cannot act, scene.status says why and all derivatives are
-   NaN, so that an integrator tries a shorter step. */
+/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
+   VM_BAD_ARGUMENT if a pointer is NULL or the number of bodies or effects is negative. If a body cannot be accelerated,
+   for example because its mass is not positive, or if an effect cannot act, scene.status is the reason and all
+   derivatives are NaN, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
