@@ -1381,7 +1381,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 }
 
 /* The tensor m^T i m: the entries of the tensor i along new axes, which are the columns of the matrix m */
-VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
+VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
     vm_inertia t;
@@ -1396,7 +1396,7 @@ VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 
 /* For each entry of the tensor m^T i m, the sum of the absolute values of its terms. The rounding error of the entry is
    a few eps times this sum. */
-VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
+VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
     vmi_mat3 b;
@@ -5143,9 +5143,8 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 #define VARMASS_MECHANICS_ATTITUDE_H
 
 /* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
-   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term brings the length of q back to 1 within
-   some steps of any explicit method. Its rate is below that of the rotation itself, so that a slow rotation is not
-   stiff. */
+   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1. Its
+   rate is below that of the rotation itself, so that it does not make a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
@@ -13168,7 +13167,11 @@ enum { VM_BUDGET_STATES = 15 }; /* number of elements that a budget adds to the 
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
 /* Whether a list can have n elements: n is not negative, and list is not NULL unless n is 0 */
-VM_INLINE int vmi_scene_is_list(int n, const void *list) { return n == 0 || (n > 0 && list); }
+VM_INLINE int vmi_scene_is_list(int n, const void *list)
+{
+    if (n > 0) return list != NULL;
+    return n == 0;
+}
 
 /* Whether the lists of bodies and effects, which an evaluation reads, have possible lengths and are not NULL */
 VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
@@ -13274,8 +13277,9 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budg
 /* Computes the loads of all bodies in the state y */
 VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 {
+    const int with_budget = s->budget != NULL;
     int i;
-    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->budget != NULL);
+    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, with_budget);
     for (i = 0; i < s->n_effects; i++) {
         const vm_effect *e = s->effects + i;
         if (!e->idle) e->apply(e, t, y, s);
@@ -13283,7 +13287,7 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 }
 
 /* The status that says why a body with this load cannot be accelerated */
-VM_API int vmi_scene_mass_status(const vm_load *load)
+VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
     if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
     if (load->mass > 0) return VM_NO_EFFECTIVE_MASS;
@@ -13314,6 +13318,13 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
     if (before) s->status = before;
 }
 
+/* Writes the derivatives of a body that is not there: 0 */
+VMI_APART void vmi_scene_clear_derivatives(const vm_scene_body *b, vm_real *dydt)
+{
+    int k;
+    for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
+}
+
 /* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
    VM_BAD_ARGUMENT if a pointer is NULL or the number of bodies or effects is negative. If a body cannot be accelerated,
    for example because its mass is not positive, or if an effect cannot act, scene.status is the reason and all
@@ -13321,19 +13332,16 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
-    int i, k, before;
+    int i, before;
     if (!s || !y || !dydt || !vmi_scene_has_lists(s)) return VM_BAD_ARGUMENT;
     before = s->status;
     s->status = VM_OK;
     vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
-        int status;
-        if (b->away) {
-            for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
-            continue;
-        }
-        status = vmi_scene_accelerate(b, y, dydt);
+        int status = 0;
+        if (b->away) vmi_scene_clear_derivatives(b, dydt);
+        else status = vmi_scene_accelerate(b, y, dydt);
         if (status && !s->status) s->status = status;
     }
     if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET_STATES);
