@@ -79,7 +79,7 @@
                   about the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
-     means        <= 8 ulp; the mean of cn^6 for m < -4: <= 16 ulp
+     means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
      solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
 

@@ -422,8 +422,9 @@ VM_API vm_real ateb_pi(vm_real alpha)
 {
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
-    vmi_ateb_constants(&c, alpha);
-    return 2 * c.quarter.hi;
+    vmi_ateb_index_constants(&c, alpha);
+    vmi_ateb_period_constants(&c);
+    return 2 * vmi_fast_two_sum(c.quarter.hi, c.quarter.lo).hi;
 }
 
 /* Returns 1 if alpha is so large that three terms of g(q) at q = 0 give the quarter period in two words, else 0. */

@@ -142,7 +142,7 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
-    K = vmi_K_by_log(vmi_smaller(m1, 1 / m1), vmi_log_4(m1, m1_lo));
+    K = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo));
     if (m1 < 1) return K.hi;
     root = vmi_root(m1, m1_lo);
     quotient = K.hi / root.hi;

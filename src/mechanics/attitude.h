@@ -13,9 +13,8 @@
 #include "vectors.h"
 
 /* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
-   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term brings the length of q back to 1 within
-   some steps of any explicit method. Its rate is below that of the rotation itself, so that a slow rotation is not
-   stiff. */
+   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1. Its
+   rate is below that of the rotation itself, so that it does not make a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;

@@ -58,7 +58,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 }
 
 /* The tensor m^T i m: the entries of the tensor i along new axes, which are the columns of the matrix m */
-VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
+VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
     vm_inertia t;
@@ -73,7 +73,7 @@ VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 
 /* For each entry of the tensor m^T i m, the sum of the absolute values of its terms. The rounding error of the entry is
    a few eps times this sum. */
-VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
+VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
     vmi_mat3 b;
