@@ -202,7 +202,7 @@
        vm_flow_start                  Initial state y of a body with streams
        vm_flow_body                   The body that n states y describe, with a quaternion of length 1
        vm_flow_mass_left              Mass minus flow.least_mass, kg
-       vm_flow_inertia_left           Least pivot of the inertia minus flow.least_inertia, kg m^2
+       vm_flow_inertia_left           Smallest pivot of the inertia minus flow.least_inertia, kg m^2
 
      mechanics/flow2: a body in a plane with streams of mass
        vm_flow2_rhs                   Right-hand side of a body in the plane with streams of mass, (151), (152)
@@ -212,7 +212,7 @@
        vm_flow1_rhs                   Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176)
 
      mechanics/rocket: closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
-       vm_velocity_by_momentum        Velocity after the mass changes from m0 to m by mass of the absolute velocity u (151), (171)
+       vm_velocity_by_momentum        Velocity after the mass changes from m0 to m by mass with the absolute velocity u (151), (171)
        vm_tsiolkovsky                 Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m
        vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate
        vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
@@ -357,8 +357,8 @@
        vm_force_stream                The reactive force of a stream, rate (u - reactive v)
        vm_force_gravity               The weight of a mass, mass g
        vm_force_shaft                 The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y)
-       vm_force_unbalance             The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase)
-       vm_force_gyroscopic            The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx)
+       vm_force_unbalance             The force of a rotating unbalance, m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase
+       vm_force_gyroscopic            The gyroscopic force normal to a velocity in the plane, 2 gyro (-vy, vx)
 
      scenes/effects: springs, dampers, motors and other forces on a coordinate
        vm_effect_gravity              Gravity along a coordinate, the force M g
@@ -373,8 +373,8 @@
        vm_effect_force                A force that the caller's function returns
        vm_effect_custom               An effect that the caller's function applies
        vm_effect_shaft                An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y)
-       vm_effect_unbalance            A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase)
-       vm_effect_gyroscopic           A gyroscopic force across the velocity, 2 gyro (-vy, vx)
+       vm_effect_unbalance            A rotating unbalance, the force m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase
+       vm_effect_gyroscopic           A gyroscopic force normal to the velocity, 2 gyro (-vy, vx)
 
      scenes/mass: mass that follows a law, and its reactive force
        vm_effect_mass_law             A mass law M(t, x, v) that the caller's function returns
@@ -1381,7 +1381,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 }
 
 /* The tensor m^T i m: the entries of the tensor i along new axes, which are the columns of the matrix m */
-VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
+VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
     vm_inertia t;
@@ -1396,7 +1396,7 @@ VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 
 /* For each entry of the tensor m^T i m, the sum of the absolute values of its terms. The rounding error of the entry is
    a few eps times this sum. */
-VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
+VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
     vmi_mat3 b;
@@ -4053,12 +4053,14 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
 #endif
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
    This is the first step of exact torque-free rotation. It finds the principal moments J_a >= J_b >= J_c, the
-   principal axes a, b, c and the components w_a, w_b, w_c of omega, all in two words, because the rates that follow
-   from them are multiplied by long times. Then it names the axes 1, 2, 3: axis 2 has the middle moment, and omega
-   circles axis 3. Which of the outer axes is axis 3 depends on the sign of
+   principal axes a, b, c and the components w_a, w_b, w_c of omega. All are in two words, because the rates that
+   follow from them are multiplied by long times.
+   Then it names the axes 1, 2, 3. Axis 2 has the middle moment, and omega moves around axis 3. Axis 3 is a or c; this
+   depends on the sign of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
-   where T is the kinetic energy and L the size of the angular momentum. Axis 3 is c, the axis of the smallest moment,
-   if this is positive (or 0, on the separatrix), and else a. All functions of this chapter are internal:
+   where T is the kinetic energy and L the size of the angular momentum. If this number is positive, or 0 (on the
+   separatrix), axis 3 is c, the axis of the smallest moment; else axis 3 is a. All functions of this chapter are
+   internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
@@ -4077,7 +4079,7 @@ typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
 
-/* The power of two p with p <= x < 2p, or VM_MIN for an x that is 0 or subnormal */
+/* The largest power of two that is at most x, or VM_MIN if x is 0 or subnormal */
 VM_API vm_real vmi_power_of_two(vm_real x)
 {
     const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
@@ -4113,8 +4115,8 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
     return c;
 }
 
-/* The vector that the rotation by q turns into a: a + 2 (v x (v x a) - w v x a)/|q|^2, where q = (w, v) may have any
-   length except 0 */
+/* The vector that the rotation by q turns into a. It is a + 2 (v x (v x a) - w v x a)/|q|^2 for q = (w, v) of any
+   length except 0. */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 xyz = vmi_quat_vector(q);
@@ -4136,8 +4138,8 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 
 /* ---- principal moments and axes ---- */
 
-/* A body by its principal moments, divided by a power of two, its principal axes in body axes, and omega along them,
-   divided by another power of two */
+/* The rotation of a body in its principal axes: the principal moments divided by a power of two, the principal axes
+   in body axes, and the components of omega along them, divided by another power of two */
 typedef struct VM_TAG(vmi_torque_free_body) {
     vm_two moment[3];
     vmi_vec3_two axis[3], omega;
@@ -4151,8 +4153,8 @@ VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
     *y = vmi_two_plus(vmi_two_times(s, x0), vmi_two_times(c, y0));
 }
 
-/* Does in two words what vmi_jacobi_rotation does, for a tensor a that is scaled to about 1: a[p][q] becomes 0, and
-   the axes p and q turn. An entry below eps^3 is only set to 0. */
+/* Makes one rotation of Jacobi's eigenvalue method in two words: turns the axes p and q so that a[p][q] becomes 0.
+   The tensor a is scaled to about 1. An entry below eps^3 is set to 0 without a rotation. */
 VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, int p, int q)
 {
     const vm_two one = vmi_two(1, 0), entry = a[p][q];
@@ -4176,11 +4178,11 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
     for (k = 0; k < 3; k++) vmi_two_turn(c, s, &axis[p].x[k], &axis[q].x[k]);
 }
 
-/* Principal moments, divided by the power of two of the trace, and principal axes. Sets omega to 0. For a tensor
-   without products of inertia the moments are its entries and the axes are the body axes, exactly. */
+/* Computes the principal axes, and the principal moments divided by vmi_power_of_two(trace). Sets omega to 0. For a
+   tensor without products of inertia the moments are its entries and the axes are the body axes, exactly. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
-    const int most_sweeps = 12; /* more than the rotations, which converge quadratically, need */
+    const int most_sweeps = 12; /* more than enough, since the rotations converge quadratically */
     const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
     vm_two a[3][3];
     int sweep, p, q, k;
@@ -4200,7 +4202,7 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
     for (k = 0; k < 3; k++) b->moment[k] = a[k][k];
 }
 
-/* Sets a moment that is lost in the rounding errors of the tensor i to 0. The body is then a rod, and the other two
+/* Sets a moment to 0 if it is lost in the rounding errors of the tensor i. The body is then a rod, and the other two
    moments become equal. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
@@ -4218,8 +4220,8 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 
 /* ---- the order of the axes ---- */
 
-/* Returns 1 if two moments that come from a tensor in two words cannot be told apart. Moments that are stored numbers
-   differ by more than this, or are equal. */
+/* Returns 1 if the difference of two moments is within the errors of their computation from a tensor in two words.
+   Moments that were given as numbers are equal or differ by more. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
@@ -4231,15 +4233,15 @@ typedef struct VM_TAG(vmi_torque_free_axes) {
     vm_two I1, I2, I3;    /* the principal moments */
     vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
     vm_two w1, w2, w3;    /* the components of omega */
-    vm_two S;             /* |2T I2 - L^2| with the letters of the banner, which is 0 on the separatrix */
+    vm_two S;             /* |2T I2 - L^2|, T kinetic energy, L angular momentum; 0 on the separatrix */
     vm_real sigma;        /* the sign of I1 - I3 */
     vm_real s;            /* the sign of w3 */
     int symmetric;        /* 1 if I1 = I2 */
     vmi_mat3 matrix;      /* columns: the axes 1, 2, 3 in body axes */
 } vmi_torque_free_axes;
 
-/* The product J d w^2 in three words, so that no digit of stored numbers is lost when the difference of two such
-   products cancels */
+/* The product J d w^2 of a moment J, a difference d of moments and the square of a component w of omega. It is in
+   three words, so that the difference of two such products is right even if they cancel. */
 VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
 {
     const vmi_three J3 = vmi_three_words(J.hi, J.lo, 0), d3 = vmi_three_words(d.hi, d.lo, 0);
@@ -4247,8 +4249,8 @@ VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
     return vmi_three_times(vmi_three_times(J3, d3), vmi_three_times(w3, w3));
 }
 
-/* The value J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2 of the banner, for the axes a, b,
-   c = order[0], order[1], order[2] by falling moments */
+/* The value J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2, whose sign decides which axis is axis 3.
+   The axes a, b, c are order[0], order[1], order[2], by falling moments. */
 VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, const int *order)
 {
     const int a = order[0], b = order[1], c = order[2];
@@ -4256,7 +4258,8 @@ VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, co
     return vmi_three_plus(of_smallest, vmi_torque_free_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
 }
 
-/* Sets order[] to the axes by falling moments. Returns 1 if it is an even permutation of 0, 1, 2, else 0. */
+/* Sets order[] to the indices of the axes by falling moments. Returns 1 if order[] is an even permutation of 0, 1, 2,
+   else 0. */
 VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
 {
     int k, even = 1;
@@ -4271,8 +4274,8 @@ VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
     return even;
 }
 
-/* Returns 1 if axis 3 is the last one of order, that of the smallest moment, and 0 if it is the first. If two moments
-   are equal, axis 3 is that of the third moment. */
+/* Returns 1 if axis 3 is order[2], the axis of the smallest moment, and 0 if it is order[0], the axis of the largest.
+   If two moments are equal, axis 3 is the axis of the third moment. */
 VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, vmi_three separation)
 {
     if (vmi_torque_free_are_equal(J[order[0]], J[order[1]])) return 1;
@@ -4331,17 +4334,17 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 #endif
 /* mechanics/torque_free.h - exact rotation of a body on which no torque acts
    The rotation of a free body, for example after a jump, has a closed form: the angular velocity omega follows from
-   the Jacobi functions sn, cn, dn of the time, and the attitude from one theta function and a steady turn (Jacobi
-   1850). Nothing is integrated, so that every time costs the same and errors do not grow with time. The mass centre
-   moves on a straight line.
+   the Jacobi functions sn, cn, dn of the time, and the attitude follows from one theta function and a rotation at a
+   constant rate (Jacobi 1850). Nothing is integrated, so that an evaluation costs the same at any time and errors do
+   not grow with time. The mass centre moves on a straight line.
 
        vm_torque_free motion;
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   The functions serve all bodies, triaxial, symmetric and spherical ones, rods and points (whose spin about a null axis
-   stays constant), and all rotations, also those about the middle axis and on the separatrix, which tend to the middle
-   axis. No threshold has to be chosen.
+   The functions serve all bodies: triaxial, symmetric and spherical ones, and rods and points, whose spin about an
+   axis without moment of inertia stays constant. They serve all rotations, also those about the middle axis, and
+   those on the separatrix, which tend to a rotation about the middle axis. No threshold has to be chosen.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
@@ -4351,50 +4354,53 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 /* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
 
    Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
-   |omega|, also next to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
+   |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
    equal moments and with products of inertia. An error of eps in an input changes the attitude by eps times the angle
-   turned, and by more next to the separatrix, because every turn-over then moves. For tensors with products of
-   inertia the principal moments are known to two words only, which limits the accuracy after many turns next to the
-   separatrix. Components of omega below 2^-505 (float 2^-57) of the largest count as 0. */
+   turned. Close to the separatrix it changes the attitude by more, because it changes the time of every flip of the
+   body. For tensors with products of inertia the principal moments are known to two words only, which limits the
+   accuracy after many turns close to the separatrix. Components of omega below 2^-505 (float 2^-57) times the largest
+   are taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
     vm_real t0;                  /* the time at which the motion was given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
-    vm_quat start;               /* turns axes in which angular momentum is along 3, or -3, into inertial ones */
-    vm_real spin[3];             /* omega is spin[0] cn, spin[1] sn, spin[2] dn along 1, 2, 3, rad/s */
-    vm_real lean[3];             /* y, x, w - 1 of the quaternion M below are lean[0] cn, lean[1] sn, lean[2] dn */
+    vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum (or
+                                    opposite, s = -1) */
+    vm_real spin[3];             /* omega along axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
+    vm_real lean[3];             /* y, x, w - 1 of M = (w, x, y, 0)/sqrt(2 w): lean[0] cn, lean[1] sn, lean[2] dn */
     vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
     vm_two phase_rate;           /* rate of the phase, per second */
     vm_two K;                    /* quarter period of sn in u; 0 on the separatrix */
-    vm_two turn_rate;            /* mean rate kappa of h, half the angle about the angular momentum, turns/s */
+    vm_two turn_rate;            /* mean rate kappa of h in (B), half the angle about the angular momentum, turns/s */
     vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
-    vmi_doubled_theta theta;     /* the theta function whose argument is the deviation of h from its mean */
+    vmi_doubled_theta theta;     /* the theta function of (B); arg theta is the deviation of h from its mean growth */
 } vm_torque_free;
 
-/* The solution. Let 1, 2, 3 be the principal axes, where 2 has the middle moment and omega circles 3
-   (torque_free_axes.h), I1, I2, I3 the moments, T the kinetic energy and L the size of the angular momentum. With d12
-   = |I1 - I2|, d23 and d13 alike, sigma = sign(I1 - I3) and s = sign(w3), omega = (w1, w2, w3) along these axes is
+/* The solution. Let 1, 2, 3 be the principal axes, where axis 2 has the middle moment and omega moves around axis 3
+   (torque_free_axes.h), I1, I2, I3 the moments, T the kinetic energy and L the size of the angular momentum. Let
+   d12 = |I1 - I2|, d23 = |I2 - I3|, d13 = |I1 - I3|, sigma = sign(I1 - I3) and s = sign(w3). Then
+   omega = (w1, w2, w3) along these axes is
      w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u,  u = u0 + wp t,                                     (A)
      a1^2 = w1^2 + I2 d23/(I1 d13) w2^2,  a2^2 = a1^2 I1 d13/(I2 d23),  a3^2 = w3^2 + I2 d12/(I3 d13) w2^2,
      wp^2 = a3^2 d13 d23/(I1 I2),  m = I1 d12 a1^2/(I3 d23 a3^2),  1 - m = |2T I2 - L^2|/(I3 d23 a3^2),
-   where w1, w2, w3 on the right are those at t0, and t is the time since t0. With the tensor of inertia J, so that
-   L = |J omega|, the unit vector l = J omega/L and the unit vector e3 of axis 3 the attitude is
+   where w1, w2, w3 on the right-hand sides are the values at t0, and t is the time since t0. With the tensor of
+   inertia J, so that L = |J omega|, the unit vector l = J omega/L and the unit vector e3 of axis 3 the attitude is
      q(t) = start (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u),                                    (B)
      M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)).
    M is the shortest rotation that takes l to s e3, kappa is a constant that an integral of the third kind gives, and
-   theta is a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) is Jacobi's; van Zon and Schofield, J.
-   Comput. Phys. 225 (2007), have a theta series for 2h.
+   theta is a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) was found by Jacobi; van Zon and Schofield,
+   J. Comput. Phys. 225 (2007), give a theta series for 2h.
 
-   The steps are: axes, squares of the amplitudes and parameter, kappa, phase and rates, theta function, and at last
-   start, which makes q(t0) the given attitude. They are computed in two words, because the rates wp/(4K) and kappa
-   are multiplied by long times. At a given time only the products of rates and time are in two words. The units of
-   moments and omega are powers of two for which moments and omega are about 1. */
+   The preparation computes in this order: the axes; the squares of the amplitudes, and m; kappa; the phase and the
+   rates; the theta function; and `start`, which makes q(t0) the given attitude. It computes in two words, because the
+   rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time has only the products of rates
+   and time in two words. Moments and omega are divided by powers of two, so that they are about 1. */
 
 /* ---- amplitudes and parameter ---- */
 
-/* The squares of a1, a2, a3, of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
-   difference in them is S of torque_free_axes.h, which is computed in three words. */
+/* The squares of a1, a2, a3 of (A), of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
+   subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -4423,15 +4429,15 @@ VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_
     return square;
 }
 
-/* Sets m1 = 1 - m, with the parameter m of sn, cn, dn */
+/* Stores m1 = 1 - m in the motion, with the parameter m of sn, cn, dn, and prepares these functions for it */
 VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
 {
     motion->m1 = m1.hi;
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the axes, and the amplitudes of omega and of the quaternion M. `sign` is the sign of cn on the separatrix, and
-   1 elsewhere. */
+/* Sets the axes, and the amplitudes of omega and of the quaternion M in (B). `sign` is the sign of cn on the
+   separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -4453,8 +4459,8 @@ VM_API vm_two vmi_torque_free_two_pi(void)
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* Returns 2 kappa by the integral Pi(-N | m) with N = I3 d12/(I1 d23), for m < 1 and I1 != I2. Sets *mean to agm(1,
-   k'), with k'^2 = 1 - m and the letters of (A). With c = I3 a3/L,
+/* Returns 2 kappa by the integral Pi(-N | m) with N = I3 d12/(I1 d23), for m < 1 and I1 != I2. Sets *mean to the
+   arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those of (A), and c = I3 a3/L:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
@@ -4477,7 +4483,7 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* Returns kappa, the mean rate of h in (B). Sets *mean to agm(1, k'), k'^2 = 1 - m, which is 0 on the separatrix. */
+/* Returns kappa, the mean rate of h in (B). Sets *mean to agm(1, k') with k'^2 = 1 - m; it is 0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
@@ -4494,8 +4500,9 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(twice, VM_C(0.5));
 }
 
-/* Returns the argument u of (A) at t0, divided by 4K where mean > 0, from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Sets
-   *sign to the sign of cn on the separatrix, where u does not contain it, else to 1. */
+/* Computes the argument u of (A) at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u on the
+   separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign; else
+   *sign is 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -4507,13 +4514,13 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     *sign = 1;
     if (mean.hi > 0) {
         F = vmi_two_over(vmi_two_times(F, mean), vmi_torque_free_two_pi());
-        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* u is 2K - F */
+        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* u/(4K) is 1/2 - F here */
     } else if (axes->w1.hi < 0) *sign = -1;
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K, the phase, and both rates, in the unit of the scaled omega. Returns the sign of cn on the separatrix, and 1
-   elsewhere. */
+/* Sets K, the phase, and phase_rate and turn_rate for the scaled omega. Returns the sign of cn on the separatrix, and
+   1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -4535,8 +4542,9 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
 
 /* ---- the theta function ---- */
 
-/* Returns the y of the theta function, cd(y | m1) = c = I3 a3/L, as an integral of the first kind:
-   R_F(N, N/c^2, N + 1) = y for N = I3 d12/(I1 d23) */
+/* Returns y of theta(u + i y) in (B), which solves cd(y | m1) = c with c = I3 a3/L. It is an elliptic integral of the
+   first kind, in Carlson's form with N = I3 d12/(I1 d23):
+   y = R_F(N, N/c^2, N + 1) */
 VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square)
 {
     const vm_two N = vmi_two_over(vmi_two_times(axes->I3, axes->d12), vmi_two_times(axes->I1, axes->d23));
@@ -4544,8 +4552,8 @@ VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const
     return vmi_carlson_rf(N, vmi_two_over(N, c_square), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* Sets the theta function, conjugated where sigma s < 0. For m = 0 it stays 1. It is summed directly for K <= 2K',
-   and by Jacobi's transformation for K > 2K', where K' (Kc in the code) is K of the parameter 1 - m. */
+/* Sets the theta function of (B), conjugated if sigma s < 0. For m = 0 it stays 1. It is summed directly for
+   K <= 2K', and by Jacobi's transformation for K > 2K', where K' (Kc in the code) is K of the parameter 1 - m. */
 VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square)
 {
@@ -4582,7 +4590,7 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
 /* Sets all fields that do not depend on the unit of time, except `start` */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
-    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of a negligible nutation of eps^2 */
+    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of eps^2, a negligible nutation angle */
     const vmi_torque_free_axes axes = vmi_torque_free_order(b);
     vmi_torque_free_squares square;
     int constant = vmi_torque_free_is_constant(&axes);
@@ -4601,8 +4609,8 @@ VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_fre
 
 /* ---- at a time ---- */
 
-/* The product rate t less the nearest number of whole turns, |result| <= 1. It has no meaning beyond 2^(2p - 4)
-   turns, where the type has p digits. */
+/* The product rate t, in turns, minus the nearest whole number of turns, |result| <= 1. Beyond 2^(2p - 4) turns the
+   result has no meaning; p is the number of binary digits of the type. */
 VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
@@ -4611,16 +4619,16 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* Computes sn, cn, dn at the time t after t0. Returns u/(4K) without half turns, |u/(4K)| <= 1/4, or u on the
+/* Computes sn, cn, dn at the time t after t0. Returns u/(4K) minus the nearest multiple of 1/2, or u on the
    separatrix. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
-    const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* sech of this is next to the smallest number */
+    const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* sech(longest) is close to the smallest number of the type */
     vmi_thetas theta;
     vm_real turns;
     int half_turns = 0, quarters = 0;
-    vm_two v; /* u without quarter periods */
+    vm_two v; /* u minus the nearest multiple of K */
     if (motion->K.hi > 0) {
         v = vmi_two_plus(vmi_torque_free_fraction(motion->phase_rate, t), motion->phase);
         half_turns = vmi_nearest(2 * v.hi);
@@ -4634,20 +4642,20 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
         turns = v.hi;
     }
     if (v.hi * v.hi > VMI_NEAR) theta = vmi_theta_far(&motion->far_form, 0, v);
-    else theta = vmi_theta_near(v.hi, motion->m1); /* also for NaN */
+    else theta = vmi_theta_near(v.hi, motion->m1); /* NaN comes here, too */
     theta = vmi_theta_shift(theta, motion->far_form.kp, (vmi_bits)((quarters + 2 * half_turns) & 3));
     vmi_theta_ratios(theta, motion->far_form.kp, sn, cn, dn);
     return turns;
 }
 
-/* Evaluates (A) and (B) at the time t after t0: omega in body axes, and the rotation (cos h + s e3 sin h) M */
+/* Evaluates (A) and (B) at the time t after t0: *omega in body axes, and the rotation *turn = (cos h + s e3 sin h) M */
 VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, w, x, y, over, c, s;
     const vm_real turns = vmi_torque_free_functions(motion, t, &sn, &cn, &dn);
     vmi_doubled_at(&motion->theta, turns, &re, &im);
     vmi_sincos_turns(vmi_torque_free_fraction(motion->turn_rate, t).hi + motion->theta.shift * turns, &sine, &cosine);
-    w = 1 + motion->lean[2] * dn; /* w, x, y: the quaternion M times sqrt(2 w) */
+    w = 1 + motion->lean[2] * dn; /* M is (w, x, y, 0)/sqrt(2 w) */
     x = motion->lean[1] * sn;
     y = motion->lean[0] * cn;
     over = 1 / VM_SQRT(2 * w * (re * re + im * im));
@@ -4659,13 +4667,14 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 
 /* ---- setting up ---- */
 
-/* Sets all that vm_torque_free_at needs, from the moments, the axes, and omega divided by the given power of two */
+/* Prepares all that vm_torque_free_at needs. *b has the moments, the axes, and omega divided by `power`, a power of
+   two. */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
     vm_quat q = motion->body.q, turn;
     vm_vec3 omega;
     int k;
-    vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0: sn = 0, cn = dn = 1 */
+    vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0 and u = 0: sn = 0, cn = dn = 1 */
     motion->theta.re[0] = 1;
     motion->lean[2] = 1;
     vmi_torque_free_prepare(motion, b);
@@ -4678,14 +4687,15 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
 }
 
-/* Returns x, or 0 where the square of x would underflow: for 2^-505 (float 2^-57) and less, if the largest component
-   is about 1. */
+/* Returns x, a component of the scaled omega, or 0 if its square would underflow, which is for |x| < 2^-505 (float
+   2^-57). */
 VM_API vm_two vmi_torque_free_squarable(vm_two x)
 {
     return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
 }
 
-/* Prepares the motion of a body whose omega is along its body axes (along_body = 1) or along the inertial axes (0) */
+/* Prepares the motion of a body whose omega is given in body axes (along_body = 1) or in inertial axes
+   (along_body = 0) */
 VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, int along_body, vm_real t0)
 {
     const vm_real power = vmi_power_of_two(vmi_norm_max(body->omega));
@@ -4710,8 +4720,8 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
 }
 
 /* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; vm_torque_free_at
-   then gives it at any time. The accuracy is described at vm_torque_free. Returns VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA, and leaves *motion unchanged then; VM_OK otherwise. */
+   then gives it at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
+   null pointer, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. After an error *motion is unchanged. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
     if (!motion || !body) return VM_BAD_ARGUMENT;
@@ -4739,8 +4749,8 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
 /* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega is
    along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1 if it was all zero). Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
-   is above 1e290 (float 1e30), and VM_OK otherwise. With an error *q and *omega stay unchanged. Beyond 1/eps^2 turns
-   the result is finite and has the right angular momentum, but no phase. */
+   is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
+   the result is finite and has the right angular momentum, but its phase has no meaning. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     const vm_real largest_factor = VM_MAX / VM_SPLIT; /* products in two words split their factors */
@@ -4762,7 +4772,7 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
 
 /* A torque-free body at the time t (s). t may be later or earlier than t0. Attitude and omega are those of
    vm_torque_free_attitude, but omega is along inertial axes. The mass centre is on its straight line. The statuses
-   are those of vm_torque_free_attitude; with an error *body stays unchanged. */
+   are those of vm_torque_free_attitude; after an error *body is unchanged. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -4781,7 +4791,7 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
 }
 
 /* A torque-free body a time t (s) later, in one call. It calls vm_torque_free_init, then vm_torque_free_at, and has
-   their statuses. later may be body. */
+   their statuses. The pointers later and body may be equal. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;
@@ -4812,19 +4822,19 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 #ifndef VARMASS_MECHANICS_STREAMS_H
 #define VARMASS_MECHANICS_STREAMS_H
 
-/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body at which the
-   stream crosses the body's surface. */
+/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body's surface at which
+   the mass enters or leaves. */
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
     VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; velocity and spin of the stream
-                        are not read. There is no torque, but a force M' omega x d remains (M' the rate, d from the mass
-                        centre to the point, omega the body's spin), which (166) neglects */
+                        are not read. There is no torque, but a force M' omega x d remains, which (166) neglects (M' is
+                        the rate, d leads from the mass centre to the point, omega is the body's spin) */
     VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
 };
 
-/* The place in a body from which mass is taken, or into which it is put, if this is not the point at which its stream
-   crosses the surface */
+/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if the mass
+   does not lie at the point at which the stream enters or leaves the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -4834,18 +4844,19 @@ typedef struct VM_TAG(vm_store) {
 typedef struct VM_TAG(vm_stream) {
     vm_real rate;         /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
-    vm_vec3 at;           /* the point of crossing, from the body's reference point, m, body axes */
-    vm_vec3 velocity;     /* velocity of the mass when it crosses, m/s */
-    vm_vec3 spin;         /* angular velocity of the mass when it crosses, rad/s */
-    vm_inertia gyration;  /* inertia per unit mass of the crossing mass, about its own mass centre, m^2, body axes */
-    const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between store and point of
-                             crossing the mass flows in a straight line, and the momentum of this flow counts */
+    vm_vec3 at;           /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
+    vm_vec3 velocity;     /* velocity of the mass as it enters or leaves the body, m/s */
+    vm_vec3 spin;         /* angular velocity of the mass as it enters or leaves the body, rad/s */
+    vm_inertia gyration;  /* inertia per unit mass of this mass, about its own mass centre, m^2, body axes */
+    const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
+                             point `at` the mass flows in a straight line, and the body's momentum includes that of this
+                             flow */
 } vm_stream;
 
 /* The reactive loads at an instant, in inertial axes except inertia_rate. The body has the mass M, the inertia I, the
-   velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of the crossing mass,
-   omega2 its angular velocity and kappa its gyration, d leads from the body's mass centre to the point of crossing,
-   and P(d) = |d|^2 E - d d^T:
+   velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of its mass, omega2 the
+   angular velocity of its mass and kappa its gyration. The vector d leads from the body's mass centre to the point at
+   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
      torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
@@ -4859,15 +4870,15 @@ typedef struct VM_TAG(vm_reactive) {
     vm_vec3 moment;          /* reactive moment about the mass centre, N m */
     vm_vec3 torque;          /* reactive torque, N m */
     vm_vec3 drift;           /* velocity of the mass centre relative to the body's material, m/s */
-    vm_real mass_rate;       /* rate of the body's mass, the sum of M', kg/s */
+    vm_real mass_rate;       /* rate of the body's mass, the sum of M' over all streams, kg/s */
     vm_inertia inertia_rate; /* rate of the body's inertia, kg m^2/s, body axes */
 } vm_reactive;
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
 /* The velocity u of a stream's mass is, for every known motion, the sum of two terms: the velocity of the body's
-   point (or zero) and the velocity that the stream gives (or zero). The same holds for its spin. The next two
-   functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
+   point (or zero) and the velocity that the stream gives (or zero). Its spin is a sum of two such terms, too. The
+   next two functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
@@ -4894,8 +4905,8 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 }
 
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
-   stores and the points of crossing. A stream of rate M' with its store at s and its point of crossing at d makes a
-   straight flow, which has the momentum M' (s - d), whatever its speed is. */
+   stores and the surface. A stream of rate M' that flows in a straight line between its store at s and the surface at
+   d has the momentum M' (s - d), whatever its speed is. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -4907,36 +4918,36 @@ VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, 
     }
 }
 
-/* The motion of a body as its streams need it */
+/* The motion of a body, in the form that the sums over its streams need */
 typedef struct VM_TAG(vmi_stream_seen) {
     const vmi_mat3 *turn; /* the rotation from body axes to inertial ones */
     vm_vec3 v;            /* velocity, which is momentum/mass, inertial axes */
-    vm_vec3 slip;         /* velocity of the body's material at the mass centre, less v; body axes */
+    vm_vec3 slip;         /* velocity of the body's material at the mass centre minus v, body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
     vm_vec3 centre;       /* mass centre from the reference point, body axes */
-    int energy;           /* 1 if the sums `brought` and `lost` are wanted */
+    int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum are wanted */
 } vmi_stream_seen;
 
-/* The sums over the streams of a moving body, in body axes except `absolute`, with the letters of vm_reactive. The
-   velocity of mass that moves with the body is kept relative to the body, so that a high speed of the body costs
-   these sums no digits. */
+/* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
+   are explained at vm_reactive. For mass that moves with the body the sums use its velocity relative to the body, so
+   that they lose no digits if the body is fast. */
 typedef struct VM_TAG(vmi_stream_sum) {
-    vm_real rate;       /* sum of M' */
+    vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* sum of M' (u - v) of the streams whose velocity is relative to the body */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity is absolute, inertial axes */
     vm_vec3 moment;     /* sum of d x M' (u - v) of all streams */
     vm_vec3 own;        /* sum of M' kappa omega2 */
-    vm_vec3 crossing;   /* sum of M' d, with d to the point of crossing */
+    vm_vec3 crossing;   /* sum of M' d, with d to the point at which the mass enters or leaves */
     vm_vec3 stored;     /* sum of M' d_s, with d_s to the stream's store, or d_s = d without a store */
     vm_inertia inertia; /* I', the rate of the inertia */
     vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
-    vm_real lost;       /* sum like `brought` with velocities relative to the body: twice the power lost by mixing */
+    vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
 
-/* Adds one stream, whose `motion` exists, to the sums from which the force is made. Sets *push = M' (u - v), where u
-   is the velocity of its mass, and *spin to the angular velocity of its mass. `carried` is the velocity of the body's
-   point at which the mass crosses, minus v. All vectors are in body axes. */
+/* Adds one stream, whose `motion` is known, to the sums that make the force. Sets *push = M' (u - v), where M' is the
+   rate, u the velocity of the mass and v that of the body, and *spin to the angular velocity of the mass. `carried`
+   is the velocity of the body's point at which the mass enters or leaves, minus v. All vectors are in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -4960,7 +4971,8 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     }
 }
 
-/* Adds the share of a stream to sum->brought and sum->lost. push and spin are those that vmi_stream_motion sets. */
+/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and
+   carried is its argument. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
@@ -4973,7 +4985,7 @@ VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, c
     sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
 }
 
-/* Computes the sums over n streams. Returns 0 if the motion of a stream does not exist, else 1. */
+/* Computes the sums over n streams. Returns 0 if the `motion` of a stream is unknown, else 1. */
 VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
     const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
@@ -5003,8 +5015,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
     return 1;
 }
 
-/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality is required of the body
-   only: for motion in a plane a gyration with zz alone is enough, as long as the body itself is not that flat. */
+/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality, such as zz <= xx + yy,
+   is required of the body only. Therefore a gyration may have zz alone, which is enough for motion in a plane. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -5012,7 +5024,7 @@ VM_API int vmi_check_gyration(const vm_inertia *i)
     return VM_OK;
 }
 
-/* Returns VM_OK if the motion exists, all numbers are finite and the gyrations are possible, else the first error. */
+/* Returns VM_OK if `motion` is known, all numbers are finite and the gyrations are possible, else the first error. */
 VM_API int vmi_check_stream(const vm_stream *s)
 {
     int status;
@@ -5043,8 +5055,8 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
 }
 
 /* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
-   from its reference point, in body axes (m). The loads of the streams add; vm_reactive has their formulas. Returns
-   VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_NOT_FINITE, VM_BAD_MASS,
+   from its reference point, in body axes (m). Each load is a sum over all streams; the formulas stand at vm_reactive.
+   Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE, VM_BAD_MASS,
    VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
@@ -5131,9 +5143,8 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 #define VARMASS_MECHANICS_ATTITUDE_H
 
 /* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
-   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term brings the length of q back to 1 within
-   some steps of any explicit method. Its rate is below that of the rotation itself, so that a slow rotation is not
-   stiff. */
+   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1. Its
+   rate is below that of the rotation itself, so that it does not make a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
@@ -5147,10 +5158,11 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
 #endif
 /* mechanics/flow.h - a free body in space with streams of mass
 
-   Right-hand sides for rk45 and rk87 of a rigid body whose mass, mass centre and inertia change while it moves. Streams
-   cause the change (151), (152), or functions of time give it (170), or the mass that is lost or gained moves with the
-   body (166). The states are momenta, from which velocity and angular velocity follow: a momentum that is conserved
-   stays exactly constant, and rates may jump.
+   These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
+   moves. There are three cases: streams cause the change (151), (152); functions of time give it (170); or the mass
+   that is lost or gained moves with the body (166). In the first two cases momentum and angular momentum are states,
+   from which velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and
+   the rate of a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -5172,18 +5184,19 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
            rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
-   The equations, with a stream's letters M', u, d, kappa, omega2, P(d) of vm_reactive, and the outer force F and moment
-   M_S on a body of mass M, inertia I and angular velocity omega:
+   The equations. The letters M', u, d, kappa, omega2, P(d) of a stream are explained at vm_reactive. The body has the
+   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
-   attitude. c leads from the reference point to the mass centre, in body axes, d = at - c, and R is the rotation of
-   q/|q| from body axes to inertial ones. [1] prints the torque of (152) with I' omega2. If a stream has a store at s,
-   d_s = s - c replaces d in c' and P(d), the store's gyration replaces kappa in I', and the mass on its way through the
-   body has the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 for |q| = 1 and
-   brings the length of q back to 1; integrators keep their order. The reference point, from which `at` and the stores
-   are measured, is fixed in the body, at r - R c. If flow.centre is 0 at the start, this point is the mass centre of
-   the start.
+   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R
+   is the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the
+   length of q back to 1, and integrators keep their order. In (152), [1] prints I' omega2 instead of M' kappa omega2.
+   If a stream has a store at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and P(d); the
+   gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the momentum
+   M' (s - at) and the angular momentum M' d x d_s.
+   The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
+   flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_FLOW_H
 #define VARMASS_MECHANICS_FLOW_H
@@ -5199,9 +5212,9 @@ enum {
     VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
     VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
-    VM_FLOW_GIVEN_STATES = 13,   /* for vm_flow_given_rhs, vm_flow_carried_rhs: flow.update gives the mass data */
-    VM_FLOW_STATES = 23,         /* for vm_flow_rhs: mass, centre and inertia are states */
-    VM_FLOW_BALANCED_STATES = 30 /* for vm_flow_balanced_rhs: the states of vm_flow_rhs and the balance */
+    VM_FLOW_GIVEN_STATES = 13,   /* states if flow.update gives the mass data: vm_flow_given_rhs, vm_flow_carried_rhs */
+    VM_FLOW_STATES = 23,         /* states of vm_flow_rhs; mass, mass centre and inertia are among them */
+    VM_FLOW_BALANCED_STATES = 30 /* states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7 integrals */
 };
 
 /* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
@@ -5211,28 +5224,28 @@ typedef struct VM_TAG(vm_flow) {
     vm_stream *streams; /* n streams, kept by the caller */
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
-    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time
-       and state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a
-       rate that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs
-       and vm_flow_carried_rhs. (These laws are one function and not vm_laws, because their ten numbers belong
-       together.) It returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it
-       sets has to be a smooth function of t and y: a switch at some time belongs into the change of an ODE_RESTART
-       event. */
+    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
+       state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
+       that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
+       vm_flow_carried_rhs. (These laws are one function and not vm_laws, because their ten numbers belong together.) It
+       returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
+       smooth function of t and y. To switch something at an instant, use an event with the action ODE_RESTART and its
+       function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
-    vm_vec3 centre;        /* mass centre for vm_flow_given_rhs, and of the start for vm_flow_start, m, body axes */
+    vm_vec3 centre;        /* mass centre (vm_flow_given_rhs, vm_flow_start) from the reference point, m, body axes */
     vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
     vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
     vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
-    vm_real least_inertia; /* least pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
-    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. In a trial step beyond the end of a
-       motion the mass may be zero or negative, or the inertia impossible. The derivatives are then NaN, so that the
-       integrator shortens its step. An event should stop the run before that. */
+    vm_real least_inertia; /* smallest pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
+    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step may go beyond the end of a
+       motion, where the mass is zero or negative or no body can have the inertia. The derivatives are then NaN, so that
+       the integrator shortens its step. An event should stop the run before this happens. */
     int status;
-    /* 0 for unknown, or how many numbers y has room for, VM_LENGTH(y), which all functions below check. vm_flow_start
-       writes no more: VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and, if there is room for all
-       VM_FLOW_BALANCED_STATES, the zeros of the balance too. */
+    /* Number of elements of y, VM_LENGTH(y), which all functions below check; 0 if it is unknown. vm_flow_start writes
+       VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
+       VM_FLOW_BALANCED_STATES, it writes the zeros of the balance too. */
     int y_size;
 } vm_flow;
 
@@ -5247,8 +5260,8 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation in *kept and returns it. Of several failures in a row *kept holds the first,
-   because the later ones follow from its NaN. */
+/* Stores the status of an evaluation in *kept and returns it. After several failures in a row *kept is the first one,
+   because its NaN causes the later ones. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
@@ -5262,7 +5275,7 @@ typedef struct VM_TAG(vmi_flow_mass) {
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* Mass, mass centre and inertia from the state y or, if given = 1, from the flow's laws */
+/* The present mass, mass centre and inertia: from the fields of the flow if given = 1, else from the state y */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -5290,8 +5303,8 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
     return VM_OK;
 }
 
-/* From a state y, sets *turn to the rotation and *seen to velocity, angular velocity and all else that the streams
-   need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Computes from the state y the rotation *turn from body axes to inertial ones, and in *seen the velocity, the
+   angular velocity and all else that the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -5326,7 +5339,7 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
 }
 
-/* Evaluates the right-hand side of n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs, as n tells */
+/* Evaluates the right-hand side that has n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
@@ -5363,7 +5376,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
    An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of mechanics/flow.h. Returns
-   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_SHORT_ARRAY if y_size is too
+   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too
    small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
@@ -5373,8 +5386,8 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
    An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
-   The streams make forces and moments as in vm_flow_rhs. Without streams this is (170): mass joins and leaves at
-   rest, at the mass centre. The errors are those of vm_flow_rhs. */
+   The streams make forces and moments as in vm_flow_rhs. Without streams the equations are (170): mass joins and
+   leaves at rest, at the mass centre. The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5386,12 +5399,12 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
    zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
    out, minus those that the outer loads put in. The sum of an integral and the body's own quantity stays constant.
    (There are two exceptions if a stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the
-   energy does not balance.) The rate T' of the kinetic energy has the continuous limit of (113), (118), for either
-   sign of M', in the letters of the banner:
+   energy does not balance.) The rate T' of the kinetic energy is the limit of (113), (118) for a continuous stream
+   with either sign of M'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
-   The first sum is the energy that the streams bring. The second is what engines give (M' < 0) or plastic impact
-   takes (M' > 0). The errors are those of vm_flow_rhs. */
+   The first sum is the power that the streams bring. The second term is the power of engines (M' < 0), or the power
+   that plastic impact takes (M' > 0). The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5401,8 +5414,9 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
    An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
    The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum). Streams
-   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S, with
-   the letters of the banner and M_S in body axes. The errors are those of vm_flow_rhs. */
+   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S.
+   Their letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
+   errors are those of vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -5430,7 +5444,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes the
-   zeros of the balance only if y_size tells that there is room. */
+   zeros of the balance only if y_size is large enough for them. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
@@ -5452,10 +5466,10 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 
 /* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
    The mass centre is flow.centre, and the streams are those of flow.streams at the start. Sets flow.mass and
-   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and y_size must
-   say so if y has fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the caller sets. Returns
-   VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
+   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and flow.y_size
+   must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the
+   caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -5519,8 +5533,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
 }
 
 /* Mass minus flow.least_mass, kg: an event function that stops a run before the mass is used up.
-   It is for vm_flow_rhs and vm_flow_balanced_rhs, and the event's ctx is the vm_flow. Returns NaN for a null pointer.
-   */
+   It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of the event is the vm_flow. Returns NaN for a null
+   pointer. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5528,11 +5542,11 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
-/* Least pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
-   It stops a run before the inertia becomes singular, where the least pivot is 0. It is for vm_flow_rhs and
-   vm_flow_balanced_rhs, and the event's ctx is the vm_flow. The triangle inequality is not watched, because the
-   inertia of thin bodies is always close to its limit. Returns NaN for a null pointer and an inertia that is not
-   finite. */
+/* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
+   The pivots are those of the factorization L D L^T. The event stops a run before the inertia becomes singular, which
+   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The triangle
+   inequality is not watched, because the inertia of thin bodies is always close to its limit. Returns NaN for a null
+   pointer or an inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5548,8 +5562,8 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #endif
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. The streams have
-   no stores; all else is as in space.
+   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. Streams in the
+   plane have no stores; otherwise the equations are those of motion in space.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
@@ -5564,7 +5578,7 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #ifndef VARMASS_MECHANICS_FLOW2_H
 #define VARMASS_MECHANICS_FLOW2_H
 
-/* Where the states of vm_flow2_rhs stand in y, and how many there are. Axes are inertial unless body axes are named. */
+/* Indices of the states of vm_flow2_rhs in y, and their number. Axes are inertial unless body axes are named. */
 enum {
     VM_FLOW2_X = 0,       /* position of the mass centre, 2 numbers x, y, m */
     VM_FLOW2_ANGLE = 2,   /* angle of the body axes, rad, anticlockwise */
@@ -5580,10 +5594,10 @@ enum {
 typedef struct VM_TAG(vm_stream2) {
     vm_real rate;     /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;       /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
-    vm_real x, y;     /* the point of crossing, from the body's reference point, m, body axes */
-    vm_real vx, vy;   /* velocity of the mass when it crosses, m/s */
-    vm_real spin;     /* angular velocity of the mass when it crosses, rad/s */
-    vm_real gyration; /* inertia per unit mass of the crossing mass, about its own mass centre, m^2 */
+    vm_real x, y;     /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
+    vm_real vx, vy;   /* velocity of the mass as it enters or leaves the body, m/s */
+    vm_real spin;     /* angular velocity of the mass as it enters or leaves the body, rad/s */
+    vm_real gyration; /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2 */
 } vm_stream2;
 
 /* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
@@ -5599,10 +5613,10 @@ typedef struct VM_TAG(vm_flow2) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) the reduction by j quarter
-   turns is shorter than that of vmi_sincos: pi/2 is the sum of `first`, which has 33 (float 14) bits, so that j times
-   `first` is exact, and `second`, which makes the sum right to 2^-87 (float 2^-38). Rounding j times `second` makes
-   an error of 2^-67 (float 2^-28). */
+/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) the reduction of x by j
+   quarter turns is shorter than that of vmi_sincos. It takes pi/2 as the sum of two numbers: `first` has 33 (float
+   14) bits, so that j times `first` is exact, and `second` makes the error of the sum 2^-87 (float 2^-38). The
+   product j times `second` has a rounding error of 2^-67 (float 2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -5630,7 +5644,7 @@ VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
     *cosine = (j & 1 ? s : c) * (vm_real)(1 - ((j + 1) & 2));
 }
 
-/* The motion of a body in the plane as its streams need it */
+/* The motion of a body in the plane, in the form that the sums over its streams need */
 typedef struct VM_TAG(vmi_stream_seen2) {
     vm_real sine, cosine;       /* sine and cosine of the body's angle */
     vm_real vx, vy;             /* velocity, which is momentum/mass, body axes */
@@ -5638,9 +5652,10 @@ typedef struct VM_TAG(vmi_stream_seen2) {
     vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
 } vmi_stream_seen2;
 
-/* The sums over the streams of a body in the plane, in body axes except fx, fy, with the letters of vm_reactive */
+/* The sums over the streams of a body in the plane, in body axes except fx, fy. The letters M', u, v, d, kappa,
+   omega2 are explained at vm_reactive. */
 typedef struct VM_TAG(vmi_stream_sum2) {
-    vm_real rate;    /* sum of M' */
+    vm_real rate;    /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
     vm_real px, py;  /* sum of M' (u - v) of the streams whose velocity is relative to the body */
     vm_real fx, fy;  /* sum of M' u of the streams whose velocity is absolute, inertial axes, plus the outer force */
@@ -5649,12 +5664,12 @@ typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real inertia; /* sum of M' (kappa + d^2) */
 } vmi_stream_sum2;
 
-/* Adds a stream, whose `motion` exists, to the sums */
+/* Adds a stream, whose `motion` is known, to the sums */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);
     const vm_real dx = s->x - b->centre_x, dy = s->y - b->centre_y;
-    vm_real ux, uy, spin = 0; /* ux, uy become M' (u - v); spin is omega2 */
+    vm_real ux, uy, spin = 0; /* ux, uy become M' (u - v); spin is the angular velocity omega2 of the mass */
     if (vmi_stream_moves_with_body(s->motion)) {
         ux = -b->omega * dy;
         uy = b->omega * dx;
@@ -5698,7 +5713,7 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
    An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
-   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, or the number that
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that
    flow.update returns, each of which ends the run. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
@@ -5749,9 +5764,9 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #endif
 /* mechanics/flow1.h - translation, and bodies on a line or an axle, with streams of mass
 
-   Right-hand sides of motions with streams of mass that need fewer states than a body in space: translation in space
-   (172), straight motion (175), (176), and rotation about a fixed axle (173a), whose equation is that of a straight
-   motion with the moment of inertia instead of the mass.
+   These right-hand sides describe motions with streams of mass that need fewer states than a free body in space:
+   translation in space (172), straight motion (175), (176), and rotation about a fixed axle (173a). The equation of
+   rotation is that of straight motion, with the moment of inertia instead of the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -5766,7 +5781,7 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #ifndef VARMASS_MECHANICS_FLOW1_H
 #define VARMASS_MECHANICS_FLOW1_H
 
-/* Where the states of vm_translation_rhs stand in y, and how many there are */
+/* Indices of the states of vm_translation_rhs in y, and their number */
 enum {
     VM_TRANSLATION_R = 0,    /* position of the mass centre, 3 numbers, m */
     VM_TRANSLATION_P = 3,    /* momentum, 3 numbers, kg m/s */
@@ -5774,7 +5789,7 @@ enum {
     VM_TRANSLATION_STATES = 7
 };
 
-/* Where the states of vm_flow1_rhs stand in y, and how many there are. For an axle they are the angle (rad), the
+/* Indices of the states of vm_flow1_rhs in y, and their number. For an axle the states are the angle (rad), the
    angular momentum (kg m^2/s) and the moment of inertia about the axle (kg m^2). */
 enum {
     VM_FLOW1_X = 0,    /* position, m */
@@ -5783,9 +5798,9 @@ enum {
     VM_FLOW1_STATES = 3
 };
 
-/* A stream of mass onto or off a body on a line, or an axle. For an axle `rate` is M' (kappa + rho^2) and `velocity`
-   is the stream's angular momentum per unit mass divided by kappa + rho^2, where M' is the mass per time, rho the
-   distance of the mass from the axle and kappa its gyration (inertia per unit mass). */
+/* A stream of mass onto or off a body on a line, or an axle. For an axle let M' be the mass per time, rho the
+   distance of the mass from the axle and kappa its gyration (inertia per unit mass). Then `rate` is
+   M' (kappa + rho^2), and `velocity` is the angular momentum of the stream per unit mass divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
@@ -5814,7 +5829,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
     return u;
 }
 
-/* Evaluates the right-hand side of vm_translation_rhs after flow->update */
+/* Evaluates the right-hand side of vm_translation_rhs; flow->update has been called before */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
@@ -5838,8 +5853,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. This function is not inlined, so that a flow without update saves no
-   registers for the call. */
+/* Calls flow->update, then evaluates the rates. This function is not inlined, so that a flow without `update` need
+   not save registers for this call. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5850,8 +5865,8 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
 /* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
    An ode_rhs of VM_TRANSLATION_STATES states; ctx is a vm_flow, of which n, streams, force, update, y_size and status
    are used. r is the position, p the momentum, M the mass, F the outer force, M' the rate of a stream and u the
-   velocity of its mass. Body axes are along the inertial ones. The fields at, spin, gyration and from of the streams
-   are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist,
+   velocity of its mass. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the
+   streams are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
    VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
@@ -5861,7 +5876,7 @@ VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return vmi_translation_rates(f, y, dydt);
 }
 
-/* Evaluates the right-hand side of vm_flow1_rhs after flow->update */
+/* Evaluates the right-hand side of vm_flow1_rhs; flow->update has been called before */
 VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
@@ -5882,7 +5897,8 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. It is not inlined, for the reason at vmi_translation_updated_rates. */
+/* Calls flow->update, then evaluates the rates. The comment on vmi_translation_updated_rates says why it is not
+   inlined. */
 VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5893,8 +5909,8 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
 /* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
    An ode_rhs of VM_FLOW1_STATES states; ctx is a vm_flow1. The position x, the momentum p and the mass M change by
    x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i, with the outer force F, the streams' rates M_i and the
-   velocities u_i of their mass. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not
-   exist, or the number that flow.update returns, each of which ends the run. */
+   velocities u_i of their mass. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a
+   stream, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
@@ -5907,8 +5923,8 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
    These are motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151),
-   (171) and (175), (176); the motion along a line at a constant rate of mass; and the spin of a rocket whose jet damps
-   it, from Euler's equations. The formulas keep their accuracy down to a rate of zero.
+   (171) and (175), (176); the motion along a line at a constant rate of mass; and the spin of a rocket whose jet
+   damps it, from Euler's equations. The formulas stay accurate as the rate of mass tends to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -5916,15 +5932,16 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #ifndef VARMASS_MECHANICS_ROCKET_H
 #define VARMASS_MECHANICS_ROCKET_H
 
-/* A spinning axisymmetric body whose mass comes from around the mass centre, which stays in its place, and leaves
-   through a nozzle on the axis (rate < 0), or flows the opposite way (rate > 0). The z axis is the axis of symmetry. */
+/* A spinning axisymmetric body. Its mass comes from around the mass centre and leaves through a nozzle on the axis
+   (rate < 0), or flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis is the axis
+   of symmetry. */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
     vm_real axial;               /* moment of inertia C0 about the axis at t = 0, kg m^2 */
-    vm_real transverse;          /* moment of inertia A0 across the axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia per unit mass about the axis, of stored and of crossing mass, m^2 */
-    vm_real gyration_transverse; /* inertia per unit mass across the axis, of the stored mass, m^2 */
-    vm_real gyration_out;        /* inertia per unit mass across the axis, of the crossing mass, m^2 */
+    vm_real transverse;          /* moment of inertia A0 about a transverse axis at t = 0, kg m^2 */
+    vm_real gyration_axial;      /* inertia per unit mass about the axis, in the body and in the nozzle, m^2 */
+    vm_real gyration_transverse; /* inertia per unit mass about a transverse axis, of the mass in the body, m^2 */
+    vm_real gyration_out;        /* inertia per unit mass about a transverse axis, of the mass in the nozzle, m^2 */
     vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
@@ -5933,10 +5950,10 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
     return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Velocity after the mass changes from m0 to m by mass of the absolute velocity u (151), (171).
+/* Velocity after the mass changes from m0 to m by mass with the absolute velocity u (151), (171).
    v0 (m/s) is the velocity at mass m0 (kg), u is in m/s, and impulse (N s) is that of the outer forces during the
-   change. u = 0 is Levi-Civita's case. About a fixed axle this formula gives the angular velocity, with moments of
-   inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */
+   change. The case u = 0 is that of Levi-Civita. About a fixed axle this formula gives the angular velocity, with
+   moments of inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */
 VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
@@ -5945,9 +5962,10 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
 }
 
 /* Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m: v0 + w ln(m/m0), (175), (176).
-   v0 (m/s) is the velocity at mass m0 (kg), w (m/s) that of the crossing mass relative to the body. There is no outer
-   force. About a fixed axle this formula gives the angular velocity, with moments of inertia instead of masses. The
-   error is at most 4 eps of |v0| + |w ln(m/m0)|. Returns NaN if a mass is not positive and for infinite arguments. */
+   v0 (m/s) is the velocity at mass m0 (kg), and w (m/s) is the velocity, relative to the body, of the mass that joins
+   or leaves. There is no outer force. About a fixed axle this formula gives the angular velocity, with moments of
+   inertia instead of masses. The error is at most 4 eps of |v0| + |w ln(m/m0)|. Returns NaN if a mass is not positive
+   and for infinite arguments. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
@@ -5958,8 +5976,9 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
     return v0 + w * l.hi;
 }
 
-/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34). They become NaN for
-   other x. They are means of 1/m over a flow at constant rate, with the mass m relative to its first value. */
+/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34). For other x they are
+   NaN. In a flow at constant rate let s be the fraction of the time that has passed, and m = 1 + x s the mass divided
+   by its initial value. Then *first is the mean of 1/m over s, and *second the mean of s/m. */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
@@ -5975,9 +5994,9 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
      v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B;
    for a velocity w relative to the body:
      v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
-   Errors are within 8 eps of the terms of these sums for every rate >= 0. Where mass leaves, this bound grows with
-   m0/m, because roundings of rate t are large against a small m. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS
-   if m0 or m is not positive, and VM_OK otherwise. */
+   For every rate >= 0 the errors are at most 8 eps times the terms of these sums. If mass leaves, this bound grows
+   with m0/m, because the rounding error of rate t is large relative to a small m. Returns VM_BAD_ARGUMENT,
+   VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
 {
@@ -5993,7 +6012,7 @@ VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_re
     if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
     if (vmi_stream_moves_with_body(stream->motion)) {
         difference = first - second;
-        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near tau = -1 both terms are large */
+        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near tau = -1 first and second are large */
         acceleration = (force + stream->rate * given) / m0;
         result[0] = x0 + t * (v0 + acceleration * t * difference);
         result[1] = v0 + acceleration * t * first;
@@ -6019,11 +6038,11 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
    There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
    gyration_axial t the transverse part omega_t of omega has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-   where omega_t0 is its value at t = 0; omega_z stays constant, and the transverse part turns by omega_z times the
-   integral of C/A - 1 over time. With tau = rate gyration_transverse t/A0 and the L, B of vm_linear_flow, ln(A/A0) is
-   tau L, and the integral is t (C0/A0 L - 1 + rate t gyration_axial/A0 B). The error is at most 8 times what an eps
-   in the inputs makes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK
-   otherwise. */
+   where omega_t0 is its value at t = 0. omega_z stays constant, and the transverse part turns by omega_z times the
+   integral of C/A - 1 over time. Let L and B be the functions of tau of vm_linear_flow, here with
+   tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is t (C0/A0 L - 1 + rate t
+   gyration_axial/A0 B). The error is at most 8 times the change that an error of eps in the inputs makes. Returns
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
@@ -12570,9 +12589,10 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 #endif
 /* scenes/scene.h - what a scene is made of: bodies, effects, events
 
-   A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that change
-   them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers only to the
-   functions that its body, effect or event needs, so that the executable holds no others. All arrays are the caller's.
+   A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that
+   change them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers
+   only to the functions that its body, effect or event needs, so that the executable holds no others. All arrays are
+   the caller's.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s, which keeps its velocity
@@ -12590,24 +12610,26 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
        if (status < 0) printf("%s %d: %s\n", fault.kind, fault.index, vm_strerror(status));
        else status = vm_scene_run(&scene, &t, 10, y, work, NULL);            // y[0] = x(10), y[1] = v(10)
 
-   Bodies, effects and events are known by their index. A scene with events also needs scene.events, scene.n_events and
-   scene.located, an array of n_events elements, before the start. After the start all arrays must stay where they are.
-   vm_scene_start sets all to what the constructors have made; a second vm_scene_run continues where the first ended.
-   A listed motor, for example, adds at most 35 machine instructions to an evaluation of the right-hand side.
+   Functions refer to a body, an effect or an event by its index in its array. A scene with events also needs
+   scene.events, scene.n_events and scene.located, an array of n_events elements, before the start. After the start
+   all arrays must stay where they are. A second vm_scene_run continues where the first ended; vm_scene_start begins
+   anew, with everything as the constructors have made it. A listed motor, for example, adds at most 35 machine
+   instructions to an evaluation of the right-hand side.
 
    The state y has these numbers for body i, from y[bodies[i].at] on, positions first. r is the position of the mass
    centre, v its velocity, q the attitude and omega the angular velocity:
      line   x, v                                 point  r (3), v (3)
      axle   angle, omega                         free   r (3), q (4), v (3), omega (3, in body axes)
      plane  x, y, angle, vx, vy, omega
-   If the mass is a state, it is one more number. A growing body has two further groups of numbers: the displacement of
-   the mass centre in the body since the start, in body axes (2 numbers in the plane, else 3), and the inertia about the
-   mass centre (1 number in the plane, else xx, yy, zz, xy, xz, yz).
+   If the mass is a state (vm_scene_body_with_mass_state), it follows as one more number. A growing body has two
+   further groups of numbers: the displacement of the mass centre in the body since the start, in body axes (2 numbers
+   in the plane, else 3), and the inertia about the mass centre (1 number in the plane, else xx, yy, zz, xy, xz, yz).
 
-   An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z of
-   a point or a free body. On an axle, a moment of inertia replaces the mass, and a torque replaces the force.
+   An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z
+   of a point or a free body. On an axle, a moment of inertia replaces the mass, and a torque replaces the force.
 
-   Tests: tests/test_scenes.c and tests/test_scene_*.c. Flash that each part takes: docs/scene-sizes.md. */
+   Tests: tests/test_scenes.c and tests/test_scene_*.c. docs/scene-sizes.md lists the flash memory that each part
+   takes. */
 #ifndef VARMASS_SCENES_SCENE_H
 #define VARMASS_SCENES_SCENE_H
 
@@ -12625,54 +12647,54 @@ enum { VM_GROUND = -1 }; /* stands for the ground where an index of a body is ex
    part. */
 typedef struct VM_TAG(vm_load) {
     vm_real mass;       /* kg (on an axle kg m^2): the present mass */
-    vm_real extra_mass; /* kg: M'(v) (reactive v - u) of a mass law M(v), added to the mass that is accelerated */
+    vm_real extra_mass; /* kg: dM/dv (reactive v - u) of a mass law M(v), which acts like further mass */
     vm_real mass_rate;  /* kg/s: rate of the mass, if the mass is a state */
-    vm_real force[6];   /* N (N m on an angle) on each coordinate; 3 to 5: torque on a free body, inertial axes */
+    vm_real force[6];   /* N (N m on an angle) on each coordinate; [3] to [5]: torque on a free body, inertial axes */
     vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
     vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
-    /* only for growing bodies */
+    /* fields for growing bodies only */
     vm_vec3 drift;           /* m/s, inertial axes: velocity of the mass centre relative to the body */
     vm_vec3 centre_rate;     /* m/s, body axes: velocity of the mass centre relative to the body */
     vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia */
-    /* only if the scene keeps a budget */
+    /* fields used only if the scene keeps a budget */
     vm_real reactive[6];    /* N, N m: the reactive part of `force` */
     vm_real brought[6];     /* N, N m: momentum and angular momentum that streams bring per second */
     vm_real brought_energy; /* W: kinetic energy that streams bring per second */
-    vm_real mixing;         /* W: kinetic energy lost per second as mass of streams takes on the body's velocity */
+    vm_real mixing;         /* W: kinetic energy lost per second because mass of streams takes on the body's velocity */
 } vm_load;
 
 typedef struct VM_TAG(vm_scene_body) vm_scene_body;
 
 /* A body of a scene. A constructor such as vm_scene_body_line makes it; the caller changes no field. */
 struct VM_TAG(vm_scene_body) {
-    /* set by the constructor */
+    /* fields set by the constructor */
     int motion;        /* VM_LINE, VM_AXLE, VM_PLANE, VM_POINT or VM_FREE */
     int mass_is_state; /* 1: the mass is a number of the state, so that streams can change it */
     int grows;         /* 1: mass centre and inertia are numbers of the state too */
     int absent;        /* 1: the body is not present until an event brings it in */
     int positions;     /* number of positions in the state of the body */
     int coordinates;   /* number of velocities in the state of the body */
-    /* set by vm_scene_start, and kept up to date by a run */
+    /* fields set by vm_scene_start and kept up to date by a run */
     int at;      /* index in y of the first number of the body */
     int mass_at; /* index in y of the mass, if the mass is a state */
     int away;    /* 1 while the body is not present */
     /* The functions of the motion. They are pointers, so that a program links only those for the motions of its bodies.
        accelerate computes the derivatives of the state from the load and returns a status. begin is NULL, or prepares a
-       growing body before the effects of an evaluation. */
+       growing body in each evaluation, before the effects act. */
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
     void (*begin)(vm_scene_body *b, const vm_real *state);
     vm_real mass; /* kg: the mass, if it is neither a state nor given by a law */
     vm_load load; /* the loads on the body at the last evaluation */
-    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes `now` to the state */
-    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads `now` from the state */
+    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes *now to the state */
+    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads *now from the state */
     int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
-    vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (in kg m^2), omega.z */
+    vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
-    vm_real law_offset;     /* kg: mass that jumps and switches of the mass law have added to the mass by the law */
+    vm_real law_offset;     /* kg: added to the value of the mass law, which does not know of jumps and switching */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
-    int listed_orders;      /* bits (1 << order) of the effects on the body that vm_scene_check has seen */
+    int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass before an event that must not change it */
 };
@@ -12691,7 +12713,7 @@ typedef struct VM_TAG(vm_mass_law_values) {
     vm_real by_v; /* kg s/m (on an axle kg m^2 s/rad): dM/dv */
 } vm_mass_law_values;
 
-/* The place of an effect among the effects on its body */
+/* Where an effect has to stand in the list of effects, among the effects on its body */
 enum {
     VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
@@ -12707,30 +12729,30 @@ enum { VMI_IDLE_SWITCHED_OFF = 1, VMI_IDLE_BODY_AWAY = 2 };
 /* An effect. A constructor such as vm_effect_spring makes it. The comment above vmi_effect in effects.h explains how to
    write a new one. */
 struct VM_TAG(vm_effect) {
-    /* set by the constructor */
+    /* fields set by the constructor */
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
-    int variant; /* its variant, such as the kind of a mass law, a band in layers, a cord */
-    /* found once by vm_scene_start, so that evaluations are fast */
+    int variant; /* which variant of the effect: for example which mass law, or whether a band lies in layers */
+    /* fields set once by vm_scene_start, so that evaluations are fast */
     int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
     int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
     int other_x, other_v; /* indices in y: position and velocity of the coordinate that takes the reaction */
     vm_load *load;        /* load of the body on which the effect acts */
     vm_load *other_load;  /* load of the body that takes the reaction; NULL for the ground */
-    /* also set by the constructor */
+    /* further fields set by the constructor */
     int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
     int other, other_coordinate; /* index and coordinate of the body that takes the reaction, or VM_GROUND */
-    vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their places */
-    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function of vm_effect_force */
-    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function of vm_effect_mass_law */
+    vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
+    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function given to vm_effect_force */
+    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function given to vm_effect_mass_law */
     vm_moving_point point;                                          /* NULL, or the moving end of vm_effect_link */
-    const vm_stream *stream;                                        /* stream of vm_effect_stream_mass and its like */
-    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function of vm_effect_varying */
+    const vm_stream *stream;                                        /* stream of vm_effect_stream_mass, _force, ... */
+    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function given to vm_effect_varying */
     int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
     void *ctx;                             /* pointer that the caller's function receives */
     unsigned motions;                      /* bit (1 << motion) for each motion on which the effect can act */
     unsigned other_motions;                /* bit (1 << motion) for each motion that can take the reaction */
-    int needs;                             /* what it needs of the mass of its body: VMI_NEEDS_... */
-    int order;                             /* its place among the effects on its body: VMI_ORDER_... */
+    int needs;                             /* what the effect needs of the mass of its body: VMI_NEEDS_... */
+    int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
 };
@@ -12741,22 +12763,22 @@ enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 /* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop what it
    does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or it crosses zero at the event */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or this function is 0 at the event */
     /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
        run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
-    vm_real time;  /* s: when it happens, if `when` is NULL; else when it last happened, or the start of the scene */
+    vm_real time;  /* s: time of the event if `when` is NULL; else when it last happened, or the start of the scene */
     int direction; /* > 0: `when` rises through zero; < 0: `when` falls; 0: both count */
-    /* for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
+    /* fields for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
     int watches; /* 1: the event watches a body */
     int body, coordinate;
     vm_real value;
-    /* for an event that switches an effect */
+    /* fields for an event that switches an effect */
     int switches; /* 1: the event switches an effect */
     int effect;   /* index of the effect */
     int off;      /* 1: the effect is switched off; 0: on */
-    /* for a jump: check returns a status; jump computes the motion after the jump on a line, in the plane, or for any
-       motion */
+    /* fields for a jump: check returns a status, and jump computes the motion after the jump on a line, in the plane,
+       or for any motion */
     int (*check)(const vm_scene *scene, const vm_event *event);
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
@@ -12766,15 +12788,15 @@ struct VM_TAG(vm_event) {
     vm_body part;        /* the part that separates */
     int relative;        /* 1: the motion of `part` is relative to the body, in body axes */
     vm_impulse external; /* impulse from outside during the jump; the caller may set it */
-    /* for vm_event_user and vm_then_user */
+    /* fields for vm_event_user and vm_then_user */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
     void *ctx;      /* pointer that user_when receives */
     void *then_ctx; /* pointer that user_then receives */
-    /* for the caller */
+    /* fields for the caller */
     long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
     long count; /* how often the event has happened */
-    /* set by vm_scene_start, and kept up to date by a run */
+    /* fields set by vm_scene_start and kept up to date by a run */
     long seen;       /* number of crossings by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
@@ -12782,11 +12804,11 @@ struct VM_TAG(vm_event) {
 
 typedef struct VM_TAG(vm_budget) vm_budget;
 
-/* The budget of momentum, angular momentum and energy of a scene: what the bodies have, what came in from outside, and
-   the difference. vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
+/* The budget of momentum, angular momentum and energy of a scene: the amounts of the bodies, the supply from outside,
+   and the difference. vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
     vm_vec3 impulse;          /* N s: impulse of the effects and of the external impulses of jumps */
-    vm_vec3 angular_impulse;  /* N m s: angular impulse of the effects and of jumps about the origin */
+    vm_vec3 angular_impulse;  /* N m s: angular impulse about the origin of effects and of external impulses of jumps */
     vm_vec3 brought;          /* N s: momentum that streams and mass laws brought */
     vm_vec3 brought_angular;  /* N m s: angular momentum about the origin that streams and mass laws brought */
     vm_real work;             /* J: work of the effects, without reactive forces */
@@ -12797,7 +12819,7 @@ struct VM_TAG(vm_budget) {
     vm_real energy;           /* J: kinetic energy of all bodies that are present */
     vm_real jump_energy;      /* J: kinetic energy that jumps have added */
     vm_vec3 momentum_defect;  /* N s: momentum - momentum at the start - impulse - brought */
-    vm_vec3 angular_defect;   /* N m s: this difference for the angular momentum, angular_impulse and brought_angular */
+    vm_vec3 angular_defect;   /* N m s: angular_momentum - its value at the start - angular_impulse - brought_angular */
     vm_real energy_defect;    /* J: energy - energy at the start - work - brought_energy + mixing - jump_energy */
     /* internal functions; they are pointers, so that a program without a budget does not link them */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
@@ -12807,7 +12829,7 @@ struct VM_TAG(vm_budget) {
 
 /* A scene. Every field that is 0 or NULL means that the scene has no such part. */
 struct VM_TAG(vm_scene) {
-    /* set by the caller before vm_scene_start */
+    /* fields set by the caller before vm_scene_start */
     vm_scene_body *bodies; /* array of n_bodies bodies */
     int n_bodies;
     vm_effect *effects; /* array of n_effects effects */
@@ -12816,17 +12838,17 @@ struct VM_TAG(vm_scene) {
     ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
     vm_budget *budget; /* set by vm_scene_keep_budget: the budget at the start; it adds VM_BUDGET_STATES numbers to y */
-    /* NULL, or a function of the caller. It is called when a run starts and after each step, or at `times`. The run
-       stops if it returns a number other than 0. */
+    /* NULL, or a function of the caller. It is called when a run starts and after each step, or only at `times` if they
+       are given. The run stops if it returns a number other than 0. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times rising times at which output is called, not after steps */
+    const vm_real *times; /* s: NULL, or n_times increasing times of output, which is then not called after steps */
     int n_times;
     void *output_ctx; /* pointer that output receives */
-    int y_size;       /* number of elements of y, which a start and a run check; 0 means no check */
-    int work_size;    /* number of elements of work, which a run checks; 0 means no check */
-    /* set by vm_scene_start and by a run, for the caller to read */
-    int status;     /* of the right-hand side: VM_OK, or why a body cannot be accelerated or an effect cannot act */
-    int ode_status; /* of the integrator: ODE_OK or another status of ode.h */
+    int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
+    int work_size;    /* number of elements of work, which vm_scene_run checks; 0 means no check */
+    /* fields set by vm_scene_start and by a run, for the caller to read */
+    int status;     /* VM_OK, or why the right-hand side cannot accelerate a body or apply an effect */
+    int ode_status; /* status of the integrator: ODE_OK or another status of ode.h */
     int size;       /* number of elements of the state; 0 before the start */
 };
 
@@ -12837,7 +12859,7 @@ enum {
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 
-/* The place of the mass among the numbers of a body, if the mass is a state */
+/* The index of the mass among the numbers of a body, if the mass is a state */
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
 /* The number of elements of the state that belong to the body */
@@ -12994,8 +13016,8 @@ VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
-/* Reads a body in the plane. As in a lamina, the moments of inertia about x and y, which no motion in the plane needs,
-   have the sum zz, so that such a body is possible. */
+/* Reads a body in the plane. Motion in the plane does not depend on the moments of inertia about x and y. They get
+   the sum zz, as in a lamina, so that a body with this inertia is possible. */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
@@ -13079,8 +13101,8 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
 /* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
-   includes the dummy moments of b->invertible; therefore the spin of a rod about its own axis stays, since no load
-   turns a rod about it. */
+   includes the dummy moments of b->invertible; therefore the equations can be solved for a rod, too. The spin of a
+   rod about its own axis stays constant, since no load turns the rod about this axis. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -13144,8 +13166,8 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* A body that moves and turns freely in space. *start is its motion at the start. It may be a rod, whose spin about its
-   own axis then stays. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
+/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod, whose spin
+   about its own axis then stays constant. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
@@ -13176,15 +13198,15 @@ VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
     return body;
 }
 
-/* The number of coordinates along which the mass moves; on an axle 1, the coordinate about which the inertia turns */
+/* The number of coordinates on which the mass, or on an axle the moment of inertia, resists acceleration */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;
     return motion == VM_PLANE ? 2 : 3;
 }
 
-/* The vector, in inertial axes, of the numbers in a, one for each coordinate, that belong to the motion of the mass
-   centre */
+/* The array a has a number for each coordinate. Returns the vector of those for the motion of the mass centre, in
+   inertial axes. */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -13193,8 +13215,8 @@ VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
     return vmi_get3(a);
 }
 
-/* The vector of the numbers in a, one for each coordinate, that belong to the rotation of the body, in the axes of
-   these numbers */
+/* The array a has a number for each coordinate. Returns the vector of those for the rotation of the body, in the axes
+   in which the array has them. */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
@@ -13213,8 +13235,8 @@ VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
     return vmi_times(&axes, omega);
 }
 
-/* Adds two vectors to the numbers in a, one for each coordinate: `moving` to those of the mass centre, `turning` to
-   those of the rotation. So it is the inverse of vmi_scene_moving and vmi_scene_turning. */
+/* The array a has a number for each coordinate. Adds the vector `moving` to those for the motion of the mass centre
+   and the vector `turning` to those for the rotation. vmi_scene_moving and vmi_scene_turning read these numbers. */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {
@@ -13246,10 +13268,10 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
 #ifndef VARMASS_SCENES_GROWING_H
 #define VARMASS_SCENES_GROWING_H
 
-/* The index of the mass centre in the state of a growing body: it follows the mass */
+/* The index of the mass centre in the state of a growing body; the mass centre follows the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
-/* The index of the inertia in the state of a growing body: it follows the 2 or 3 numbers of the mass centre */
+/* The index of the inertia in the state of a growing body; the inertia follows the mass centre (2 or 3 numbers) */
 VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
 {
     const int directions = b->motion == VM_PLANE ? 2 : 3;
@@ -13319,7 +13341,7 @@ VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
     body.mass_is_state = body.grows = 1;
     body.begin = vmi_plane_growing_begin;
     body.accelerate = vmi_plane_growing_accelerate;
-    body.put = NULL; /* refused by vm_scene_check */
+    body.put = NULL; /* vm_scene_check then refuses the body */
     if (body.motion == VM_PLANE) body.put = vmi_plane_growing_put;
     body.get = vmi_plane_growing_get;
     return body;
@@ -13335,7 +13357,7 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* only for the check: vmi_free_accelerate solves Euler's equations with pivots */
+    vmi_inertia_ldl factors; /* not used further; vmi_free_accelerate solves Euler's equations with pivoting */
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
@@ -13369,16 +13391,16 @@ VM_API int vmi_free_growing_check(const vm_body *start)
     return VM_OK;
 }
 
-/* A growing body in space, made of a body by vm_scene_body_free. A run ends with VM_BAD_INERTIA when no body can have
-   the inertia any longer. vm_scene_start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for a rod or a
-   point. */
+/* A growing body in space, made of a body by vm_scene_body_free. A run ends with VM_BAD_INERTIA when the inertia
+   becomes one that no body can have. vm_scene_start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for
+   a rod or a point. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.check = vmi_free_growing_check;
     body.begin = vmi_free_growing_begin;
     body.accelerate = vmi_free_growing_accelerate;
-    body.put = NULL; /* refused by vm_scene_check */
+    body.put = NULL; /* vm_scene_check then refuses the body */
     if (body.motion == VM_FREE) body.put = vmi_free_growing_put;
     body.get = vmi_free_growing_get;
     return body;
@@ -13387,10 +13409,10 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 #endif
 /* scenes/forces.h - the forces of effects, as functions of numbers
 
-   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
-   return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v its
-   rate (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6 VM_EPSILON times the sum
-   of the absolute values of the terms, if the angle of a sine or cosine is exact.
+   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well.
+   They return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v
+   the rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6
+   VM_EPSILON times the sum of the absolute values of the terms, if the angle of a sine or cosine is exact.
 
        vm_real x = VM_C(0.1), v = 2, mass = 3;
        vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
@@ -13457,9 +13479,9 @@ VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm
     *fy = f * y;
 }
 
-/* The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase). unbalance is the mass m times its
-   eccentricity e in kg m, and frequency is the angular velocity Omega in rad/s. The components are written to *fx and
-   *fy; if one of these pointers is NULL, nothing is written. */
+/* The force of a rotating unbalance, m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase. unbalance is the
+   mass m times its eccentricity e in kg m, and frequency is the angular velocity Omega in rad/s. The components are
+   written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
 {
@@ -13471,9 +13493,9 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
-   equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are written to
-   *fx and *fy; if one of these pointers is NULL, nothing is written. */
+/* The gyroscopic force normal to a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor,
+   whose equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are
+   written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -13505,7 +13527,7 @@ VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real
 #include <string.h>
 
 /* To add an effect, write one block like that of the spring (vm_effect_spring), and nothing else in the headers:
-     an enum          names the places of the parameters in p[6];
+     an enum          names the indices of the parameters in p[6];
      vmi_apply_NAME   adds the force to the loads, at each evaluation;
      vmi_NAME_check   returns a status, if not all finite parameters are allowed;
      vm_effect_NAME   is the constructor: it calls vmi_effect and sets the parameters and all that differs from the
@@ -13705,9 +13727,9 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle).
-   x and v are position and velocity relative to other_coordinate of the body `other`, which takes the reaction.
-   vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
+/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an
+   angle). x and v are position and velocity of the coordinate, relative to other_coordinate of the body `other`,
+   which takes the reaction. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -13725,14 +13747,19 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
     return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
-/* An effect that the caller's function applies. It may depend on the whole state. apply adds to
-   effect->load->force[coordinate]; if the mass is a state, also to effect->load->mass_rate; if the mass is neither a
-   state nor given by a law, also to effect->load->mass. apply may read effect->load->mass; y[effect->x] and
-   y[effect->v], position and velocity of coordinate 0; the state of body i from y[scene->bodies[i].at] on; effect->p
-   and effect->ctx; and effect->load->force, the sum of the effects that stand before it in the list. So a stop that is
-   listed last can take away the force that presses on it. other is another body, or VM_GROUND. The effect acts only
-   while both bodies are present; effect->other_load, effect->other_x and effect->other_v belong to the body `other`.
-   vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
+/* An effect that the caller's function applies. It may depend on the whole state. The function `apply` adds to
+     effect->load->force[coordinate]   the force;
+     effect->load->mass_rate           the rate of the mass, only if the mass is a state;
+     effect->load->mass                further mass, only if the mass is neither a state nor given by a law.
+   It may read
+     y[effect->x], y[effect->v]        position and velocity of coordinate 0;
+     y[scene->bodies[i].at], ...       the state of body i;
+     effect->load->mass                the present mass;
+     effect->load->force               the sum of the forces of the effects that stand before it in the list;
+     effect->p, effect->ctx            parameters, and a pointer of the caller.
+   Therefore a stop that is listed last can take away the force that presses on it. other is another body, or
+   VM_GROUND. The effect acts only while both bodies are present; effect->other_load, effect->other_x and
+   effect->other_v belong to the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -13779,9 +13806,9 @@ VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y,
     e->load->force[1] += fy;
 }
 
-/* A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance is the mass m times its
-   eccentricity e in kg m, frequency the angular velocity Omega in rad/s, and phase is in rad. The effect acts on
-   coordinates 0 and 1 of a body in the plane or of a point. */
+/* A rotating unbalance, the force m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase. unbalance is the mass
+   m times its eccentricity e in kg m, frequency the angular velocity Omega in rad/s, and phase is in rad. The effect
+   acts on coordinates 0 and 1 of a body in the plane or of a point. */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_unbalance);
@@ -13804,9 +13831,9 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation has
-   the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the plane or
-   of a point. It does no work. */
+/* A gyroscopic force normal to the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation
+   has the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the
+   plane or of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
@@ -13818,27 +13845,28 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 #endif
 /* scenes/mass.h - mass that follows a law, and its reactive force
 
-   A mass law M(t, x, v) gives the mass of a body at any time; the mass is then no number of the state. The mass that
-   joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. So the equation of motion
-   under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
+   A mass law M(t, x, v) gives the mass of a body at any time; the mass is then not a number of the state. The mass
+   that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. Therefore the
+   equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
      reactive = 1  the absolute velocity u: the full reactive force (156), with u = 0 Levi-Civita's (167)-(169);
      reactive = 0  the velocity u relative to the body: no reactive force if u = 0 (166).
-   A law may depend on position x and velocity v only on a line or an axle, where it is J(phi) or J(omega). u is in m/s;
-   on a line only u.x is used, and on an axle too, in rad/s.
+   Only on a line or an axle may a law depend on position x and velocity v; on an axle it gives the moment of inertia
+   J from the angle or the angular velocity. u is in m/s. On a line and on an axle only u.x is used, on an axle in
+   rad/s.
 
        vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0); // body 0 loses 10 g/s, which keeps its velocity
 
-   A law stands before all other effects on its body, and a body has at most one law. Mass that jumps add is added to
-   the mass of the law. If an event switches a law off, the mass remains constant; if it switches a law on, the law
-   continues from the present mass (for the law M0 + c t then only c has an effect). So a switch never changes a mass
-   suddenly.
+   A law stands before all other effects on its body, and a body has at most one law. Mass that a jump adds to the
+   body is added to the mass of the law. If an event switches a law off, the mass remains constant; if it switches a
+   law on, the law continues from the present mass (of a law M0 + c t only c then has an effect). Therefore switching
+   never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
 #define VARMASS_SCENES_MASS_H
 
-/* Places of the parameters of mass laws and of streams: the velocity u (three numbers), `reactive`, and the coefficient
-   of a law or the rate of a stream */
+/* Indices of the parameters of mass laws and of streams: the velocity u (three numbers), `reactive`, and the
+   coefficient of a law or the rate of a stream */
 enum { VMI_MASS_U = 0, VMI_MASS_REACTIVE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
 
 /* Adds the reactive force rate (u - reactive v) on each coordinate along which the mass moves, and adds to the budget
@@ -13862,8 +13890,8 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
 }
 
 /* Gives the body the mass of a law. The rate is M' = by_t + by_x v + by_v v'. The acceleration v' is not known yet;
-   therefore its reactive force by_v v' (u - reactive v) moves to the left side of the equation of motion, as the mass
-   extra_mass = by_v (reactive v - u). */
+   therefore the reactive force of the last term, by_v v' (u - reactive v), is moved to the left side of the equation
+   of motion, where it acts as the mass extra_mass = by_v (reactive v - u). */
 VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_law_values *now,
                                 const vm_real *u, vm_real reactive)
 {
@@ -13882,10 +13910,11 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of the
-   mass that joins or leaves is u + (1 - reactive) v. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run ends
-   with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + M'(v) (reactive v - u) is not
-   positive. */
+/* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
+   the mass that joins or leaves is u + (1 - reactive) v, where v is the velocity of the body: u is absolute if
+   reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run
+   ends with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + dM/dv (reactive v - u) is
+   not positive. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {
@@ -13927,12 +13956,13 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 
 /* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. M0 is the mass with which the body was
    made. kind is VM_MASS_OF_T, VM_MASS_OF_X or VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of
-   the mass that joins or leaves is u + (1 - reactive) v, with u along coordinate 0. vm_scene_start returns
-   VM_BAD_ARGUMENT for an unknown kind; a run ends with the errors of vm_effect_mass_law. */
+   the mass that joins or leaves is u + (1 - reactive) v along coordinate 0, where v is the velocity of the body: u is
+   absolute if reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT for an
+   unknown kind; a run ends with the errors of vm_effect_mass_law. */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass);
-    if (kind < VM_MASS_OF_T || kind > VM_MASS_OF_V2) e.apply = NULL; /* refused by vm_scene_check */
+    if (kind < VM_MASS_OF_T || kind > VM_MASS_OF_V2) e.apply = NULL; /* vm_scene_check then refuses the effect */
     e.variant = kind;
     e.p[VMI_MASS_U] = u;
     e.p[VMI_MASS_REACTIVE] = reactive;
@@ -13945,9 +13975,10 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 #endif
 /* scenes/mass_of_time.h - mass that follows a vm_law, and its reactive force
 
-   A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table, or
-   a function. vm_effect_mass_of_time makes it the mass of a body of any motion. mass.h explains u, reactive and the
-   switching of a law. For a law that depends on position or velocity use vm_effect_mass_law.
+   A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table,
+   or a function. vm_effect_mass_of_time makes this number the mass of a body, which may have any motion. mass.h
+   explains u, reactive and the switching of a law. For a law that depends on position or velocity use
+   vm_effect_mass_law.
 
        vm_vec3 zero = {0, 0, 0};
        vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
@@ -13957,7 +13988,7 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 #ifndef VARMASS_SCENES_MASS_OF_TIME_H
 #define VARMASS_SCENES_MASS_OF_TIME_H
 
-/* Gives the body the mass of its law. If the law fails at t, the scene has the status of the law, so that the
+/* Gives the body the mass of its law. If the law fails at t, the scene receives the status of the law, and the
    integrator refuses the step. */
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
@@ -13973,15 +14004,16 @@ VM_API int vmi_check_mass_of_time(const vm_effect *e)
     return ((const vm_law *)e->ctx)->derivatives ? VM_OK : VM_BAD_ARGUMENT;
 }
 
-/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass with
-   which the body was made has no effect. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law is
-   not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL or no constructor made
-   it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of vm_law_at if this function
-   fails. */
+/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass that
+   was given to the constructor of the body has no effect. The velocity of the mass that joins or leaves is
+   u + (1 - reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body
+   if it is 0. *law is not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL or
+   no constructor made it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of vm_law_at
+   if this function fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
-    if (!law) e.apply = NULL; /* refused by vm_scene_check */
+    if (!law) e.apply = NULL; /* vm_scene_check then refuses the effect */
     e.p[VMI_MASS_U] = u.x;
     e.p[VMI_MASS_U + 1] = u.y;
     e.p[VMI_MASS_U + 2] = u.z;
@@ -14022,9 +14054,10 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 }
 
 /* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
-   negative for mass that leaves; the velocity of the mass is u + (1 - reactive) v, as in vm_effect_mass_law. The
-   inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a
-   state. */
+   negative for mass that leaves. If reactive is 1, u is the absolute velocity of the mass; if reactive is 0, u is
+   relative to the body. In general the velocity of the mass is u + (1 - reactive) v, where v is the velocity of the
+   body. The inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body
+   is not a state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -14037,8 +14070,8 @@ VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real rea
     return e;
 }
 
-/* A stream at a point of a growing body: the motion of the body, as vmi_stream_sums needs it, and the sums of this
-   function */
+/* A stream at a point of a growing body: the motion of the body, as vmi_stream_sums needs it, and the sums that this
+   function computes */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
@@ -14063,9 +14096,9 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT;
 }
 
-/* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget. What the mass of the
-   stream brings is entered in the budget with the mass (vmi_apply_stream_mass); the power of force and torque is
-   subtracted from `mixing`. */
+/* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget.
+   vmi_apply_stream_mass enters in the budget the energy of the mass, and its momentum as if it had the velocity of
+   the body. This function adds force and torque to the momentum brought, and subtracts their power from `mixing`. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -14122,8 +14155,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene does not account for mass on
-   the way to or from a store */
+/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene neglects the momentum of mass
+   that flows between a store and the surface */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
@@ -14141,11 +14174,11 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes it,
-   the run continues with the change. stream->at is in body axes, from the place of the mass centre at the start.
-   `mixing` of the budget is right if the effects for mass, force, moment and torque of the stream are all listed.
-   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown, VM_STORED_STREAM if it has a
-   store, and VM_DOES_NOT_GROW if the body is not a growing body. */
+/* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes
+   it, the run continues with the change. stream->at is in body axes, from the position of the mass centre at the
+   start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
+   stream are all listed. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown,
+   VM_STORED_STREAM if it has a store, and VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -14194,9 +14227,10 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
    inertia of the bare drum. The band comes or goes at the radius
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (by_layer),
-   and the inertia grows by rho b h radius^3 per radian: R is the radius of the drum, h the thickness of the band, b its
-   width and rho its density. In layers, the torque has a kink at each complete turn. vm_band_at computes what is wound
-   up at any angle; vm_effect_band is the mass law of the drum in a scene.
+   and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b
+   its width and rho its density. If the band lies in layers, its rate jumps at each complete turn, and with it the
+   reactive torque. vm_band_at computes the part that is wound up at any angle; vm_effect_band is the mass law of the
+   drum in a scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
@@ -14220,15 +14254,15 @@ typedef struct VM_TAG(vm_band) {
 /* The part of a band that is wound up at an angle */
 typedef struct VM_TAG(vm_band_now) {
     vm_real radius;  /* m: radius at which the band comes or goes */
-    vm_real rate;    /* kg/rad: mass mu that comes per radian at this radius (181) */
+    vm_real rate;    /* kg/rad: mass mu per radian that is wound up at this radius (181) */
     vm_real mass;    /* kg: mass of the part that is wound up */
     vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
 } vm_band_now;
 
-/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass and
-   inertia are line times the integrals of the radius and of its cube over phi; over n complete layers these are 2 pi
-   times the sums of R + i h and of its cube for i = 0 ... n - 1. The sums of i, i^2 and i^3 are sum1, sum2 and
-   sum1^2. */
+/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass
+   and inertia are line times the integrals of the radius and of its cube over phi; over n complete layers these
+   integrals are 2 pi times the sums of R + i h and of (R + i h)^3 for i = 0 ... n - 1. The sums of i, i^2 and i^3 are
+   sum1, sum2 and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -14247,8 +14281,8 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-/* The result for a drum without a band: its radius is `radius`, and all other numbers are `others`. If a result does
-   not exist, both arguments are NaN, else `others` is 0. */
+/* A result whose radius is `radius` and whose other numbers are `others`. For a bare drum `others` is 0; for a result
+   that does not exist both arguments are NaN. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -14277,7 +14311,7 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     return now;
 }
 
-/* Places of the parameters of the effect; its variant is by_layer */
+/* Indices of the parameters of the effect; its variant is by_layer */
 enum {
     VMI_BAND_RADIUS,
     VMI_BAND_THICKNESS,
@@ -14300,8 +14334,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the angular
-   velocity about the axle at which the band arrives. */
+/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the speed of
+   the band divided by its radius, an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -14356,7 +14390,7 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 /* An end of a link: a body, which can accelerate, or a point whose motion is given */
 typedef struct VM_TAG(vmi_link_end) {
     vm_real r[3], v[3];
-    vm_real a[3];        /* acceleration without the link */
+    vm_real a[3];        /* acceleration without the link, m/s^2 */
     vm_real mobility[3]; /* acceleration per force along each coordinate: 1/mass, or 0 where the end cannot move */
 } vmi_link_end;
 
@@ -14391,20 +14425,22 @@ VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
     for (i = 0; i < 3; i++) end->mobility[i] = 0;
 }
 
-enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* places of the parameters; the variant is 1 for a cord */
+enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* indices of the parameters in p; the variant is 1 for a cord */
 
 /* Computes the factor lambda of the force lambda d on the end `here`, where d leads from `there` to `here`. With the
-   length l of the link, the deviation C = (d^2 - l^2)/2 obeys C'' + 2 rate C' + rate^2 C = 0. In this equation C' = d v
-   and C'' = d a + v^2, where v and a are relative velocity and acceleration; the link adds lambda times the sum of
-   mobility d^2 to d a. lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are in one place or cannot move
-   along the link, and VM_NOT_FINITE if a number is not finite. */
+   length l of the link, the deviation C = (d^2 - l^2)/2 obeys C'' + 2 rate C' + rate^2 C = 0. In this equation
+   C' = d v and C'' = d a + v^2, where v and a are the velocity and acceleration of `here` relative to `there`. The
+   link adds lambda times the sum of mobility d^2, over both ends and all coordinates, to d a. lambda is 0 for a slack
+   cord. Returns VM_SINGULAR if the ends are in one place or cannot move along the link, and VM_NOT_FINITE if a number
+   is not finite. */
 VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const vmi_link_end *there, vm_real *lambda)
 {
-    /* A cord does not pull while it is shorter than its length by this fraction. The fraction is larger than the
-       uncertainty of the length, so that the cord does not alternate between taut and slack. */
+    /* A cord does not pull while the distance of its ends is shorter than its length by more than this fraction. The
+       fraction is larger than the uncertainty of the length, so that the cord does not alternate between taut and
+       slack. */
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
     const vm_real length = e->p[VMI_LINK_LENGTH], rate = e->p[VMI_LINK_RATE];
-    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products of d, v and a */
+    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products of d, v, a; sum of mobility d^2 */
     int i;
     for (i = 0; i < 3; i++) {
         const vm_real v = here->v[i] - there->v[i], d = here->r[i] - there->r[i];
@@ -14448,14 +14484,15 @@ VM_API int vmi_link_check(const vm_effect *e)
     return VM_DOMAIN;
 }
 
-/* A rigid link of a given length, or a cord, which can only pull. It holds the mass centre of `body`, a point or a body
-   in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other mass centre is
-   that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the function `point`
-   gives the motion of the point, which may lie above the plane. cord = 1 makes the link a cord. Deviations of the
-   length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that becomes taut at the speed v is stretched by about
-   v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested for a cord of 1 m at
-   6 m/s. vm_scene_start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose
-   mass centre moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the
+/* A rigid link of a given length, or a cord, which can only pull. The link holds the mass centre of `body`, a point
+   or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other
+   mass centre is that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the
+   function `point` gives the motion of the point, which may lie above the plane. cord = 1 makes the link a cord.
+   Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that becomes taut at the speed v
+   is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested
+   for a cord of 1 m at 6 m/s.
+   vm_scene_start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass
+   centre moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the
    ends are in one place or cannot move along the link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
@@ -14492,7 +14529,11 @@ enum { VM_BUDGET_STATES = 15 }; /* number of elements that a budget adds to the 
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
 /* Whether a list can have n elements: n is not negative, and list is not NULL unless n is 0 */
-VM_INLINE int vmi_scene_is_list(int n, const void *list) { return n == 0 || (n > 0 && list); }
+VM_INLINE int vmi_scene_is_list(int n, const void *list)
+{
+    if (n > 0) return list != NULL;
+    return n == 0;
+}
 
 /* Whether the lists of bodies and effects, which an evaluation reads, have possible lengths and are not NULL */
 VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
@@ -14548,8 +14589,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Makes effects idle whose body, or whose body that takes the reaction, is not present, and makes all other effects
-   active unless they are switched off */
+/* Updates the field `idle` of all effects. An effect is idle if its body, or the body that takes the reaction, is not
+   present, or if the effect is switched off. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
@@ -14577,7 +14618,8 @@ VM_API void vmi_scene_presence(vm_scene *s)
 
 #include <string.h>
 
-/* Sets the load of a body to 0 before the effects add to it, and of the forces only those on coordinates of the body */
+/* Prepares the load of a body before the effects add to it: the mass is the present one, and all sums are 0. Of the
+   forces it sets only those on coordinates that the body has. */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -14597,8 +14639,9 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budg
 /* Computes the loads of all bodies in the state y */
 VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 {
+    const int with_budget = s->budget != NULL;
     int i;
-    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->budget != NULL);
+    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, with_budget);
     for (i = 0; i < s->n_effects; i++) {
         const vm_effect *e = s->effects + i;
         if (!e->idle) e->apply(e, t, y, s);
@@ -14606,15 +14649,15 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 }
 
 /* The status that says why a body with this load cannot be accelerated */
-VM_API int vmi_scene_mass_status(const vm_load *load)
+VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
     if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
     if (load->mass > 0) return VM_NO_EFFECTIVE_MASS;
     return VM_BAD_MASS;
 }
 
-/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in y
-   as well, because load->mass may include what an effect has added. */
+/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in
+   y as well, because an effect may have added to load->mass. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
@@ -14628,13 +14671,20 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
 }
 
 /* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
-   is the status of the evaluation before; if that failed too, its status is kept, because its NaN has caused this
+   is the status of the preceding evaluation. If that failed too, its status is kept, because its NaN has caused this
    failure. */
 VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 {
     int k;
     for (k = vm_scene_size(s) - 1; k >= 0; k--) dydt[k] = VM_NAN;
     if (before) s->status = before;
+}
+
+/* Writes the derivatives of a body that is not there: 0 */
+VMI_APART void vmi_scene_clear_derivatives(const vm_scene_body *b, vm_real *dydt)
+{
+    int k;
+    for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
 }
 
 /* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
@@ -14644,19 +14694,16 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
-    int i, k, before;
+    int i, before;
     if (!s || !y || !dydt || !vmi_scene_has_lists(s)) return VM_BAD_ARGUMENT;
     before = s->status;
     s->status = VM_OK;
     vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
-        int status;
-        if (b->away) {
-            for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
-            continue;
-        }
-        status = vmi_scene_accelerate(b, y, dydt);
+        int status = 0;
+        if (b->away) vmi_scene_clear_derivatives(b, dydt);
+        else status = vmi_scene_accelerate(b, y, dydt);
         if (status && !s->status) s->status = status;
     }
     if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET_STATES);
@@ -14680,7 +14727,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* The part of a scene that is wrong */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect", "event", or "scene" for its arrays and if nothing is wrong */
+    const char *kind; /* "body", "effect" or "event"; "scene" for a fault of its arrays and if nothing is wrong */
     int index;        /* index of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
@@ -14689,7 +14736,7 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_is_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
-    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* `mass` is the inertia on an axle */
+    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* on an axle `mass` is the inertia */
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->check) return (b->check)(&b->start);
     return VM_OK;
@@ -14705,8 +14752,9 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
     return VM_OK;
 }
 
-/* Checks the place of an effect among the effects on a body: a mass law stands first and a link last, and there is at
-   most one of each. b->listed_orders has a bit for each order that stands on the body so far. */
+/* Checks where an effect stands in the list, among the effects on a body: a mass law stands first and a link last,
+   and there is at most one of each. b->listed_orders has a bit for the order of each effect on the body that stands
+   before. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
@@ -14756,14 +14804,14 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     return status;
 }
 
-/* Whether a body of one motion can take up or give off a body of another motion. On a line or an axle both must have
-   the same motion. In the plane or in space one of them may be a point, since a point has no rotation. */
+/* Whether a body of one motion can take up or give off a body of another motion. Both must have the same motion,
+   except that a body in the plane or in space can also take up or give off a point, which has no rotation. */
 VM_API int vmi_scene_can_jump(int motion, int other)
 {
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Checks a jump. The part that separates must be a possible body for the motion of the body that it becomes. */
+/* Checks a jump. A part that separates must be possible as the body of the scene that it becomes. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -14815,9 +14863,9 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
     fault_or_NULL->index = index;
 }
 
-/* The first thing that is wrong with a scene, or VM_OK. Returns the status of this fault, and writes to *fault_or_NULL
-   in which body, effect or event it is. The time is proportional to the number of bodies, effects and events. The
-   statuses are those in the comments of the constructors, and
+/* The first thing that is wrong with a scene, or VM_OK. Returns the status of this fault, and writes to
+   *fault_or_NULL in which body, effect or event it is. The time of this check is proportional to the number of
+   bodies, effects and events. The statuses are those in the comments of the constructors, and
      VM_BAD_ARGUMENT        if a pointer is NULL, a count is negative, or a body or a function is missing;
      VM_NOT_FINITE          if a parameter, a time or a number of a body is infinite or NaN;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;
@@ -14866,8 +14914,8 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 
 #include <string.h>
 
-/* Whether the scene was started and its lists are, as far as can be seen, those of the start. The state may have become
-   shorter, since a scene may end its budget. */
+/* Whether the scene was started, and its lists still seem to be those of the start. The state may be shorter than at
+   the start, since a scene may end its budget. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -14887,8 +14935,8 @@ VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
     return 1;
 }
 
-/* Prepares the integrator's event i. It has the action ODE_RECORD, which does not end a step, if the event is only
-   counted, without limit. */
+/* Prepares the event i of the integrator. If the event of the scene is only counted, and has no limit, the action is
+   ODE_RECORD, which does not end a step; else it is ODE_STOP. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -14900,8 +14948,8 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     if (!s->events[i].then && !s->events[i].most) located->action = ODE_RECORD;
 }
 
-/* Stores in an effect where its coordinates and loads are. If it acts against the ground, other_coordinate may be any
-   number. */
+/* Stores in an effect where its coordinates and loads are. If the effect acts against the ground, other_coordinate is
+   not used. */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
     vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
@@ -14947,10 +14995,10 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
     }
 }
 
-/* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns VM_OK,
-   or a status of vm_scene_check, with the place of the fault in *fault_or_NULL; VM_BAD_ARGUMENT if y is NULL;
-   VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the start
-   fails. After the start the arrays of the scene must stay where they are. */
+/* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns
+   VM_OK, or a status of vm_scene_check, which writes to *fault_or_NULL where the fault is; VM_BAD_ARGUMENT if y is
+   NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the
+   start fails. After the start the arrays of the scene must stay where they are. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);
@@ -14972,10 +15020,10 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 #endif
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates, together with the motion of its bodies, what comes in from outside: the
-   impulse and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of
-   the bodies must equal those at the start plus what came in. The difference, the defect, shows the error of a run and
-   the reactions of constraints.
+   A scene that keeps a budget integrates its supply from outside together with the motion of its bodies: the impulse
+   and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of the
+   bodies must equal those at the start plus this supply. The difference is called the defect. It shows the error of a
+   run and the reactions of constraints.
 
        vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
@@ -14991,7 +15039,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 
 #include <string.h>
 
-/* Places of the sums in the VM_BUDGET_STATES numbers of the state */
+/* Indices of the sums of the budget among its VM_BUDGET_STATES numbers of the state */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -15027,8 +15075,8 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds the contribution of a body to the rates of the budget's sums. The term M'(v) v' of the mass rate can be computed
-   only now, since the acceleration v' is known. */
+/* Adds the contribution of a body to the rates of the budget's sums. For a mass law M(v) the term dM/dv v' of the
+   mass rate is added only here, because the acceleration v' is not known before. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -15042,7 +15090,7 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
     vmi_scene_enter_loads(b, y, rates);
 }
 
-/* Computes the rates of the budget's sums after an evaluation */
+/* Computes the rates of the budget's sums after an evaluation of the loads */
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
@@ -15088,9 +15136,9 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 }
 
 /* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
-   none. To be called before vm_scene_start; the state then has VM_BUDGET_STATES further numbers. *budget_or_NULL must
-   stay where it is; the scene stores in it the values at the start. Between two runs a scene may end its budget, but
-   not begin one. */
+   none. Call this function before vm_scene_start. The state then has VM_BUDGET_STATES further numbers.
+   *budget_or_NULL must stay where it is; the scene stores in it its momentum and energy at the start. Between two
+   runs a scene may end its budget, but not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -15102,10 +15150,11 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t: what the bodies have, what came in since the start, and the defects.
-   Defects come from rounding, from the errors of the integrator, and from constraints: a line, an axle and the plane
-   hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative,
-   VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite, and else VM_OK. */
+/* The budget of a scene in the state y at time t. It has the momentum and energy of the bodies, the supply from
+   outside since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
+   constraints: a line, an axle and the plane hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget,
+   a pointer is NULL or a count is negative, VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite,
+   and else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
@@ -15137,8 +15186,8 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
 /* scenes/events.h - when an event happens, and what it does
 
    An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what happens then. An event
-   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often it
-   has happened and event.time when it last happened, and the motion is the same as without the event.
+   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often
+   it has happened and event.time when it last happened, and the motion is the same as without the event.
 
        vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
                             vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
@@ -15149,12 +15198,12 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
        scene.located = located;
        scene.n_events = 2;
 
-   An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if this is
-   0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only motion crosses a
-   value: an event that moves a coordinate beyond the value causes no crossing, and neither does a body that is not
-   present. Events at one instant happen in the order of the list; if a jump and a crossing are within rounding of each
-   other, either of the two may be the first. To get the times (or states) of all events of one run, set
-   scene.located[i].times (or .states) and .room after the start.
+   An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
+   event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
+   motion causes a crossing: there is none if an event moves a coordinate beyond the value, or while the body is not
+   present. Events at one instant happen in the order of the list; if the times of a jump and of a crossing differ
+   only by rounding errors, either of the two may happen first. To get the times (or states) of all events of one run,
+   set scene.located[i].times (or .states) and .room after the start.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
@@ -15270,10 +15319,11 @@ VM_API void vmi_scene_note_masses(vm_scene *s)
     for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
-/* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass law,
-   would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find by how
-   much the masses of the laws differ from the stored ones, then again with the corrected masses. A body uses only one
-   of the fields `mass` and `law_offset`, the latter if it has a mass law, so that both may be corrected. */
+/* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass
+   law, would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find
+   by how much the masses of the laws differ from the stored ones, then again with the corrected masses. A body with a
+   mass law uses the field `law_offset`, any other body the field `mass`. Both fields are corrected, because the
+   unused one has no effect. */
 VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
@@ -15329,7 +15379,8 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 /* scenes/jumps.h - separation and attachment as events of a scene
 
    An event can separate a part from a body, or attach one body to another, by the laws of mechanics/jumps.h. A part
-   that separates becomes another body of the scene, which must be absent before; an attached body is absent afterwards.
+   that separates becomes another body of the scene, which must be absent before; an attached body is absent
+   afterwards.
 
        vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
        vm_body part;
@@ -15338,19 +15389,22 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
        part.v.x = 2;    // m/s faster than the body
        vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);
 
-   A part is described by its motion just after the jump: in inertial axes, or, if relative is 1, in the axes of the
-   body, with r from the mass centre of the body, and q, v and omega relative to the motion of the body at this point.
-   In the plane and on an axle the new body has the angle of the body from which it separates, plus the angle with which
-   it was made. event.external is an impulse that acts from outside during the jump.
+   The caller gives the motion of a part just after the jump. If relative is 0, it is given in inertial axes. If
+   relative is 1, it is given in the axes of the body: r leads from the mass centre of the body to the part, and q, v
+   and omega are relative to the motion of the body at this point. In the plane and on an axle the new body has the
+   angle of the body from which it separates, plus the angle with which it was made. event.external is an impulse that
+   acts from outside during the jump.
 
-   Two bodies can jump together if they have the same motion, or if one of them is a point and the other is in the plane
-   or free. The functions whose names end in _on_line and _in_plane are vm_then_separate and vm_then_attach for these
-   motions alone, and link less code (docs/scene-sizes.md). A point that takes up a body at another place loses the
-   angular momentum of the two about their mass centre; angular_defect of the budget shows this.
+   Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
+   give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as
+   vm_then_separate and vm_then_attach for these motions only, and link less code (docs/scene-sizes.md). A point that
+   takes up a body at another place loses the angular momentum of the two about their mass centre; angular_defect of
+   the budget shows this.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
    jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
-   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a body.
+   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a
+   body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
@@ -15358,8 +15412,9 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 
 /* Computes the jump on a line and on an axle. With sign = -1 for a part that separates and 1 for a body that is
    attached, the velocity becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and the mass centre moves by the
-   fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v belong to the body, m and v2 to
-   the part. Line and axle use the same formulas: the numbers that a motion does not need are 0. */
+   fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v belong to the body, m and v2
+   to the part; on an axle M and m are moments of inertia. Line and axle use the same formulas: the numbers that a
+   motion does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
@@ -15399,8 +15454,8 @@ VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
     return j;
 }
 
-/* Computes the jump in the plane. Returns VM_BAD_INERTIA if the rest has no inertia: it is then a point, which cannot
-   be a body in the plane. */
+/* Computes the jump in the plane. Returns VM_BAD_INERTIA if the remaining body has no inertia, because it is then a
+   point and cannot be a body in the plane. */
 VM_API int vmi_event_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_impulse2 external = vmi_event_impulse2(&e->external);
@@ -15433,15 +15488,16 @@ VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *o
     return vm_attach(body, other, &e->external, b);
 }
 
-/* The angle of a body in the plane or on an axle, complete turns included. For all other bodies it is a number that put
-   ignores. */
+/* The angle of a body in the plane or on an axle, complete turns included. For all other bodies the result is a
+   number that the function `put` of the body ignores. */
 VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* Changes the place of the mass centre in a growing body after a jump, which has moved the mass centre to r */
+/* Updates the position of the mass centre in body axes after a jump, which has moved the mass centre of a growing
+   body to r */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -15453,7 +15509,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Then corrects the masses of the mass laws, which the jump does not change. */
+   NULL if the body `other` was attached. Then adjusts the masses of bodies with a mass law, because the laws do not
+   know of the jump. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -15608,14 +15665,15 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 /* How quickly events follow each other in a run */
 typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
-    vm_real gap;   /* s: the shortest time between a crossing at this instant and the one before; VM_MAX if none */
-    int crowded;   /* number of successive instants with a gap that the time hardly resolves */
+    vm_real gap;   /* s: of all crossings at this instant, the shortest time since the last crossing by the same event;
+                      VM_MAX if none */
+    int crowded;   /* number of successive instants whose gap is too short for the precision of the time */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* events at one instant; if there are more, they cause each other without end */
-    VMI_SCENE_MOST_CROWDED = 3,    /* successive instants with a gap that the time hardly resolves */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, to see the next one even if gaps shrink */
+    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more would cause each other without end */
+    VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants with a gap too short for the precision of time */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, so that the next is seen even if gaps shrink */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
@@ -15631,8 +15689,9 @@ VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
     return *times > 0;
 }
 
-/* Applies to y, in the order of the list, each event that is due at the time t. Returns VM_OK, or the first status that
-   is not VM_OK, or an error of a later event. */
+/* Applies to y, in the order of the list, each event that is due at the time t. Returns the first status other than
+   VM_OK, or VM_OK if there is none. An error (a negative status) of an event ends the loop, and is returned even if
+   an earlier event has stopped the run. */
 VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
@@ -15657,8 +15716,9 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
 }
 
 /* Applies all events of an instant, including those that an event causes at the same instant. Events may follow each
-   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the time no longer
-   resolves them; until then the step after such an event is made so short that the next event is seen. */
+   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the precision of the
+   time no longer separates them. Until then the step after such an event is made so short that the next event is
+   seen. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
     const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap has fewer than two digits */
@@ -15695,7 +15755,7 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return VM_OK;
 }
 
-/* The next time at which an event or an output is due, or t_end if that is earlier */
+/* The next time for which an event or an output is set, or t_end if that is earlier */
 VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 {
     vm_real due = t_end;
@@ -15711,8 +15771,8 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 /* Finds the reason why a run ends: whether a mass or an inertia would soon reach 0 if the state continued at its
    present rates. It tries longer and longer steps, up to 1e-6 of the time (float: 1e-3). The first failure becomes
    s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that no step
-   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is over,
-   so that its work has room for a state and its rates. */
+   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is
+   over, so that parts of the integrator's work space are free for a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -15728,7 +15788,7 @@ VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
     }
 }
 
-/* The status of a scene for an error of the integrator */
+/* The status of a scene that reports an error of the integrator */
 VM_API int vmi_scene_status_of_ode(int ode_status)
 {
     switch (ode_status) {
@@ -15741,8 +15801,8 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
     }
 }
 
-/* Makes one step, at most to the next time at which something is due. If the integrator fails, returns the reason why a
-   body cannot be accelerated rather than the status of the integrator. */
+/* Makes one step, at most to the next time for which an event or an output is set. If the integrator fails, returns
+   the reason why a body cannot be accelerated rather than the status of the integrator. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
     const int ode_status = vmi_rk45_run(r, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
@@ -15789,9 +15849,9 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
 }
 
 /* Run of a scene from *t to t_end, with its events and its output. The integrator is rk45. The scene must have been
-   started, and t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of
-   rk45, without events. *t and y become the time and the state at which the run ended. Returns VM_OK at t_end,
-   VM_STOPPED if an event or the output ended the run, or
+   started, and t_end must not be before *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The
+   options are those of rk45, without events. *t and y become the time and the state at the end of the run. Returns
+   VM_OK at t_end, VM_STOPPED if an event or the output ended the run, or
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
                            if a mass or an inertia ran out, even if the steps became too short just before that;
