@@ -59,12 +59,12 @@
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
      VM_API               linkage of every function, default static inline
-     VM_INLINE            linkage of the functions that are fast only if they are inlined; VM_API makes smaller code
-                          with the same results
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
+                          the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
-                          They are exact, so that results are the same on every machine, unless the compiler fuses
-                          products and sums
+                          These functions are exact, so that results are the same on every machine, unless the compiler
+                          fuses products and sums.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
@@ -76,7 +76,7 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
      On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
      below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
 
@@ -85,17 +85,17 @@
                             |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. sa and ca are monotone
                             between their extremes apart from 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to within
                             1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
-     the zeros              of sa and ca are right to a relative error of 2^-125 (float 2^-58); for alpha above 5e8
-                            (float 2e4) and for plans, of 2^-102 (float 2^-44). This error, times |s| and the slope,
-                            adds to the errors above. It matters only where s is within an ulp of a zero.
+     the zeros              of sa and ca: relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4) and
+                            for plans, <= 2^-102 (float 2^-44). This error, times |s| and the slope, adds to the errors
+                            above. It matters only where s is within an ulp of a zero.
      Pi_alpha               <= 1 ulp
      sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
                             was made for
-     phase                  <= 8 ulp plus its change by 6 ulp of sa and of ca, for the sa and ca of ateb_saca
+     phase                  <= 8 ulp plus the change that 6 ulp of sa and of ca make, for the sa and ca of ateb_saca
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
      beta_inc               <= 30 ulp of p and of q
-     beta_inc_inv           <= 16 ulp of x and of y plus their change by one ulp of the smaller of p and q
-     sa(n, m), ca(m, n)     <= 8 ulp plus their change by an error of the phase of 2^-102 |s| (float 2^-44 |s|)
+     beta_inc_inv           <= 16 ulp of x and of y plus the change that one ulp of the smaller of p and q makes
+     sa(n, m), ca(m, n)     <= 8 ulp plus the change that an error of 2^-102 |s| (float 2^-44 |s|) in s makes
      integrals              those of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
@@ -103,9 +103,9 @@
      184). The largest stack frame is below 2 kB.
 
    REFERENCES
-     [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations, in
-         corrected form where they are misprinted: (278) and (280) mix up the indices and have a wrong sign, (279)
-         lacks the bars of |u|.
+     [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]
+         has a misprint, the corrected equation is meant: (278) and (280) mix up the indices and have a wrong sign,
+         (279) lacks the bars of |u|.
      [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
      [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.7 (continued fractions), 15.8(iii) (quadratic
          transformations).
@@ -196,7 +196,7 @@
 typedef float vm_real;
 #define VM_C(x) x##f            /* the constant x as a vm_real */
 #define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
-#define VM_TAG(tag) tag##_float /* the tag of a struct: each precision has its own, so that C++ programs can mix them */
+#define VM_TAG(tag) tag##_float /* the tag of a struct, one for each precision: a C++ program can use both */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
 #define VM_MIN FLT_MIN /* the smallest normal number */
@@ -212,7 +212,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is as short as float (AVR); table lengths depend on it */
+#define VM_MANT_DIG DBL_MANT_DIG /* digits; 24 where double is as short as float (AVR). Table lengths depend on it. */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
@@ -233,7 +233,7 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_READ(x) (x)        /* reads x, an element of a table, which is always written as table[i] or table[i][j] */
 #endif
 
-#ifndef VM_SQRT /* To use another library, define all four. The casts keep C++ from choosing a template. */
+#ifndef VM_SQRT /* To use another library, define all four macros. The casts keep C++ from choosing a template. */
 #define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
@@ -286,8 +286,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps these
-   digits in variables. */
+/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
+   additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -341,8 +341,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
-/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if
-   adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
+/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
+   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
+   two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -356,8 +357,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a
-   reciprocal instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
+/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
+   instead of dividing gets 1 - eps/2 instead of 1 for some of the quotients tested here. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -370,8 +371,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Returns 1 if sums next to 1 are rounded to the nearest number (a sum in the middle between two numbers, to the even
-   one) and are not kept with more digits than vm_real has. */
+/* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
+   the middle between two numbers must be rounded to the even number. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -442,8 +443,8 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a
-   normal number. The product is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
+/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
+   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -460,7 +461,8 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits. Adding and subtracting a power of two removes them with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
+           superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -470,7 +472,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* The integer type for the bits of a number with a sign, and the bits of the number 1 */
+/* The signed integer type that holds the bits of a vm_real, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
@@ -483,9 +485,9 @@ typedef int32_t vmi_signed_bits;
 /* base/words.h - products, quotients and roots with two and three times the digits
 
    Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
-   number in three words (vmi_three, hi + mid + lo) three times. p is the number of digits of vm_real, 53 or 24 bits.
-   The error of a product, quotient or root is given relative to the result; that of a sum, relative to its larger
-   term.
+   number in three words (vmi_three, hi + mid + lo) has three times as many. p is the number of digits of vm_real, 53 or
+   24 bits. The error of a product, quotient or root is given relative to the result; that of a sum, relative to its
+   larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -493,7 +495,7 @@ typedef int32_t vmi_signed_bits;
 #ifndef VARMASS_BASE_WORDS_H
 #define VARMASS_BASE_WORDS_H
 
-/* Multiplying by this number and subtracting cuts a vm_real into two halves of p/2 digits each (Veltkamp). */
+/* The factor of Veltkamp's method, which splits a vm_real into two halves of p/2 digits each */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
@@ -501,9 +503,9 @@ typedef int32_t vmi_signed_bits;
 #endif
 
 /* Returns the exact product a b as a pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor
-   underflows. Where the processor has a fused multiply-add, this is used; elsewhere both factors are split into
-   halves, with the same result. "+ 0" makes a product a sum, so that a compiler that fuses operations cannot put the
-   unrounded product into a later sum. */
+   underflows. Where the processor has a fused multiply-add, this is used; elsewhere both factors are split into halves,
+   with the same result. Each "+ 0" makes a product a sum: a compiler that fuses operations then cannot use the
+   unrounded product in a later sum. */
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
@@ -544,21 +546,21 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of two words each; the relative error is below 2^-(2p - 4) */
+/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of two words each; the error is below 2^-(2p - 4) of the larger term */
+/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of two words each; the relative error is below 2^-(2p - 4) */
+/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -572,7 +574,7 @@ typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
-/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c| or nearly so */
+/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c|, at least approximately */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -675,7 +677,7 @@ VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * p
 /* The difference x - y of numbers in two words */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* The square root of x >= 0. Below 2^-500 (float 2^-80) the low word is lost. */
+/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word is lost. */
 VM_API vm_two vmi_two_root(vm_two x)
 {
     if (x.hi > 0) return vmi_root(x.hi, x.lo);
@@ -720,7 +722,7 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
 
-/* Returns coefficient i of the polynomial in t = 2q - 1 for (1 + q)(2 + q)(3 + q) f(q), where
+/* Returns coefficient i of the polynomial in t = 2q - 1 that equals (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha, between 1 and 2 for 0 < q <= 1.
    The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A
    coefficient has up to three words; which_word = 0 selects the largest. Words that would change nothing are 0. */
@@ -808,7 +810,7 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 }
 
 /* Returns Pi_alpha/2 in three words, with a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float
-   3e4). It is the product n f(q)/2, where each divisor i + q of f is written as 1/(i + q) = n/(i n + 1). */
+   3e4). It is the product n f(q)/2, where each factor 1/(i + q) of f is computed as n/(i n + 1). */
 VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 {
     const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
@@ -1053,9 +1055,9 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24
-    const vm_real to_row = VM_C(211106232532992.0); /* 1.5 2^47: the last digit of a sum with it is worth 1/32 */
+    const vm_real to_row = VM_C(211106232532992.0); /* 1.5 2^47; adding it rounds a number to a multiple of 1/32 */
 #else
-    const vm_real to_row = VM_C(393216.0); /* 1.5 2^18: the last digit is worth 1/32 here, too */
+    const vm_real to_row = VM_C(393216.0); /* 1.5 2^18; adding it rounds a number to a multiple of 1/32 */
 #endif
     enum { S = VMI_ATEB_G_SERIES };
     const vm_real shifted = vmi_rounded(q.hi + to_row), h = q.hi - vmi_rounded(shifted - to_row);
@@ -1084,7 +1086,8 @@ typedef struct VM_TAG(vmi_ateb) {
     vm_two quarter; /* Pi_alpha/2, a quarter of the period */
 } vmi_ateb;
 
-/* Sets n and q, and sets g and quarter to 0. The remainder 1 - n q is exact, since n and q are cut into halves. */
+/* Sets the fields n = alpha + 1 and q = 1/n, and sets g and quarter to 0. The remainder 1 - n q is exact, since n and q
+   are split into halves. */
 VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
 {
     vm_real n_head, n_tail, q_head;
@@ -1098,8 +1101,8 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets g and quarter, whose low words may be as large as 2^-13. The phase takes over the absolute error of Pi_alpha.
-   As the sum of n and g, Pi_alpha has a small absolute error for a large alpha too. */
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. The absolute error of Pi_alpha enters the
+   phase. It is small for a large alpha too, since Pi_alpha is the sum of n and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -1124,15 +1127,17 @@ VM_API vm_real ateb_pi(vm_real alpha)
 {
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
-    vmi_ateb_constants(&c, alpha);
-    return 2 * c.quarter.hi;
+    vmi_ateb_index_constants(&c, alpha);
+    vmi_ateb_period_constants(&c);
+    return 2 * vmi_fast_two_sum(c.quarter.hi, c.quarter.lo).hi;
 }
 
 /* Returns 1 if alpha is so large that three terms of g(q) at q = 0 give the quarter period in two words, else 0. */
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
-/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). For a large alpha Pi_alpha is n + g(q), with
-   g(q) = 2 ln 2 + q g'(0) + q^2 g''(0)/2; for any other alpha it is n f(q). */
+/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
+   Pi_alpha is n + g(q), with g(q) = 2 ln 2 + q g'(0) + q^2 g''(0)/2; for any other alpha it is n f(q), where f is
+   vmi_ateb_gamma_ratio. */
 VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 {
     const vm_two one = {1, 0};
@@ -1228,7 +1233,7 @@ VM_API vm_real vmi_ateb_exp_series(vm_real z)
     const vm_real E01 = VM_C(0.500000001824) + z * VM_C(0.166666664398);
     const vm_real E23 = VM_C(0.0416664198173) + z * VM_C(0.00833340486371);
     const vm_real E45 = VM_C(0.00139382863335) + z * VM_C(1.98219343782e-4);
-    return E01 + zz * (E23 + zz * E45); /* z^4 could be subnormal, which is slow */
+    return E01 + zz * (E23 + zz * E45); /* this form avoids z^4, which could be subnormal and slow */
 #endif
 }
 
@@ -1259,16 +1264,17 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
      2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
 
-   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v, beyond it the second for p; at the
-   change-over w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
-   computed. This differs little from the given r (or d), and a Taylor series corrects v (or p) for the difference.
-   Therefore one continued fraction for 2F1 and one power are enough.
+   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v; for larger r the second is solved for p; at
+   the change-over w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
+   computed. The computed r (or d) differs little from the given one, and a Taylor series corrects v (or p) for the
+   difference. Therefore one continued fraction for 2F1 and one power are enough.
 
    Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_INVERSION_H
 #define VARMASS_ATEB_INVERSION_H
 
-/* Up to this distance from a zero of sa the first equation above is used, beyond it the second. */
+/* Up to this distance r from a zero of sa, sa is computed by vmi_ateb_near_sa_zero; for larger r by
+   vmi_ateb_near_ca_zero. */
 #define VMI_ATEB_CHANGE_OVER VM_C(0.55)
 
 /* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
@@ -1292,8 +1298,8 @@ VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, v
     }
 }
 
-/* Returns (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. The numbers e_j/w are constant + q
-   slope. */
+/* Returns (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. Each e_j/w is linear in q: an element of
+   `constant` plus q times one of `slope`. */
 VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
 {
     VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,    VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
@@ -1312,8 +1318,9 @@ VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
     return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
 }
 
-/* Computes two numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. The numbers
-   e_(j+1)/p are (constant + q slope + q^2 square)/((q + index)(q + index + 1)), with element j of each table. */
+/* Computes two numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. e_(j+1)/p is
+   (constant + q slope + q^2 square)/((q + index)(q + index + 1)), where each name stands for element j of the table
+   with this name. */
 VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
 {
     VM_TABLE vm_real index[13] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
@@ -1335,9 +1342,10 @@ VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* sa and ca for 0 <= r <= VMI_ATEB_CHANGE_OVER. The guess v is the series of sa up to r^9, which is right to 1e-5 and
-   whose coefficients are polynomials in k = 1 - q. v is cut to half of the digits, so that w = v^2 is exact. h is r
-   minus the r that belongs to v; a Taylor series in e = h/u gives sa and ca. */
+/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). The guess v
+   of sa is the series of sa up to r^9, which is right to 1e-5 and whose coefficients are polynomials in k = 1 - q. v is
+   shortened to half of its digits, so that w = v^2 is exact. h is r minus the r that belongs to v; a Taylor series in
+   e = h/u, where u is the ca that belongs to v, gives sa and ca. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
@@ -1368,15 +1376,16 @@ VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
                          (vmi_to_bits(shifted) << VMI_STORED_DIG));
 }
 
-/* The number y = 2 q d in two words, whose power y^n is X; ln y is vmi_ateb_ln_of(k, t). */
+/* The number y = 2 q d in two words, whose power y^(alpha + 1) is X; ln y is vmi_ateb_ln_of(k, t) */
 typedef struct VM_TAG(vmi_ateb_base) {
     vm_two y;
     vm_real k, t;
 } vmi_ateb_base;
 
-/* Returns the base y from r and d, where z = 2 r - (Pi_alpha - (alpha + 1)), so that y = 1 - q z. y is computed from
-   the smaller of r and d; for r < d y > 1/2. The low word of y matters: where alpha is large, a small change of y is
-   a large change of X = y^(alpha+1). For y < 1/2 X is so small that y.lo need not be scaled by 2^-k. */
+/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y is 1 - q z, where
+   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; for r < d, y > 1/2. The low word of
+   y matters: where alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so
+   small that y.lo need not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
@@ -1395,8 +1404,9 @@ VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, v
     return base;
 }
 
-/* Returns p within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is the sum of its (1, 1) Pade approximant
-   and of what that lacks, X4^3 q (1 - q) times a polynomial that was fitted by tests/gen/ateb_coefficients.py. */
+/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed by its (1, 1) Pade
+   approximant and a correction, which contains X4^3 q (1 - q) and a polynomial fitted by
+   tests/gen/ateb_coefficients.py. */
 VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 {
     const vm_real k = 1 - q, m = (1 + q) * (2 + q);
@@ -1406,21 +1416,21 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
            (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
 }
 
-/* sa and ca for r >= VMI_ATEB_CHANGE_OVER, in terms of y = 2 q d and ln X = (alpha + 1) ln y. The equation to be
-   solved is
-     ln X = ln x + (alpha + 1) ln(1 + q T), and its derivatives, with E = 1 + q T, are
+/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from that of ca. q is 1/(alpha + 1),
+   y = 2 q d, and ln X = (alpha + 1) ln y. The equation
+     ln X = ln x + (alpha + 1) ln(1 + q T) is solved for p. Its derivatives, with E = 1 + q T, are
      dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
    rho is ln X minus the ln X that belongs to the guess; a Taylor series in rho gives sa and ca. */
 VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
 {
-    const vm_real least_ln = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* X < eps/8 is negligible */
+    const vm_real least_ln = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* X < eps/8 may be neglected */
     const vm_real n = c->n.hi, q = c->q.hi, twice_q = 2 * q;
     const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(twice_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
     const vm_real y = base.y.hi, ln_X = n * vmi_ateb_ln_of(base.k, base.t);
     vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and E = P/(P - B) */
     vm_real B, E, E_loss;     /* E_loss = 1 - 1/E, so that u/y of the guess is 1 - E_loss */
     vm_real rho, vE;          /* vE = v E */
-    vm_real sa_rate, ca_rate; /* -dv/d(ln X) and -d ln(u/y)/d(ln X) */
+    vm_real sa_rate, ca_rate; /* -d(sa)/d(ln X) and -d ln(ca/y)/d(ln X) */
     vm_real sa_change, ca_change;
     *sa = 1;
     *ca = y + base.y.lo;
@@ -1457,8 +1467,8 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
 #ifndef VARMASS_ATEB_FUNCTIONS_H
 #define VARMASS_ATEB_FUNCTIONS_H
 
-/* The place of s in the period: s is `quarter` quarters of the period plus rest, where quarter counts modulo 4. r and
-   d are the distances of s from the nearest zeros of sa and ca. */
+/* The position of s in the period. s is `quarter` quarters of the period plus rest, where whole periods (4 quarters)
+   are left out. r and d are the distances of s from the nearest zeros of sa and ca. */
 typedef struct VM_TAG(vmi_ateb_place) {
     vm_real rest, r, d;
     int quarter;
@@ -1469,7 +1479,7 @@ typedef struct VM_TAG(vmi_ateb_place) {
    this error would matter, three words are used. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
-    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* about 2^-44, 2^-16 */
+    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* about 2^-44 (float 2^-16) */
     vm_real rest, count;
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
@@ -1480,18 +1490,19 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
         if (count * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + count * Q.lo);
     }
     if (VM_FABS(rest) < c->quarter.hi) return rest;
-    return 0; /* s is beyond 2^52 quarters */
+    return 0; /* s is above 2^52 quarters: its digits do not give the phase */
 }
 
 /* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, which is mispredicted half
    the time. */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
-/* Returns the place of s >= 0, by the quickest of three ways. 1. For s <= (alpha + 1)/2, s lies in the first quarter,
-   and r = s does not have to wait for Pi_alpha. 2. For s <= 128 (alpha + 1), the quick quarter period of c is enough,
-   unless s is close to a zero. Its products with the number of quarters are exact. The number of quarters comes from
-   the high word alone, so that the rest may be a little longer than half a quarter. 3. Any other s is reduced
-   finely. */
+/* Returns the position of s >= 0 in the period, by the quickest of three ways.
+     1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
+     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero. Its products with the
+        number of quarters are exact. This number comes from the high word of c->quarter alone, so that the rest may be
+        a little longer than half a quarter.
+     3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
     const vm_real n = c->n.hi, to_integer = VM_C(1.5) / VM_EPSILON;
@@ -1582,9 +1593,10 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 #endif
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
-   The C library's functions differ from machine to machine in the last bits. These do not: they use the basic
-   operations alone. Most of them return a low word too, so that a power has all its digits. They branch only where a
-   result is subnormal, so that a compiler can vectorise loops over them.
+   The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
+   bits everywhere: they use only basic operations, which every machine rounds in the same way. Most of them return a
+   result in two words, so that a power made from them has all its digits. They branch only where a result is subnormal,
+   so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
@@ -1594,9 +1606,10 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 
 #include <stdint.h>
 
-/* Returns a constant of vmi_log for the interval `row` of 32. c is a number that lies close to all numbers of the
+/* Returns a constant of vmi_log for the interval `row`, one of 32. The number c lies close to all numbers of this
    interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
-   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from them for an integer k, has no rounding error. */
+   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
+   rounding error. */
 VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -1694,7 +1707,7 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
     const int row = (int)(44 * z - VM_C(30.5));
     const vm_real by_c = vmi_log_constant(row, 0);
-    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* both are exact */
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* no rounding error */
     const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
     const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + vmi_log_constant(row, 1), r.hi);
     const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
@@ -1781,9 +1794,9 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. The polynomial A serves tangents up to
-   tan(pi/8). A larger angle is subtracted from pi/2 if it is above pi/4 (steep), and pi/4 is subtracted from the
-   result if it is above pi/8 (middle). */
+/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
+   subtracted from pi/2; from the result, if it is above pi/8 (middle), pi/4 is subtracted. What remains is at most
+   pi/8, where the polynomial A gives the arctangent. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1809,7 +1822,8 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     return angle;
 }
 
-/* The sine and the cosine of z for |z| <= 0.79, a little more than pi/4, where |z.lo| is at most an ulp of z.hi */
+/* Computes the sine and the cosine of the angle z, |z| <= 0.79, which is a little more than pi/4. |z.lo| is at most an
+   ulp of z.hi. */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -1845,8 +1859,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* The sine and the cosine of any angle x in radians, which is reduced by multiples of pi/2 in two words. Both are NaN
-   if x is infinite or NaN. */
+/* Computes the sine and the cosine of any angle x in radians. First x is reduced by a multiple of pi/2, which is used
+   in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1896,8 +1910,8 @@ VM_API vm_real vmi_ateb_T(vm_real q, vm_real p)
     return 2 * p * Q / ((1 + q) * P - 2 * q * p * Q);
 }
 
-/* Returns the distance r from the zero of sa for w < 0.302, from h = ln(w/x) < 0. Since w + x = 1, w = e^h/(1 + e^h),
-   where sum = 1 + e^h. */
+/* Returns the distance r of s from the zero of sa for w = sa^2 < 0.302, from h = ln(w/x) < 0. Since x is 1 - w,
+   w = e^h/(1 + e^h). sum is 1 + e^h. */
 VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
 {
     const vm_real v = vmi_exp(h.hi / 2, h.lo / 2) / VM_SQRT(sum), w = v * v, b = q + VM_C(0.5);
@@ -1905,9 +1919,10 @@ VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
     return v + v * (w * b * vmi_ateb_w_fraction(q, w) * (1 - one_minus_u) - one_minus_u);
 }
 
-/* Returns the distance r from the zero of sa for w >= 0.302, from h = ln(w/x), e = e^-|h| and sum = 1 + e. u = x^q is
-   computed from ln x = -ln(1 + e^h). Where u is well below 1, r is a quarter of the period minus d = u (n + T)/2; for
-   other u, 1 - u is computed without loss of digits, and r = (n (1 - u) + g - u T)/2. */
+/* Returns the distance r of s from the zero of sa for w = sa^2 >= 0.302, from h = ln(w/x), where x = 1 - w, e = e^-|h|
+   and sum = 1 + e. u = x^q, which is ca, is computed from ln x = -ln(1 + e^h). Where u is well below 1, r is a quarter
+   of the period minus d = u (n + T)/2; for other u, 1 - u is computed without loss of digits, and
+   r = (n (1 - u) + g - u T)/2. */
 VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, const vmi_ateb *c)
 {
     const vm_real large_ln = VM_C(0.69) * VMI_BIAS, n = c->n.hi, smaller = e / sum, larger = 1 / sum;
@@ -1922,13 +1937,13 @@ VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, con
     T = vmi_ateb_T(c->q.hi, x / (2 + 2 * VM_SQRT(w)));
     minus_ln_u.lo += (1 - sum + e) / sum; /* the rounding error of 1 + e */
     minus_ln_u = vmi_two_times(minus_ln_u, c->q);
-    if (!(minus_ln_u.hi <= large_ln)) return c->quarter.hi; /* u is 0, or the logarithm of |ca|^(alpha+1) overflows */
+    if (!(minus_ln_u.hi <= large_ln)) return c->quarter.hi; /* ca is 0, or the logarithm of |ca|^(alpha+1) overflows */
     one_minus_u = -vmi_exp_core(-minus_ln_u.hi, -minus_ln_u.lo, &k, &low);
     if (k != 0) return c->quarter.hi - vmi_ldexp(1 - one_minus_u, k) * (n + T) / 2;
     return (n * one_minus_u + (c->g.hi - (1 - one_minus_u) * T)) / 2;
 }
 
-/* Returns the distance r from the zero of sa in the first quarter, from h = ln(w/x) */
+/* Returns the distance r of s from the zero of sa in the first quarter, from h = ln(w/(1 - w)), where w = sa^2 */
 VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 {
     const vm_real change_over = VM_C(-0.84); /* ln(w/x) for w = 0.302, the largest that vmi_ateb_w_fraction allows */
@@ -1940,11 +1955,11 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
-/* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and
-   1e30. The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same
-   phase for every lambda > 0. Therefore -x' sqrt((alpha+1)/2)/omega and x of an oscillator can be given as sa and ca.
-   Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is returned with an error of at most 8 ulp
-   plus its change by 6 ulp of sa and of ca. Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
+/* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
+   The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
+   every lambda > 0. Therefore -x' sqrt((alpha+1)/2)/omega and x of an oscillator can be given as sa and ca. Returns 0
+   for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is returned with an error of at most 8 ulp plus the
+   change of s that 6 ulp of sa and of ca make. Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
@@ -1981,7 +1996,7 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
 {
     const vm_real q = 1 / (alpha + 1), b = q + VM_C(0.5);
-    vm_real sa, ca, w, rest; /* rest = s - sa ca; near 0 s = sa ca (1 + w b vmi_ateb_w_fraction(q, w)) */
+    vm_real sa, ca, w, rest; /* rest = s - sa ca, which for small s is sa ca w b vmi_ateb_w_fraction(q, w) */
     ateb_saca(s, alpha, &sa, &ca);
     w = sa * sa;
     if (VM_FABS(s) < VMI_ATEB_CHANGE_OVER) rest = sa * ca * (w * b * vmi_ateb_w_fraction(q, w));
@@ -1999,7 +2014,7 @@ VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 }
 
 #endif
-/* base/chebyshev.h - shorter polynomials by Chebyshev's: the step that economises a power series
+/* base/chebyshev.h - the step that makes a polynomial shorter by means of Chebyshev's polynomials
 
        vm_real c[3] = {1, 1, VM_C(0.5)};
        vmi_remove_highest(c, 2, 0); // 1 + t + t^2/2 is about c[0] + c[1] t for 0 <= t <= 1
@@ -2008,9 +2023,9 @@ VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 #ifndef VARMASS_BASE_CHEBYSHEV_H
 #define VARMASS_BASE_CHEBYSHEV_H
 
-/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n, 0 <= t <= 1, by subtracting a multiple of Chebyshev's
-   polynomial of degree n, which changes the values by at most |c_n| 2^(1-2n). The coefficients below c_lowest stay as
-   they are. */
+/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's polynomial of
+   degree n. For 0 <= t <= 1 this changes the values by at most |c_n| 2^(1-2n). The coefficients with an index below
+   `lowest` stay as they are. */
 VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 {
     vm_real term = c[n];
@@ -2033,8 +2048,8 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
        vm_real sa, ca;
        if (ateb_plan_init(&p, VM_C(1.5)) == 0) ateb_plan_saca(&p, VM_C(0.7), &sa, &ca);
 
-   Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). With
-   polynomials A and C, up to a change-over
+   Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). A and C are
+   polynomials. Up to a change-over
      sa = r (1 + tau A(tau)) and ca = 1 + tau C(tau), where tau = r^2;
    beyond it, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
@@ -2061,7 +2076,7 @@ typedef struct VM_TAG(vmi_ateb_part) {
 /* One alpha, prepared by ateb_plan_init. All fields are pure numbers. */
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
-    vm_real quarter_parts[3]; /* three parts of quarter; the first two have half of the digits or less */
+    vm_real quarter_parts[3]; /* numbers with the sum quarter; the first two have half of the digits or less */
     vm_real per_quarter;      /* 2/Pi_alpha */
     vm_real longest;          /* for |s| < longest the products of quarter_parts and a number of quarters are exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
@@ -2069,11 +2084,11 @@ typedef struct VM_TAG(ateb_plan) {
     vm_two twice_q;           /* 2/(alpha + 1) */
     int length;               /* number of terms of the polynomials, an even number */
     int twice_alpha;          /* 2 alpha where tau is computed by products, -1 where it is an exponential */
-    vmi_ateb_part part[2];    /* polynomials up to the change-over, and beyond it */
+    vmi_ateb_part part[2];    /* polynomials for r up to the change-over, and for larger r */
 } ateb_plan;
 
-/* Returns d d^alpha for twice_alpha = 0 ... 14, from d + d_lo. twice_alpha is a sum of powers of two; 1 stands for
-   the factor sqrt(d), 2 for d, 4 for d^2, and 8 for d^4. */
+/* Returns d^(1 + alpha) from d + d_lo, where alpha = twice_alpha/2 and twice_alpha = 0 ... 14. Each bit of twice_alpha
+   stands for a factor: 1 for sqrt(d), 2 for d, 4 for d^2, and 8 for d^4. */
 VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real d2 = d * d;
@@ -2086,7 +2101,7 @@ VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
     return power * d + power * (p->n * d_lo);
 }
 
-/* Returns d d^alpha with the same bits as vmi_ateb_product, but without branches. */
+/* Returns d^(1 + alpha) with the same bits as vmi_ateb_product, but without branches. */
 VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real half = (vm_real)(p->twice_alpha & 1), one = (vm_real)(p->twice_alpha >> 1 & 1);
@@ -2096,14 +2111,14 @@ VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d
     return power * d + power * (p->n * d_lo);
 }
 
-/* Returns 2 q d in two words, from d + d_lo. */
+/* Returns 2 q d = 2 d/(alpha + 1) in two words, from d + d_lo. */
 VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* Returns X = (2 q d)^(alpha+1) and writes 2 q d to *y. Where X would be subnormal, about the least normal number is
-   returned. */
+/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1), and writes 2 q d to *y. Where X would be subnormal, about the
+   least normal number is returned. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vm_real least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -2113,8 +2128,8 @@ VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d,
     return vmi_ateb_exp(vmi_larger(ln_X, least_ln));
 }
 
-/* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where base is r or 2 q d. Terms with even powers
-   and terms with odd powers are added up separately, so that the processor computes both sums at once. */
+/* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where base is r or 2 q d. Terms with even powers of
+   tau and terms with odd powers are added up separately, so that the processor computes both sums at once. */
 VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two base, vm_real tau, vm_real *odd,
                                 vm_real *even)
 {
@@ -2255,11 +2270,11 @@ VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real 
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa
-   or ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may
-   depend on the place in the array. Arguments are copied in blocks of 64; arguments that are too long or not finite
-   are computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors with wide
-   vector registers (docs/cost.md has the times). */
+/* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
+   ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend
+   on the index in the array. Arguments are copied in blocks of 64; arguments that are too long or not finite are
+   computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors with wide vector
+   registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     enum { BLOCK = 64 };
@@ -2284,8 +2299,8 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
     }
 }
 
-/* Returns the coefficient w_j of the series w = b^alpha, where b_0 = 1, from w_0 ... w_(j-1) and b_1 ... b_j (by
-   Euler). */
+/* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. It is computed
+   from w_0 ... w_(j-1) and b_1 ... b_j (by Euler). */
 VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
 {
     vm_real sum = 0;
@@ -2298,10 +2313,11 @@ VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, con
 enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 
 /* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0 they are those of
-   sa/r (odd) and ca (even) in powers of r^2; for beyond = 1, those of ca/(2 q d) (odd) and sa (even) in powers of X. */
+   sa/r (odd) and ca (even) in powers of r^2; for beyond = 1 they are those of ca/(2 q d) (odd) and sa (even) in powers
+   of X = (2 q d)^(alpha+1). */
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
-    const vm_real large = VM_C(1e30); /* above it alpha j could overflow, and the coefficients no longer change */
+    const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
     vm_real w[VMI_ATEB_TERMS];        /* the series of ca to the power alpha */
     int j;
     if (alpha > large) {
@@ -2333,11 +2349,11 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* makes it a polynomial in t = tau/limit, times limit */
+    for (i = 0; i <= highest; i++) { /* makes c limit times the polynomial, in powers of t = tau/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), what removing c[k] changes for each unit of it */
+    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), the change for c[k] = 1 */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
         vmi_remove_highest(c, k, 0);
@@ -2370,7 +2386,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Sets the fields for the reduction: the quarter period in pieces, and the s up to which their products are exact. */
+/* Sets the fields for the reduction: the quarter period as a sum, and the s up to which products with its terms are
+   exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
     p->quarter = vmi_ateb_fine_quarter(c);
@@ -2421,20 +2438,20 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
 /* ateb/beta.h - beta functions, their inverses, and mean values of sa and ca
 
    B(a, b) is the complete beta function, I_x(a, b) the regularised incomplete one, 0 <= I_x <= 1. Ateb functions are
-   inverses of incomplete beta functions, and their mean values are complete ones (316).
+   inverses of incomplete beta functions, and their mean values are quotients of complete beta functions (316).
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
    In this file y = 1 - x and q = 1 - p. The functions with the suffix _both also take and return y and q, which keep
    their digits where x or p is close to 1.
 
-   Method: all is computed by logarithms in two words. i, j and k are the least whole numbers for which A = a + i,
-   B = b + j and S = a + b + k are at least 10. Stirling's formula gives
+   Method: the functions are computed from logarithms in two words. i, j and k are the least whole numbers for which
+   A = a + i, B = b + j and S = a + b + k are at least 10. Stirling's formula gives
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). If the sum is not large, no
-   large terms cancel; and no product overflows or underflows, since i, j, k <= 10.
+   where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). If this sum is not large, no large
+   terms cancel in it. No product overflows or underflows, since i, j, k <= 10.
 
    Source of the fraction: Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_H
@@ -2501,8 +2518,8 @@ VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
     return vmi_minus(vmi_beta_ln_density(a, b, none, none));
 }
 
-/* Returns 1 if a and b lie between 1e-4 and 1e5, else 0. Outside these limits the series and fractions would take too
-   long, and float would have no digits left. */
+/* Returns 1 if a and b lie between 1e-4 and 1e5, else 0. Outside these limits the series and continued fractions would
+   need too many terms, and float would have no digits left. */
 VM_API int vmi_beta_is_in_domain(vm_real a, vm_real b)
 {
     return a >= VM_C(1e-4) && a <= VM_C(1e5) && b >= VM_C(1e-4) && b <= VM_C(1e5);
@@ -2518,10 +2535,10 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
     return vmi_exp(l.hi, l.lo);
 }
 
-/* Returns I_x(a, b) B(a, b)/(x^a y^b) for a > 1 and x <= (a + 1)/(a + b + 2). This is 1/f_0 of the continued fraction
-   of Didonato and Morris, f_n = constant + ratio/f_(n+1), which is evaluated from its end. All terms are positive
-   except for the last ones. Where a and b are large, digits cancel in excess = a y - b x; therefore the excess is
-   computed in two words. */
+/* Returns I_x(a, b) B(a, b)/(x^a y^b) for y = 1 - x, a > 1 and x <= (a + 1)/(a + b + 2). This is 1/f_0 of the continued
+   fraction of Didonato and Morris, f_n = constant + ratio/f_(n+1), which is evaluated from its end. All terms are
+   positive except for the last ones. Where a and b are large, digits cancel in excess = a y - b x; therefore the excess
+   is computed in two words. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
@@ -2542,10 +2559,10 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 }
 
 /* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. This is a times the sum over n >= 1 of (1 - b)_n/n!
-   x^n/(a + n). Term n is below (b x)^n/n! with b x < 2, or below x^n. */
+   x^n/(a + n). Term n is below the larger of x^n and (b x)^n/n!, where b x < 2. */
 VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
 {
-    const vm_real most = 200; /* 96 terms are enough, unless x is NaN */
+    const vm_real most = 200; /* limit of the loop if x is NaN; otherwise 96 terms are enough */
     vm_real power = 1, term, sum = 0, n = 0;
     do {
         n += 1;
@@ -2562,7 +2579,7 @@ VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
     vm_two rest = {0, 0};
     vm_real p, p_lo;
     int k;
-    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* the result is the tiny -e^l, or l is NaN */
+    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* the result is -e^l, which is tiny, or NaN */
         rest.hi = -vmi_exp(l.hi, 0);
         return rest;
     }
@@ -2596,8 +2613,8 @@ VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
     return mirrored;
 }
 
-/* Returns ln I_x(a, b) for x <= (a + 1)/(a + b + 2). For a small a I_x is close to 1, and 1 - I_x must keep its
-   digits: for a <= 1 a series is used, which loses no digits and has no factor y^b. */
+/* Returns ln I_x(a, b) for x <= (a + 1)/(a + b + 2). Where a is small, I_x is close to 1, and 1 - I_x must keep its
+   digits. Therefore a series is used for a <= 1: it loses no digits and has no factor y^b. */
 VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b)
 {
     vm_two f;
@@ -2671,8 +2688,8 @@ VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
     return p;
 }
 
-/* Returns the point with x/y = e^t. The logarithms belong to the rounded value of e^-|t|, so that x + y = 1 in two
-   words. */
+/* Returns the point with x/y = e^t, where y = 1 - x. The logarithms belong to the rounded value of e^-|t|, so that
+   x + y = 1 in two words. */
 VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 {
     const vm_real size = VM_FABS(t), e = vmi_exp(-size, 0);
@@ -2688,12 +2705,13 @@ VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 }
 
 /* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. Newton's method is used for ln I_x as a function of
-   t = ln(x/y). This function is concave. The start is the point where its asymptote for t to -infinity reaches ln p;
-   it lies left of the solution, so that all steps go to the right. The last step is taken in x, y, ln x and ln y. */
+   t = ln(x/y). This function is concave. The start is the point where the asymptote of the function for t to -infinity
+   equals ln p. It lies left of the solution, so that all steps go to the right. The last step changes x, y, ln x
+   and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* the square of a shorter step is below eps */
-    const int most = 60;                                               /* steps; 20 are enough */
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* a step shorter than this is the last one */
+    const int most = 60;                                               /* largest number of steps; 20 are enough */
     const vm_two a2 = vmi_two(a, 0), b2 = vmi_two(b, 0);
     const vm_two start = vmi_two_plus(ln_p, vmi_two_plus(vmi_log(a), vmi_beta_ln(a2, b2)));
     vm_real t = start.hi / a, step;
@@ -2724,8 +2742,8 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
 }
 
 /* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from p and
-   q = 1 - p; the smaller of p and q carries the digits. ln x is also right where x underflows. For a and b from 1e-3
-   to 1e4 the errors of x, y and ln x are at most 16 ulp plus their changes by one ulp of the smaller of p and q. a
+   q = 1 - p; the smaller of p and q carries the digits. ln x is also right where x underflows. For a and b from 1e-3 to
+   1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q makes. a
    and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. The results are NaN for
    other a or b, for p or q below 0, and if p + q is not 1. docs/cost.md has the time. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
@@ -2854,9 +2872,9 @@ VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 }
 
 /* sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices. s is any real number; each index is 0 or lies
-   between 1e-3 and 1e3. All are pure numbers. The errors are at most 8 ulp plus the change by an error of the phase
-   of 2^-102 |s| (float 2^-44 |s|). Indices between 1e-4 and 1e5 are allowed too, with less accuracy. The results are
-   NaN for other indices and for NaN and infinite s. */
+   between 1e-3 and 1e3. All are pure numbers. The errors are at most 8 ulp plus the change that an error of 2^-102 |s|
+   (float 2^-44 |s|) in s makes. Indices between 1e-4 and 1e5 are allowed too, with less accuracy. The results are NaN
+   for other indices and for NaN and infinite s. */
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
 {
     vm_real a, b, rest, r, d; /* r and d: the distances of s from the nearest zeros of sa and ca */

@@ -19,37 +19,38 @@
            return rk45_solve(&s, 10.0) < 0; // the result is in s.y, at s.t
        }
 
-   METHODS, and when to take which
+   METHODS, and when to take which method
      rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
             time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
-            and none for the solution between steps. It is the method to begin with, and the best one in float, for an
-            f that is not smooth, for loose tolerances, for many events and for output at many times.
-     rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside it
-            is asked for. It is the fastest for a smooth f in double. Its roundings are larger: rtol is at least
-            256 eps, so that it has no use in float.
-     None of them is meant for stiff equations, which want an implicit method; rk45 and rk87 tell when an equation looks
-     stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
+            and none for the solution between steps. Begin with this method. It is also the best one in float,
+            for an f that is not smooth, for loose tolerances, for many events and for output at many times.
+     rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside
+            the step is asked for. It is the fastest for a smooth f in double. Its rounding errors are larger than those
+            of rk45: rtol is at least 256 eps, which is too coarse for most uses in float.
+     None of these methods is meant for stiff equations, which need an implicit method; rk45 and rk87 report an equation
+     that looks stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
 
    CONVENTIONS
      The right-hand side f gets t, the n numbers y, room for the n derivatives, and the caller's pointer ctx. It returns
      0, or any other number to stop the run. t may run backward. All times and steps have the unit of t.
      The caller owns the memory: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
-     rk45 does. An rk45, its work and its events are all the state there is. An rk87 is an rk45 that rk87_init made; the
-     functions of the other method refuse it.
+     rk45 does. An rk45, its work and its events hold the whole state of a run. An rk87 is an rk45 that rk87_init made;
+     the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
-     The difference of the pair's two orders is the estimate of the error; the run goes on with the higher order. A step
-     is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component i. PI control
-     chooses the next step. Its size stays the same after an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     A step gives two results, by the two orders of the pair. Their difference is the estimate of the error; the run
+     goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
+     the step|) for every component i. The size of the next step is chosen by PI control. It stays the same after an
+     error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
      The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
-     A zero in rk45_options means the default, and a negative tolerance means none. rk45_defaults() fills in the
+     A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
      No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
-     misses the tolerance, the run takes the cause to be a jump of f: it accepts the step, counts it in s.missed, and
-     goes on behind the jump. If another such step misses before three steps have kept the tolerance, f is singular
-     there, or too stiff for t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other directly,
-     in one call of rk45_solve without events, both are dropped, so that s.t and s.y are where the trouble begins.
+     misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
+     the jump. If another such step misses the tolerance before three steps have kept it, f is singular there, or too
+     stiff for the resolution of t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other
+     directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both steps.
 
    TIME
      A step ends at a time that the type can hold, and its length is exactly the difference of the two times. So s.t
@@ -67,8 +68,8 @@
      or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
      happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
      motion that is reversed on contact does not touch twice.
-     Two zeros between two looks at g are not seen, nor is any even number. Set `checks` to look more often, or a
-     smaller h_max.
+     Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
+     h_max makes evaluations more frequent.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH
      The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
@@ -80,23 +81,26 @@
 
    STATUS
      0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
-     an error s.t and s.y are those of the last accepted step, also if f itself refused (its value is in s.rhs_status).
-     Where f or the state is not finite the step is shortened until it is too small, so that a run ends next to the
-     place where f ceases to exist. A call that refuses its arguments changes nothing.
+     an error s.t and s.y are those of the last accepted step, also if f itself stopped the run (the value that f
+     returned is in s.rhs_status). Where f or the state is not finite, the step is shortened until it is too small, so
+     that a run ends next to the point where f ceases to exist. A call that refuses its arguments changes nothing.
 
    SPEED
-     f is inlined, and the state is in registers, where f is static, n <= 8 is a constant, and the same function calls
-     rk45_init, looks at its status, and calls rk45_solve. Where the compiler cannot see which f and n s has, name them
-     once more: rk45_solve_with. Otherwise f is called through a pointer, and the state is in work.
+     The compiler inlines f and keeps the state in registers if f is static, n <= 8 is a constant, and one function
+     calls rk45_init, tests its status, and calls rk45_solve. Where the compiler cannot see which f and n belong to s,
+     call rk45_solve_with, which gets them as arguments once more. Otherwise f is called through a pointer, and the
+     state is in work.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
-     VM_INLINE            linkage of what has to be inlined for speed; VM_API makes smaller code with the same results
-     VM_SQRT, VM_FABS     the functions of the C library that are used (all of the shared block's, if any)
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
+                          the code is smaller and the results are the same.
+     VM_SQRT, VM_FABS     the functions of the C library that are used; define these two and VM_FLOOR and
+                          VM_COPYSIGN, or none of the four
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
                           and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where the checks for NaN do not work
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although the checks for NaN do not work then
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -104,7 +108,7 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
-     vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
 
    REFERENCES
      [1] Ch. Tsitouras, Runge-Kutta pairs of order 5(4) satisfying only the first column simplifying assumption,
@@ -193,7 +197,7 @@
 typedef float vm_real;
 #define VM_C(x) x##f            /* the constant x as a vm_real */
 #define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
-#define VM_TAG(tag) tag##_float /* the tag of a struct: each precision has its own, so that C++ programs can mix them */
+#define VM_TAG(tag) tag##_float /* the tag of a struct, one for each precision: a C++ program can use both */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
 #define VM_MIN FLT_MIN /* the smallest normal number */
@@ -209,7 +213,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is as short as float (AVR); table lengths depend on it */
+#define VM_MANT_DIG DBL_MANT_DIG /* digits; 24 where double is as short as float (AVR). Table lengths depend on it. */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
@@ -230,7 +234,7 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_READ(x) (x)        /* reads x, an element of a table, which is always written as table[i] or table[i][j] */
 #endif
 
-#ifndef VM_SQRT /* To use another library, define all four. The casts keep C++ from choosing a template. */
+#ifndef VM_SQRT /* To use another library, define all four macros. The casts keep C++ from choosing a template. */
 #define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
@@ -283,8 +287,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps these
-   digits in variables. */
+/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
+   additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -338,8 +342,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
-/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if
-   adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
+/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
+   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
+   two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -353,8 +358,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a
-   reciprocal instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
+/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
+   instead of dividing gets 1 - eps/2 instead of 1 for some of the quotients tested here. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -367,8 +372,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Returns 1 if sums next to 1 are rounded to the nearest number (a sum in the middle between two numbers, to the even
-   one) and are not kept with more digits than vm_real has. */
+/* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
+   the middle between two numbers must be rounded to the even number. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -400,14 +405,14 @@ VM_API int vm_self_check(void)
 
 #endif
 /* base/arrays.h - loops over arrays of numbers
-   Two functions test an array for numbers that are not finite and copy an array. A macro writes the loops over the
-   components of a small state: the compiler unrolls them where it knows the number n of components, and then keeps
+   vmi_all_finite tests whether all numbers of an array are finite, and vmi_copy copies an array. The macro VMI_EACH
+   writes a loop over the n components of a state. Where the compiler knows a small n, it unrolls such loops and keeps
    the components in registers.
 
        vm_real y[3] = {1, 2, 3}, z[3];
        if (vmi_all_finite(3, y)) vmi_copy(3, y, z);
 
-   Tests: tests/test_rk4.c and all others of the integrators. */
+   Tests: tests/test_rk4.c and the other tests of the integrators. */
 #ifndef VARMASS_BASE_ARRAYS_H
 #define VARMASS_BASE_ARRAYS_H
 
@@ -649,8 +654,8 @@ VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_
 
 #endif
 /* integrators/options.h - options and events of an adaptive run
-   A zeroed rk45_options means the defaults. An event is a change of sign of a function g(t, y) along a run, such as a
-   bounce, g = height.
+   An rk45_options whose fields are all 0 stands for the defaults. An event is a change of sign of a function g(t, y)
+   along a run, such as a bounce, where g is a height.
 
        ode_event touch;
        rk45_options options;
@@ -681,9 +686,9 @@ enum {
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
-    int direction; /* the changes of sign of g, along the run, that count: > 0 rising ones, < 0 falling ones, 0 both */
+    int direction; /* which changes of sign of g count, along the run: > 0 from - to +, < 0 from + to -, 0 both */
     int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
-    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0 means 3, negative 0 */
+    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0 means 3, < 0 none */
     /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
        depends. */
     void (*change)(vm_real t, vm_real *y, void *ctx);
@@ -705,7 +710,7 @@ typedef struct VM_TAG(ode_event) {
 typedef struct VM_TAG(rk45_options) {
     vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
     vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
-    vm_real h0;               /* size of the first step; by default from f. Its sign is the direction of rk45_step. */
+    vm_real h0;               /* size of the first step; 0: chosen from f. Its sign is the direction of rk45_step. */
     vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
     vm_real h_max;            /* size of the longest step; the default is no limit */
     long max_steps;           /* attempts in a call of rk45_solve; the default is 1000000, negative means no limit */
@@ -775,9 +780,9 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
-   and estimates the error by another sum of the k_i. A file for each pair has its coefficients and its descriptor, a
-   vmi_rk_pair, with all that an adaptive run needs to know of it, and its public functions: rk45.h, rk87.h. To
-   add a pair, write such a file and include it in src/integrators.h.
+   and estimates the error by another sum of the k_i. For each pair there is a file with its public functions, its
+   coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a vmi_rk_pair, holds all that an adaptive run needs
+   to know of the pair. To add a pair, write such a file and include it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -804,11 +809,11 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage is f at the new state, k_1 of the next step; 0: the run evaluates that */
+    int last_is_first;    /* 1: the last stage is f at the new state, k_1 of the next step; 0: the run evaluates k_1 */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
-    int rounding;         /* bound of the rounding error in a step, relative to y, in VM_EPSILON: the least rtol */
+    int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
-    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of the Jacobian of f is larger */
+    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of the Jacobian of f exceeds this */
     /* Two stages, or the last stage and the new state, evaluate f at t + h. Returns the weight of k_{j+1} in the
        difference of these two states, divided by h. */
     vm_real (*end_difference)(int j);
@@ -819,8 +824,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* A pair as the loop over the steps takes it. It is a constant of the call, and so the compiler inlines both functions
-   into the loop. They are no part of vmi_rk_pair, which each run holds: there they would be compiled a second time. */
+/* What the loop over the steps needs to know of a pair. The call of the loop gets it as a constant, so that the
+   compiler inlines both functions into the loop. The functions are no part of vmi_rk_pair, which each run holds,
+   because they would then be compiled a second time. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -842,8 +848,8 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* Linkage of the loop over the steps of one pair. It is inlined where it is to be fast, and never where it is to be
-   short: there one copy for any n is enough. */
+/* Linkage of the loop over the steps of one pair. The loop is inlined, in order to be fast, but not if the compiler
+   optimises for size: then one copy for any n is enough. */
 #ifdef __OPTIMIZE_SIZE__
 #define VMI_LOOP VMI_APART
 #else
@@ -856,8 +862,8 @@ VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages
 /* The least rtol that a run by this pair accepts */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
-/* For the stages of a pair: VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h is
-   multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
+/* Macros for the stages of a pair. VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h
+   is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
    between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
@@ -870,11 +876,11 @@ VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pai
 
 #define VMI_LARGER(a, b) ((a) > (b) ? (a) : (b))
 #define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
-#define VMI_WORST VM_C(1e4) /* a larger ratio of an error to its tolerance counts as this one */
+#define VMI_WORST VM_C(1e4) /* a ratio of an error to its tolerance above this number counts as this number */
 
-/* Enters the error e of component i, whose value is y before the step and z after it. *worst becomes the largest ratio
-   of an error to its tolerance so far. *bad becomes NaN if e or z is not finite, since infinity minus infinity is
-   NaN. */
+/* Takes the error e of component i into account; the component is y before the step and z after it. *worst becomes the
+   largest ratio of an error to its tolerance so far. *bad becomes NaN if e or z is not finite, since infinity minus
+   infinity is NaN. */
 VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_real z, vm_real *worst, vm_real *bad)
 {
     const vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y), VM_FABS(z)));
@@ -923,7 +929,7 @@ typedef struct VM_TAG(rk45) {
     long next_miss;        /* value of `steps` from which on a step of the smallest size may miss the tolerance again */
     int stiff_wait;        /* number of steps until the next test of stiffness */
     int stiff_hits;        /* number of tests that found stiffness since VMI_STIFF_MISSES tests in a row found none */
-    int stiff_misses;      /* number of tests since the last one that found stiffness */
+    int stiff_misses;      /* number of tests since the last test that found stiffness */
 } rk45;
 
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the previous step's last k */
@@ -989,7 +995,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
 }
 
 /* Computes y = y_old + h (b[0] k_1 + b[1] k_2 + ...), a sum of `count` terms. The weights b add up to x, so that the
-   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have less rounding. */
+   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have smaller rounding errors. */
 VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
 {
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
@@ -1018,7 +1024,7 @@ VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 #ifndef VARMASS_INTEGRATORS_DENSE_H
 #define VARMASS_INTEGRATORS_DENSE_H
 
-/* Makes the continuous extension of the last step ready, if it is not. Returns a status. */
+/* Makes the continuous extension of the last step ready, if it is not ready yet. Returns a status. */
 VM_API int vmi_extend(rk45 *s)
 {
     int status = ODE_OK;
@@ -1107,8 +1113,8 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a
-   normal number. The product is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
+/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
+   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -1125,7 +1131,8 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits. Adding and subtracting a power of two removes them with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
+           superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -1135,7 +1142,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* The integer type for the bits of a number with a sign, and the bits of the number 1 */
+/* The signed integer type that holds the bits of a vm_real, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
@@ -1146,8 +1153,8 @@ typedef int32_t vmi_signed_bits;
 
 #endif
 /* integrators/steps.h - steps of an adaptive run and the control of their size
-   vmi_advance is the loop over the steps. It is specialised at compile time for a pair and, where the compiler knows
-   that n is small, for n and f too. The manual of integrators.h has the rules of step size control.
+   vmi_advance is the loop over the steps. The compiler specialises it for a pair and, where it knows that n is small,
+   for n and f too. The manual of integrators.h has the rules of step size control.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_STEPS_H
@@ -1228,9 +1235,10 @@ VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - 
 /* The direction of the run to t_end: 1 forward, -1 backward */
 VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
 
-/* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is at most 10, and else
+/* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is the
+   smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
-   where error is the error of this step divided by its tolerance, and error_before that of the step before. */
+   where error is the error of this step divided by its tolerance, and error_before that of the previous step. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
     const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
@@ -1322,7 +1330,7 @@ typedef struct VM_TAG(vmi_trial) {
 
 /* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that the type can hold.
    A step for which the change would be larger is so short that it ends between two such times, and t_low is then not 0.
-   So t does not drift away from the motion. */
+   In this way t does not drift away from the motion. */
 #define VMI_LANDING VM_C(0.015625)
 #define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
 
@@ -1354,8 +1362,8 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* The number of steps that must keep the tolerance between two steps that may miss it. Behind a jump of f there are
-   such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
+/* The number of steps that must keep the tolerance between two steps that may miss it. After a jump of f there are
+   three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Takes back the last accepted step, which missed the tolerance */
@@ -1373,8 +1381,8 @@ VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 }
 
 /* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
-   a shorter step can be tried. Otherwise returns the status with which the run ends, after taking back the step before
-   if that step missed the tolerance too. */
+   a shorter step can be tried. Otherwise returns the status with which the run ends. If the previous step missed the
+   tolerance too, it is taken back. */
 VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
@@ -1389,7 +1397,7 @@ VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_
 
 /* Replaces the state after a step of the smallest size in which f jumps. The weights of the stages have both signs, so
    that their sum may lead far away from the jump. Therefore each component is continued with the mean of the smallest
-   and the largest of its derivatives in the stages, whose error is at most half the jump. */
+   and the largest of its derivatives in the stages. The error of this mean is at most half the jump. */
 VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -1408,9 +1416,9 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 }
 
 #define VMI_KEEP_TO VM_C(0.75)     /* the step size may stay after an error below this fraction of the tolerance */
-#define VMI_LEAST_ERROR VM_C(1e-8) /* a smaller ratio of an error to its tolerance counts as this one */
+#define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
 
-/* Chooses the size of the step after an accepted one. It stays the same if the error is between keep_from and
+/* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
    VMI_KEEP_TO times the tolerance. The processor can predict this branch and begin the next step before the error is
    known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
@@ -1434,7 +1442,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* apart from p, so that make_stages does not get the address of p */
+    long evals = 0; /* a variable of its own, so that make_stages does not get the address of p */
     int status;
     for (;;) {
         vmi_trial trial;
@@ -1510,11 +1518,11 @@ VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system 
 
 #endif
 /* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
-   After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of them,
-   the place of the change is located to rounding. The first event that stops or restarts the run ends the step there.
-   Events whose times rounding cannot tell apart happen together. Users set the events of the options: options.h.
-   The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this sign uncertain. A place x in a
-   step is a fraction of it, from 0 to 1.
+   After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of these
+   points, the time of the change is found as exactly as rounding allows. The first event that stops or restarts the run
+   ends the step there. Events whose times rounding cannot tell apart happen together. Users set the events of the
+   options: options.h. The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this sign
+   uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
 
        double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
        rk45 s;
@@ -1535,12 +1543,12 @@ VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system 
 
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
-/* The place of an event that does not happen in the step; all other places are from 0 to 1 */
+/* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
 #define VMI_NONE VM_C(2.0)
 
-/* After an event, g is evaluated at places close to it, so that a short excursion of g is seen: first after the
-   fraction VMI_FIRST_LOOK of the step, then at distances that grow by the factor VMI_WIDER. The side of the event may
-   stay 0 for at most the fraction VMI_QUIET of the step. */
+/* After an event, g is evaluated at short distances from it, so that a short excursion of g is seen. The first distance
+   is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor VMI_WIDER. For at most the fraction
+   VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
 #if VM_MANT_DIG > 24
 #define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
 #define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 of a step, the longest time for which a sign is uncertain */
@@ -1551,8 +1559,8 @@ VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 #define VMI_WIDER 8
 #endif
 
-/* Sets the side of each event at the start or the restart of a run. The side is 0 if g is 0, or if the event has just
-   happened and g is so small that rounding could decide its sign. Returns a status. */
+/* Sets the side of each event, the sign of its g, at the start or the restart of a run. The side is 0 if g is 0, or if
+   the event has just happened and g is so small that rounding could decide its sign. Returns a status. */
 VM_API int vmi_watch_events(rk45 *s)
 {
     int i;
@@ -1601,7 +1609,7 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real 
                                      int direction)
 {
     const vm_real relative = earlier ? VMI_EARLIER_ROUNDING : vmi_least_rtol(&s->pair);
-    const vm_real end = earlier ? 1 : x; /* weight of s->y in the size of a component */
+    const vm_real end = earlier ? 1 : x; /* weight of s->y in `size`, to which rounding is proportional */
     const vm_real rounding = (vm_real)direction * relative, golden = VM_C(0.6180339887498949);
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
     vm_real *z = vmi_part(s, VMI_Z), phase = 0;
@@ -1617,8 +1625,9 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real 
     return e->g(vmi_time_inside(s, x) * (1 + (vm_real)direction * VM_EPSILON), z, e->ctx);
 }
 
-/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; `earlier` is that of
-   vmi_event_value_moved. Returns 1 if g has the sign `side` there whatever rounding does, else 0. */
+/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; `earlier` has the
+   meaning that it has in vmi_event_value_moved. Returns 1 if g certainly has the sign `side` there, in spite of
+   rounding, else 0. */
 VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlier, int side)
 {
     int direction, certain = 1;
@@ -1633,17 +1642,17 @@ VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlie
     return certain;
 }
 
-/* Whether the event happens, by its field `direction`, when g leaves the side `side` */
+/* Whether the event, according to its field `direction`, happens when g leaves the sign `side` */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
 }
 
-/* Sets *at to a place in [a, b] at which g leaves the sign that it has at a. a and b are fractions of the last step, ga
-   and gb the values of g there. The interval is shrunk to the resolution of such fractions; the place is its right end.
-   The method is false position in the Illinois form, with bisection every third time and where g is 0 over a distance.
-   If g is 0 at the initial b, and the time there equals the time of the place, then *at becomes the initial b. Returns
-   a status. */
+/* Sets *at to a fraction of the last step between a and b at which g leaves the sign that it has at a. ga and gb are
+   the values of g at the fractions a and b. The interval is shrunk to the resolution of such fractions, and *at becomes
+   its right end. The method is false position in the Illinois form, with bisection every third time and while g stays 0
+   at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the initial
+   b. Returns a status. */
 VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
                       vm_real *at)
 {
@@ -1676,9 +1685,9 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 
 enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
 
-/* The place, at most `to`, at which g is evaluated next after e->from. It is the nearest of three: a point at the
-   distance *gap from `start`, the next of the points that divide the step evenly, and `to`. *gap grows with each call;
-   the points at short distances show an excursion of g that is much shorter than the step. */
+/* The fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
+   start + *gap, the next of those that divide the step evenly, and `to`. *gap is short at first and grows with each
+   call, so that an excursion of g that is much shorter than the step is seen. */
 VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
 {
     const int wanted = e->checks == 0 ? (int)VMI_CHECKS : e->checks;
@@ -1687,16 +1696,16 @@ VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm
     const int before = (int)(e->from * parts);
     const vm_real even = (vm_real)(before + 1) / parts;
     vm_real next = even;
-    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* rounding has made `even` the place e->from */
+    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* rounding has made `even` equal to e->from */
     next = VMI_SMALLER(next, to);
     if (start + *gap < next) next = start + *gap;
     *gap *= VMI_WIDER;
     return next;
 }
 
-/* Sets the side of the event to 0, because g has just reached or passed 0 at the place x. It stays 0 while rounding
-   could decide the sign of g, that is while |g| <= e->slack, but at most for the time e->quiet: if g has jumped,
-   e->slack is much too large. */
+/* Sets the side of the event to 0 (uncertain), because g has just reached or passed 0 at the fraction x of the step.
+   The side stays 0 while rounding could decide the sign of g, that is while |g| <= e->slack. It stays 0 at most for the
+   time e->quiet, since e->slack is much too large if g has jumped. */
 VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
 {
     vmi_weigh_rounding(s, e, x, 0, 0);
@@ -1704,9 +1713,9 @@ VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
     e->quiet = VMI_QUIET * VM_FABS(s->h_done);
 }
 
-/* Handles a g that has passed 0 before the place x in a direction that does not count; `side` is the sign of g at x. If
-   rounding alone could have caused this sign, the side of the event becomes 0, so that g does not make an event when
-   rounding takes it back across 0, and the result is 1. Otherwise nothing changes and the result is 0. */
+/* Handles a g that has passed 0 before the fraction x of the step in a direction that does not count. `side` is the
+   sign of g at x. If rounding alone could have caused this sign, the side of the event becomes 0 and the result is 1: g
+   must not make an event if rounding takes it back across 0. Otherwise nothing changes and the result is 0. */
 VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
 {
     ode_event look = *e;
@@ -1715,9 +1724,9 @@ VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
     return 1;
 }
 
-/* Evaluates g along the step from e->from to the place `to`, or to the first place at which the event happens. *at
-   becomes this place, or VMI_NONE if the event does not happen. e->from, e->side and e->quiet become those of the last
-   place. Returns a status. */
+/* Evaluates g along the step from the fraction e->from to the fraction `to`, or until the event happens. *at becomes
+   the fraction at which it happens, or VMI_NONE if it does not happen. e->from, e->side and e->quiet become those at
+   the last evaluation. Returns a status. */
 VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at)
 {
     const vm_real h = VM_FABS(s->h_done);
@@ -1749,7 +1758,8 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
     return ODE_OK;
 }
 
-/* Counts an event that happens at the place x, and stores its time and its state if the caller's arrays have room */
+/* Counts an event that happens at the fraction x of the step. Stores its time and state if the caller's arrays have
+   room. */
 VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
 {
     e->t = vmi_time_inside(s, x);
@@ -1761,9 +1771,10 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
     vmi_quieten_event(s, e, x);
 }
 
-/* Finds the first event that ends the step: *cut becomes its place and *owner its index. Both stay as they are if no
-   event ends the step. When an event is found, all remaining events are followed again up to *cut, because g at *cut
-   may show an earlier zero; the search ends when there is none. Returns a status. */
+/* Finds the first event that ends the step: *cut becomes the fraction of the step at which it happens, and *owner its
+   index. Both stay as they are if no event ends the step. When an event is found, the functions g of all remaining
+   events are followed again up to *cut, because their values at *cut may show an earlier zero. The search ends when
+   there is no earlier zero. Returns a status. */
 VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
@@ -1789,8 +1800,8 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
     return ODE_OK;
 }
 
-/* Counts and stores each time that an event with the action ODE_RECORD happens up to the place `to`. Returns a
-   status. */
+/* Counts and stores each time that an event with the action ODE_RECORD happens up to the fraction `to` of the step.
+   Returns a status. */
 VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 {
     for (;;) {
@@ -1801,9 +1812,9 @@ VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
     }
 }
 
-/* Sets e->happens to 1 if the event e happens at the place x, where the step ends, else to 0. It happens if its g has
-   changed sign up to x, or if g is so small at x that rounding decides its sign, and changes its sign just after x.
-   Events at one instant must happen together, because the change that one of them makes may keep the rest from
+/* Sets e->happens to 1 if the event e happens at the fraction x of the step, where the step ends, else to 0. It happens
+   if its g has changed sign up to x, or if g is so small at x that rounding decides its sign, and changes its sign just
+   after x. Events at one instant must happen together, because the change that one event makes may keep the others from
    happening. Returns a status. */
 VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
 {
@@ -1818,12 +1829,12 @@ VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
         vmi_quieten_event(s, e, x);
         return ODE_OK;
     }
-    /* x + VMI_QUIET may lie beyond the step, where the continuous extension goes on but g may be NaN */
+    /* x + VMI_QUIET may be above 1, where the step has ended: y is still defined there, but g may be NaN */
     e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
     return ODE_OK;
 }
 
-/* Ends the step at the place x: counts all events that happen there, then calls their `change` functions. Returns
+/* Ends the step at its fraction x: counts all events that happen there, then calls their `change` functions. Returns
    ODE_EVENT if one of these events stops the run, else ODE_OK. */
 VM_API int vmi_cut_step(rk45 *s, vm_real x)
 {
@@ -1850,7 +1861,7 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
 }
 
 /* Takes back the last step, inside which f is not finite, and makes the next step a quarter as long. Returns
-   ODE_NOT_FINITE if a step so short must not be tried, else ODE_OK. */
+   ODE_NOT_FINITE if such a short step must not be tried, else ODE_OK. */
 VM_API int vmi_take_back(rk45 *s)
 {
     vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
@@ -1868,8 +1879,8 @@ VM_API int vmi_take_back(rk45 *s)
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }
 
-/* Decides for each event whether it happens at the place `cut`, where the event with the index `owner` happens. Returns
-   a status. */
+/* Decides for each event whether it happens at the fraction `cut` of the step, where the event with the index `owner`
+   happens. Returns a status. */
 VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
 {
     int i, status = ODE_OK;
@@ -1917,14 +1928,14 @@ VM_API int vmi_events(rk45 *s)
 
 #endif
 /* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
-   Each pair has functions for users, which call these: rk45.h, rk87.h.
+   Users call the functions of rk45.h and rk87.h, which call the functions of this file.
 
    Tests: tests/test_adaptive.c, tests/test_events.c. */
 #ifndef VARMASS_INTEGRATORS_LOOP_H
 #define VARMASS_INTEGRATORS_LOOP_H
 
-/* Does the work of rk45_init for any pair. Being inlined, it assigns f and n to s where the caller's compiler sees
-   their values and can inline f in the steps. */
+/* Does the work of rk45_init for any pair. It is inlined, so that the compiler sees the values of f and n in the caller
+   and can inline f in the steps. */
 VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                            const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -1936,8 +1947,8 @@ VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int 
     return status;
 }
 
-/* Forgets which events have just happened, because the run continues at another time. There the sign of g alone gives
-   the side of each event. */
+/* Forgets which events have just happened, because the run continues at another time. The side of each event is then
+   the sign of its g at this time, even if g is small. */
 VM_API void vmi_forget_events(rk45 *s)
 {
     int i;
@@ -1992,8 +2003,8 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
    begins anew when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
 enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
 
-/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. These states differ by h dz
-   and their derivatives by dk, and |dk|/|dz| is about h times the largest eigenvalue of the Jacobian matrix of f. */
+/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by
+   h dz and their derivatives by dk. Then |dk|/|dz| is about h times the largest eigenvalue of the Jacobian of f. */
 VM_API void vmi_look_for_stiffness(rk45 *s)
 {
     const int last = vmi_last_k(&s->pair), count = last - VMI_K;
@@ -2054,8 +2065,8 @@ VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_rea
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Does what comes before the step in rk45_step, for the pair whose number is `method`. *t_end becomes the last number
-   in the direction of s. Returns a status; s may go on if that is ODE_OK. */
+/* Prepares the one step of rk45_step, for the pair whose number is `method`. *t_end becomes VM_MAX, or -VM_MAX if the
+   run goes backward. Returns a status; the step may be made if it is ODE_OK. */
 VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 {
     if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
@@ -2066,8 +2077,8 @@ VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
     return ODE_OK;
 }
 
-/* Does what comes before the steps in rk45_solve_with, for the pair whose number is `method`. Returns a status; s may
-   go on if that is ODE_OK. */
+/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. Returns a status; the steps may be made
+   if it is ODE_OK. */
 VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
     if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
@@ -2078,8 +2089,8 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
 #endif
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
    Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4 takes none. It is the pair to begin with, and the better one in
-   float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
+   evaluations of f. The continuous extension of order 4 takes no further evaluation. rk45 is the pair to begin with,
+   and the better one in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -2092,8 +2103,8 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
 
 enum { VMI_RK45 = 45 }; /* the number of this pair */
 
-/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy
-   the order conditions to 2e-14. */
+/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy the order conditions to
+   2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2194,7 +2205,7 @@ VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
     return pair;
 }
 
-/* Steps of rk45 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+/* Makes steps of rk45 to t_end, or only one if `single` is not 0. f and n are those of s. Returns a status. */
 VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 {
     vmi_rk_stepper stepper;
@@ -2266,8 +2277,8 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_i
 #endif
 /* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
    Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
-   f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
-   those of rk45. It is the pair for a smooth f in double and small errors.
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
+   larger than those of rk45. rk87 is the pair for a smooth f in double and small errors.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_H
@@ -2381,9 +2392,9 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
    The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: its weights before the jump add up
    to 4e-4 at most, while the error is a quarter of the jump. The weights used here, of order 5, add up to 0.1, -0.17 or
-   0.25. If f is smooth, their sum `seen` is much smaller than `change`, the change of f along the step. The result
-   seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
-   loose. */
+   0.25. If f is smooth, the weighted sum `seen` of the k is much smaller than `change`, the change of f along the step.
+   The result seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance
+   is loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
@@ -2416,8 +2427,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. For both states f is
-   evaluated at the end of the step. */
+/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. The run evaluates f
+   for both states at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -2551,7 +2562,7 @@ VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
     const int count = VMI_RK87_OWN + VMI_RK87_EXTRA;
     const vm_real u = 1 - x;
-    vm_real powers[8], power = x; /* powers[i] is u^i, and power is x^(i + 1) */
+    vm_real powers[8], power = x; /* powers[i] is (1 - x)^i, and power is x^(i + 1) */
     int i, j;
     powers[0] = 1;
     for (i = 1; i < 8; i++) powers[i] = powers[i - 1] * u;
@@ -2590,7 +2601,7 @@ VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
     return pair;
 }
 
-/* Steps of rk87 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+/* Makes steps of rk87 to t_end, or only one if `single` is not 0. f and n are those of s. Returns a status. */
 VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 {
     vmi_rk_stepper stepper;

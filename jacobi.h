@@ -29,7 +29,8 @@
                           used.
      jacobi_solve_kpK     m from k'K(k^2); jacobi_solve_K returns m from K
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
-     jacobi_agm_...       the same functions by the arithmetic-geometric mean, with its steps counted
+     jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; for sn, cn and dn its number of steps is an
+                          argument
 
    ERRORS
      m > 1, m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give NaN. m = 1 gives the limits:
@@ -38,22 +39,24 @@
      memory and keep no state; the value of errno means nothing.
 
    METHOD
-     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5]
-     lead to u; this needs no K and one square root. If u is beyond about K/2, it is first reduced by the quarter
-     period. The closer u is to a zero, the more words of the period are used: it comes from two steps of the AGM and
-     a series, or from the AGM in two or three words. Far from 0, for m near 1 or below -20, theta functions of an
-     imaginary phase are used [1], with the nome of 1 - m or 1/(1 - m), which is then at most 0.003. A plan has
-     polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
+     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5] lead
+     to u. This needs one square root, but not K.
+     If u is beyond about K/2, it is first reduced by the quarter period K. The closer u is to a zero, the more words of
+     K are used. K comes from two steps of the arithmetic-geometric mean and a series, or from the mean in two or three
+     words.
+     Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
+     or 1/(1 - m), which is then at most 0.003.
+     A plan has polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
      VM_API               linkage of every function, default static inline
-     VM_INLINE            linkage of the functions that are fast only if they are inlined; VM_API makes smaller code
-                          with the same results
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
+                          the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
-                          They are exact, so that results are the same on every machine, unless the compiler fuses
-                          products and sums
+                          These functions are exact, so that results are the same on every machine, unless the compiler
+                          fuses products and sums.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
@@ -65,7 +68,7 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
      On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
      below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
 
@@ -76,9 +79,9 @@
                   about the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
-     means        <= 8 ulp; for m < -4 the mean of cn^6 has <= 16 ulp
+     means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
-     solvers      m and m1 <= 4 ulp plus their change by one ulp of c
+     solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
 
    COST
      docs/cost.md has the times, docs/counts.md the instructions of each function. A jacobi_plan has 304 bytes (float
@@ -186,7 +189,7 @@
 typedef float vm_real;
 #define VM_C(x) x##f            /* the constant x as a vm_real */
 #define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
-#define VM_TAG(tag) tag##_float /* the tag of a struct: each precision has its own, so that C++ programs can mix them */
+#define VM_TAG(tag) tag##_float /* the tag of a struct, one for each precision: a C++ program can use both */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
 #define VM_MIN FLT_MIN /* the smallest normal number */
@@ -202,7 +205,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is as short as float (AVR); table lengths depend on it */
+#define VM_MANT_DIG DBL_MANT_DIG /* digits; 24 where double is as short as float (AVR). Table lengths depend on it. */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
@@ -223,7 +226,7 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_READ(x) (x)        /* reads x, an element of a table, which is always written as table[i] or table[i][j] */
 #endif
 
-#ifndef VM_SQRT /* To use another library, define all four. The casts keep C++ from choosing a template. */
+#ifndef VM_SQRT /* To use another library, define all four macros. The casts keep C++ from choosing a template. */
 #define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
@@ -276,8 +279,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps these
-   digits in variables. */
+/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
+   additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -331,8 +334,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
-/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if
-   adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
+/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
+   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
+   two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -346,8 +350,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a
-   reciprocal instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
+/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
+   instead of dividing gets 1 - eps/2 instead of 1 for some of the quotients tested here. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -360,8 +364,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Returns 1 if sums next to 1 are rounded to the nearest number (a sum in the middle between two numbers, to the even
-   one) and are not kept with more digits than vm_real has. */
+/* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
+   the middle between two numbers must be rounded to the even number. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -432,8 +436,8 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a
-   normal number. The product is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
+/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
+   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -450,7 +454,8 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits. Adding and subtracting a power of two removes them with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
+           superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -460,7 +465,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* The integer type for the bits of a number with a sign, and the bits of the number 1 */
+/* The signed integer type that holds the bits of a vm_real, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
@@ -473,9 +478,9 @@ typedef int32_t vmi_signed_bits;
 /* base/words.h - products, quotients and roots with two and three times the digits
 
    Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
-   number in three words (vmi_three, hi + mid + lo) three times. p is the number of digits of vm_real, 53 or 24 bits.
-   The error of a product, quotient or root is given relative to the result; that of a sum, relative to its larger
-   term.
+   number in three words (vmi_three, hi + mid + lo) has three times as many. p is the number of digits of vm_real, 53 or
+   24 bits. The error of a product, quotient or root is given relative to the result; that of a sum, relative to its
+   larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -483,7 +488,7 @@ typedef int32_t vmi_signed_bits;
 #ifndef VARMASS_BASE_WORDS_H
 #define VARMASS_BASE_WORDS_H
 
-/* Multiplying by this number and subtracting cuts a vm_real into two halves of p/2 digits each (Veltkamp). */
+/* The factor of Veltkamp's method, which splits a vm_real into two halves of p/2 digits each */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
@@ -491,9 +496,9 @@ typedef int32_t vmi_signed_bits;
 #endif
 
 /* Returns the exact product a b as a pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor
-   underflows. Where the processor has a fused multiply-add, this is used; elsewhere both factors are split into
-   halves, with the same result. "+ 0" makes a product a sum, so that a compiler that fuses operations cannot put the
-   unrounded product into a later sum. */
+   underflows. Where the processor has a fused multiply-add, this is used; elsewhere both factors are split into halves,
+   with the same result. Each "+ 0" makes a product a sum: a compiler that fuses operations then cannot use the
+   unrounded product in a later sum. */
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
@@ -534,21 +539,21 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of two words each; the relative error is below 2^-(2p - 4) */
+/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of two words each; the error is below 2^-(2p - 4) of the larger term */
+/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of two words each; the relative error is below 2^-(2p - 4) */
+/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -562,7 +567,7 @@ typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
-/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c| or nearly so */
+/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c|, at least approximately */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -665,7 +670,7 @@ VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * p
 /* The difference x - y of numbers in two words */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* The square root of x >= 0. Below 2^-500 (float 2^-80) the low word is lost. */
+/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word is lost. */
 VM_API vm_two vmi_two_root(vm_two x)
 {
     if (x.hi > 0) return vmi_root(x.hi, x.lo);
@@ -698,9 +703,10 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 #endif
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
-   The C library's functions differ from machine to machine in the last bits. These do not: they use the basic
-   operations alone. Most of them return a low word too, so that a power has all its digits. They branch only where a
-   result is subnormal, so that a compiler can vectorise loops over them.
+   The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
+   bits everywhere: they use only basic operations, which every machine rounds in the same way. Most of them return a
+   result in two words, so that a power made from them has all its digits. They branch only where a result is subnormal,
+   so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
@@ -710,9 +716,10 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 
 #include <stdint.h>
 
-/* Returns a constant of vmi_log for the interval `row` of 32. c is a number that lies close to all numbers of the
+/* Returns a constant of vmi_log for the interval `row`, one of 32. The number c lies close to all numbers of this
    interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
-   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from them for an integer k, has no rounding error. */
+   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
+   rounding error. */
 VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -810,7 +817,7 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
     const int row = (int)(44 * z - VM_C(30.5));
     const vm_real by_c = vmi_log_constant(row, 0);
-    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* both are exact */
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* no rounding error */
     const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
     const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + vmi_log_constant(row, 1), r.hi);
     const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
@@ -897,9 +904,9 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. The polynomial A serves tangents up to
-   tan(pi/8). A larger angle is subtracted from pi/2 if it is above pi/4 (steep), and pi/4 is subtracted from the
-   result if it is above pi/8 (middle). */
+/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
+   subtracted from pi/2; from the result, if it is above pi/8 (middle), pi/4 is subtracted. What remains is at most
+   pi/8, where the polynomial A gives the arctangent. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -925,7 +932,8 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     return angle;
 }
 
-/* The sine and the cosine of z for |z| <= 0.79, a little more than pi/4, where |z.lo| is at most an ulp of z.hi */
+/* Computes the sine and the cosine of the angle z, |z| <= 0.79, which is a little more than pi/4. |z.lo| is at most an
+   ulp of z.hi. */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -961,8 +969,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* The sine and the cosine of any angle x in radians, which is reduced by multiples of pi/2 in two words. Both are NaN
-   if x is infinite or NaN. */
+/* Computes the sine and the cosine of any angle x in radians. First x is reduced by a multiple of pi/2, which is used
+   in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1008,19 +1016,20 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 /* Returns 1 if m1 = 1 - m is negative, infinite or NaN, so that no elliptic function has this parameter, else 0. */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 
-/* The number of levels of a vmi_ladder. The smallest m1 > 0, 5e-324, needs 13 of them. */
+/* The number of pairs a_n, b_n that a vmi_ladder can hold. The smallest m1 > 0, 5e-324, needs 13 of them. */
 #define VMI_LADDER 16
 
-/* The numbers a_n and b_n of all steps. sn, cn and dn are computed from them step by step, from the last to the
-   first. */
+/* The numbers a_n and b_n of all steps of the arithmetic-geometric mean. sn, cn and dn are computed from them,
+   beginning with the last step and ending with the first. */
 typedef struct VM_TAG(vmi_ladder) {
-    int n;                                /* index n of the last level */
+    int n;                                /* index of the last pair a_n, b_n */
     vm_real a[VMI_LADDER], b[VMI_LADDER]; /* a_0 = 1, b_0 = k'; a_(n+1) = (a_n + b_n)/2, b_(n+1) = sqrt(a_n b_n) */
-    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 at the last level */
+    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 for the last n */
 } vmi_ladder;
 
-/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. There the
-   sine differs by at most eps/60 from the sn that it replaces, and the relative error of a_n is at most eps/16. */
+/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. Then the sine
+   of the phase a_n u may replace the sn of the last step: they differ by at most eps/60. The relative error of a_n is
+   at most eps/16. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
@@ -1037,11 +1046,11 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 }
 
 /* Returns the quarter period K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0.
-   Plans need it, and so do arguments next to a multiple of K. */
+   Plans need so many digits, and so does the reduction of an argument that is next to a multiple of K. */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON;
-    vm_real lift = 1, c; /* lift keeps the square root's words from underflow and overflow */
+    vm_real lift = 1, c; /* lift: a factor that keeps the words of the square root from underflow and overflow */
     vmi_three a = vmi_three_words(1, 0, 0), b;
     if (m1 < tiny) lift = 1 / tiny;
     if (m1 > 1 / tiny) lift = VM_EPSILON;
@@ -1056,14 +1065,14 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
     return vmi_three_over(vmi_half_pi(), vmi_three_plus(a, vmi_three_words(-c * c / (4 * a.hi), 0, 0)));
 }
 
-/* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step, with the mean s of a_n and
-   b_n and half their difference c, is the series agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2.
-   This leaves a relative error of x eps/8 < 2^-85 (float 2^-41), which for the argument u changes sn, cn and dn/k',
-   whose slope is at most max(1, k'), by less than eps/8. */
+/* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step is replaced by the series
+   agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2, where s is the mean of a_n and b_n and c half
+   their difference. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). For the argument u this error
+   changes sn, cn and dn/k' by less than eps/8, since their slope is at most max(1, k'). */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
-    vm_real lift = 1, slope; /* lift keeps the square root's words from underflow */
+    vm_real lift = 1, slope; /* lift: a factor that keeps the words of the square root from underflow */
     vm_two root, kp, a, b, p;
     if (m1 < tiny) lift = 1 / tiny;
     root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
@@ -1101,7 +1110,7 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 #ifndef VARMASS_JACOBI_INTEGRALS_H
 #define VARMASS_JACOBI_INTEGRALS_H
 
-/* Is 1 for an m1 = 1 - m for which K and E are computed by series, 0 where they are computed by logarithms. */
+/* Is 1 if K and E are computed by series for this m1 = 1 - m, and 0 if they are computed by logarithms. */
 #define VMI_MIDDLE(m1) ((m1) > VM_C(0.029) && (m1) < VM_C(34.5))
 
 /* Returns ln(4/k') for m1 < 1 and ln(4 k') for m1 > 1 in two words, where k'^2 = m1 + m1_lo. */
@@ -1170,9 +1179,9 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* Returns the series S(x) in K = pi/(1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.0295. The error of x S
-   is 2^-60 (float 2^-31). A step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'), brings
-   every m1 of VMI_MIDDLE into this range. */
+/* Returns the series S(x) in K = pi/(1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.0295. The error of x S is
+   2^-60 (float 2^-31). A step of the arithmetic-geometric mean replaces k' by 2 sqrt(k')/(1 + k'). It makes x small
+   enough for every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1209,8 +1218,8 @@ VM_API vm_real vmi_E_series(vm_real x)
 #endif
 }
 
-/* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) holds, it takes two steps of the arithmetic-geometric mean
-   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m near 1 it takes
+/* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
+   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m near 1 it comes from
    logarithms, and for m < -33.5 too, since k' K(m) = K(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
@@ -1225,15 +1234,15 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
-    K = vmi_K_by_log(vmi_smaller(m1, 1 / m1), vmi_log_4(m1, m1_lo));
+    K = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo));
     if (m1 < 1) return K.hi;
     root = vmi_root(m1, m1_lo);
     quotient = K.hi / root.hi;
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* Returns E for 1 - m = m1 + m1_lo: where VMI_MIDDLE(m1) holds by the series, for m near 1 by logarithms, for
-   m < -33.5 by E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
+/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from the series, for m near 1 from logarithms,
+   and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -1242,7 +1251,7 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real kp_lo = m1_lo * VM_C(0.09); /* m1_lo/(2 k') for m < -15; for other m it is too small to matter */
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k', m1_lo/(2 k') for m < -15; else negligible */
         const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }
@@ -1293,9 +1302,9 @@ VM_API vm_real jacobi_kpK(vm_real m)
 #endif
 /* jacobi/theta.h - Neville's theta functions, from which sn, cn and dn are quotients
 
-   Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so
-   on. The four theta functions are computed for an argument v that was reduced to |v| <= K/2, up to a common factor.
-   No subtraction loses digits, so that each of them has a small relative error. Near 0 (VMI_NEAR) they come from the
+   Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so on.
+   The four theta functions are computed for an argument v that was reduced to |v| <= K/2, up to a common factor. No
+   subtraction loses digits, so that each of them has a small relative error. Near 0 (see VMI_NEAR) they come from the
    Laurent series of cs^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a nome that
    is at most 0.003.
 
@@ -1303,12 +1312,12 @@ VM_API vm_real jacobi_kpK(vm_real m)
 #ifndef VARMASS_JACOBI_THETA_H
 #define VARMASS_JACOBI_THETA_H
 
-/* The numbers that the theta functions far from 0 need for one m; see vmi_far_prepare */
+/* The numbers that the theta functions far from 0 need for one m. vmi_far_prepare computes them. */
 typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
     vm_real defect;    /* 1 - z/v, where z is the phase and v the argument */
-    vm_real f[3], g[2], scale[2]; /* coefficients of P and Q, of E, and of theta_s and theta_c */
+    vm_real f[3], g[2], scale[2]; /* f for P and Q, g for E, scale for theta_s and theta_c: see vmi_far_prepare */
 } vmi_theta_form;
 
 /* The three methods: the series near 0; theta functions with the nome of 1 - m, for m near 1; theta functions with
@@ -1318,7 +1327,8 @@ enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
 /* The number of terms of a plan's polynomials */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions times a common factor: the elliptic function pq is p/q for any two letters p and q */
+/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them: sn = s/n and so
+   on. */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
@@ -1339,7 +1349,7 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 }
 
 /* The theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
-   Only theta.c and f are differences, and both are far from their zeros. If b/a = sc^2(w),
+   Only theta.c and f are computed by subtractions, and both are far from 0. If b/a = sc^2(w),
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
@@ -1376,15 +1386,15 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     return theta;
 }
 
-/* Prepares the theta functions far from 0. For m near 1 they have the imaginary argument i z, z = u agm(1, k), and
-   the nome q of c = 1 - m; for m < -20 (the reciprocal form) z = k' u agm(1, k), and q is the nome of c = 1/(1 - m),
-   since sn(u | m) = sd(k' u | m/(m - 1))/k'. In both cases c <= 0.05. With X = q cosh 2z, which is at most
-   sqrt(q)/2 = 0.03,
+/* Prepares the theta functions far from 0. Their argument is imaginary, i z, and q is the nome of c. k is sqrt(1 - c).
+     For m near 1 (the hyperbolic form), c = 1 - m and z = u agm(1, k).
+     For m < -20 (the reciprocal form), c = 1/(1 - m) and z = k' u agm(1, k), since sn(u | m) = sd(k' u | m/(m - 1))/k'.
+   In both forms c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2 = 0.03,
      theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
      theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X.
-   The terms that are left out are below 1e-18. The coefficients f contain the factor between d and n, so that f0 is
-   near 1/2. The factors `scale` are near 1 apart from 1/k'. One step of the arithmetic-geometric mean from 1 and k
-   gives (1 + k)/2 and the parameter x. */
+   The terms that are left out are below 1e-18. The coefficients f contain the factor between theta_d and theta_n, so
+   that f0 is near 1/2. The factors `scale` are near 1, but in the reciprocal form that of theta_s contains 1/k'. x is
+   the parameter after one step of the arithmetic-geometric mean from 1 and k. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = vmi_smaller(m1, 1 / m1), root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
@@ -1401,7 +1411,7 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     q6 = q2 * q4;
     even = q2 + q6;
     odd = 2 * t->q + 2 * q4;
-    f0 = ((odd - 2 * even) - even * odd) / (2 * (1 + even)); /* f[0] - 1/2 */
+    f0 = ((odd - 2 * even) - even * odd) / (2 * (1 + even)); /* the field f[0] minus 1/2 */
     t->f[0] = VM_C(0.5) + f0;
     share = t->f[0] / (1 - even);
     t->f[1] = share * 2 * t->q * (1 - q4);
@@ -1413,7 +1423,7 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     if (m1 > 1) t->scale[0] = (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi;
 }
 
-/* For m = 1 arguments are cut to this number: for larger ones tanh rounds to 1 and 1/cosh to 0. */
+/* For m = 1 a larger argument is replaced by this number, since tanh then rounds to 1 and 1/cosh to 0. */
 #define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0))
 
 /* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by 2 exp(-z), so that sinh z
@@ -1434,9 +1444,9 @@ VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_t
     X = 0;
     if (t->q > tiny) X = t->q * ((e + 1 / e) / 2);
     XX = X * X;
-    P = t->f[2] * XX; /* P without f0 */
+    P = t->f[2] * XX; /* P without its term f[0] */
     Q = t->f[1] * X;
-    E = t->g[1] * XX - t->g[0]; /* E without 1 */
+    E = t->g[1] * XX - t->g[0]; /* E without its term 1 */
     O = 2 * X;
     d = root * (1 + (E + O));
     n = (1 + e) * (t->f[0] + (P + Q));
@@ -1460,8 +1470,8 @@ VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
     return vmi_theta_far(&t, m1 > 1, v);
 }
 
-/* The theta functions at an argument that is longer by the given number of quarter periods. One quarter turns s, c,
-   d, n into c, -k's, k'n, d; two quarters change the signs of s and c. Products with 0, 1 and -1 replace a branch,
+/* The theta functions at an argument that is larger by the given number of quarter periods. One quarter period turns s,
+   c, d, n into c, -k's, k'n, d; two of them change the signs of s and c. Products with 0, 1 and -1 replace a branch,
    which would be mispredicted half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
@@ -1490,19 +1500,20 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 /* jacobi/reduction.h - reduces the argument of an elliptic function by its quarter period
 
    The argument is written as u = j K + v, where K is the quarter period, j a whole number and |v| at most K/2 apart
-   from rounding. v needs a small relative error, for next to a zero sn is v itself. The closer u is to a zero, the
-   more digits of K are needed. Therefore K has three forms: one word and corrections, two words, three words.
+   from rounding. v needs a small relative error, for next to a zero sn is v itself. The closer u is to a zero, the more
+   digits of K are needed. Therefore K is used in three forms: as one word with corrections, in two words, or in three
+   words.
 
    Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_REDUCTION_H
 #define VARMASS_JACOBI_REDUCTION_H
 
-/* If a whole number j is below this number (2^30, float 2^13), j K is exact for K in short pieces. */
+/* The products of the pieces of K (see vmi_pieces) and a whole number below this one (2^30, float 2^13) are exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
-/* Writes K to `piece` as three pieces and a last word. The three pieces are so short that their products with a whole
-   number below VMI_EXACT_QUARTERS are exact: they are multiples of 2^(e-21), 2^(e-44) and 2^(e-67), where
-   2^e <= K < 2^(e+1) (float 2^(e-9), 2^(e-20), 2^(e-31)). */
+/* Writes K to `piece` as a sum of three short numbers, the pieces, and a last word. The pieces are so short that their
+   products with a whole number below VMI_EXACT_QUARTERS are exact: they are multiples of 2^(e-21), 2^(e-44) and
+   2^(e-67), where 2^e <= K < 2^(e+1) (float 2^(e-9), 2^(e-20), 2^(e-31)). */
 VM_API void vmi_pieces(vmi_three K, vm_real *piece)
 {
     const vmi_bits exponent = vmi_to_bits(K.hi) & ~(((vmi_bits)1 << VMI_STORED_DIG) - 1);
@@ -1517,35 +1528,37 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
     piece[3] = K.hi;
 }
 
-/* The sum of three terms, in two words */
+/* Returns the sum of the three terms of x in two words. */
 VM_INLINE vm_two vmi_two_terms(vmi_three x)
 {
     const vm_two sum = vmi_two_sum(x.hi, x.mid);
     return vmi_two_sum(sum.hi, sum.lo + x.lo);
 }
 
-/* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. K is given in pieces,
-   and per_K is 1/K. The last bits of *quarters become those of j. Loops over this function can be vectorised. */
+/* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. The array K comes from
+   vmi_pieces, and per_K is 1/K. The last bits of *quarters become those of j. Loops over this function can be
+   vectorised. */
 VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
     vmi_three rest;
-    rest.hi = (u - j * K[0]) - j * K[1]; /* exact, as it is a multiple of eps K/2 below K */
+    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: below K, and a multiple of eps K/2 */
     rest.mid = -j * K[2];
     rest.lo = -j * K[3];
-    *quarters = vmi_to_bits(shifted); /* the last bits of the sum are j */
+    *quarters = vmi_to_bits(shifted); /* the last bits of `shifted` are those of j */
     return rest;
 }
 
 /* Adding and subtracting this number rounds a number below 6 to a multiple of 2^-23 (float 2^-8). */
 #define VMI_REDUCTION_GRID (VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0))
 
-/* Returns u minus a multiple j K, for 0 < u < 2.5 K where VMI_MIDDLE(m1) holds; kp is k'. The last bits of *quarters
-   become those of j. The relative error of the result is at most about eps. Where the result would be below u/64, and
-   so lose digits, it is NaN. Method: after two steps of the arithmetic-geometric mean the phase u (1 + f)^2 with
-   f^2 = k' has the quarter period 2 pi (1 + x S), where x S is small. The first halves (heads) of k' and f are
-   multiples of 2^-23 and 2^-24 (float 2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed
-   from them, and its product with the head of u are exact. */
+/* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. The last bits of
+   *quarters become those of j. The relative error of the result is at most about eps. Where the result would be below
+   u/64, it would lose digits and is NaN.
+   Method: after two steps of the arithmetic-geometric mean the phase u (1 + f)^2 with f^2 = k' has the quarter period
+   2 pi (1 + x S), where x S is small. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
+   2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
+   of u are exact. */
 VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1558,7 +1571,7 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     const vm_real h = (1 - f) / (1 + f), x = vmi_fourth_power(h), S = vmi_K_series(x);
     const vm_real u_head = vmi_head(u), phase = u_head * rate_head;
     const vm_real phase_lo = (u - u_head) * rate_head + u * rate_tail;
-    const int second = phase > 6 * half_pi.hi; /* used as a number: a branch would often be mispredicted */
+    const int second = phase > 6 * half_pi.hi; /* serves as a number: a branch would often be mispredicted */
     const vm_real j = (vm_real)(4 + 4 * second);
     const vm_real rest = (phase - j * half_pi.hi) + ((phase_lo - j * half_pi.mid) - j * half_pi.hi * x * S);
     *quarters = 0;
@@ -1569,8 +1582,8 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
 }
 
 /* Returns u minus the nearest multiple j K in two words, for any u > 0 and m1 > 0. The last bits of *quarters become
-   those of j. The period is taken in two words, and in three if u is below 128 K and next to a multiple of K. Where u
-   is so long that no digit of the phase is left, the result is 0. */
+   those of j. K is used in two words, or in three if u is below 128 K and next to a multiple of K. Where u is so large
+   that no digit of the phase is left, the result is 0. */
 VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1587,7 +1600,7 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     phase = vmi_two_product(u, rate.hi);
     whole = vmi_two_product(j, half_pi.hi);
     rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
-    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* possible for u > K/(16 eps), as count is rounded */
+    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* this may happen for u > K/(16 eps), since count is rounded */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         rest = vmi_two_sum(rest.hi - side * half_pi.hi, rest.lo - side * half_pi.mid);
         *quarters += (vmi_bits)(side < 0 ? 3 : 1);
@@ -1603,8 +1616,9 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
-/* Returns u minus the nearest multiple j K for any u >= 0 and m1, or NaN if u or m1 is refused. The low word of the
-   result goes to *v_lo, the last bits of j to *quarters. reach is about (2u/K)^2; if it is below 30, u < 2.5 K. */
+/* Returns u minus the nearest multiple j K for any u >= 0 and m1, or NaN if u or m1 lies outside the domain. The low
+   word of the result goes to *v_lo, the last bits of j to *quarters. reach is about (2u/K)^2; if reach is below 30,
+   u < 2.5 K. */
 VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo,
                               vmi_bits *quarters)
 {
@@ -1639,11 +1653,11 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reac
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
-/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN if u or m is refused. dn
-   lies between 1 and *bound. Near 0 neither K nor k' is needed. */
+/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN if u or m lies outside the
+   domain. dn lies between 1 and *bound. For a small |u| neither K nor k' is needed. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
-    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* (2u/K)^2, roughly */
+    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* about (2u/K)^2 */
     vm_real v, v_lo;
     vmi_bits quarters;
     vmi_thetas theta;
@@ -1664,14 +1678,14 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     vm_real bound;
     const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
-    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less than cn (1/n) */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* has one rounding less than theta.c (1/theta.n) */
 }
 
 /* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies
    between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 8 ulp for
-   |u| <= 100 K, next to the zeros too, and 4 eps times the largest value for |u| <= 1e9 (float 1e4). The results are
-   NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for infinite u.
-   docs/cost.md has the time. DLMF 22. */
+   |u| <= 100 K, next to the zeros too, and at most 4 eps times the function's largest value for |u| <= 1e9 (float 1e4).
+   The results are NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for
+   infinite u. docs/cost.md has the time. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1694,7 +1708,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* The quotient pq = theta_p/theta_q. For m = 1 both may have underflowed to one number: then the quotient is 1. */
+/* The quotient pq = theta_p/theta_q. For m = 1 both theta functions may underflow to the same number: then the quotient
+   is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;
@@ -1783,9 +1798,10 @@ VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 #ifndef VARMASS_JACOBI_AMPLITUDE_H
 #define VARMASS_JACOBI_AMPLITUDE_H
 
-/* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. It is odd, continuous and rising
-   (apart from 4 ulp), and am(u + 2K) = am(u) + pi. The error is at most 8 ulp for |u| <= 100 K. Returns NaN for m > 1
-   and for infinite arguments. Method: am = j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to u. */
+/* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. am is odd, continuous and rising
+   (apart from errors of 4 ulp), and am(u + 2K) = am(u) + pi. The error is at most 8 ulp for |u| <= 100 K. Returns NaN
+   for m > 1 and for infinite arguments. Method: am = j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to
+   u. */
 VM_API vm_real jacobi_am(vm_real u, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1800,7 +1816,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
     j = VM_FLOOR(turns + VM_C(0.5));
     if (!(2 * j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
     odd = j - 2 * VM_FLOOR(j / 2);
-    if ((odd > 0) != (theta.c < 0)) { /* next to an odd multiple of K the sign of cn decides about j */
+    if ((odd > 0) != (theta.c < 0)) { /* next to an odd multiple of K the sign of cn decides which j is right */
         if (turns > j) j += 1;
         else j -= 1;
     }
@@ -1811,7 +1827,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 }
 
 #endif
-/* base/chebyshev.h - shorter polynomials by Chebyshev's: the step that economises a power series
+/* base/chebyshev.h - the step that makes a polynomial shorter by means of Chebyshev's polynomials
 
        vm_real c[3] = {1, 1, VM_C(0.5)};
        vmi_remove_highest(c, 2, 0); // 1 + t + t^2/2 is about c[0] + c[1] t for 0 <= t <= 1
@@ -1820,9 +1836,9 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 #ifndef VARMASS_BASE_CHEBYSHEV_H
 #define VARMASS_BASE_CHEBYSHEV_H
 
-/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n, 0 <= t <= 1, by subtracting a multiple of Chebyshev's
-   polynomial of degree n, which changes the values by at most |c_n| 2^(1-2n). The coefficients below c_lowest stay as
-   they are. */
+/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's polynomial of
+   degree n. For 0 <= t <= 1 this changes the values by at most |c_n| 2^(1-2n). The coefficients with an index below
+   `lowest` stay as they are. */
 VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 {
     vm_real term = c[n];
@@ -1836,9 +1852,9 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 #endif
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
-   A plan holds what depends on m alone: the quarter period in pieces, and polynomials that replace the series. A call
-   with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md has the times).
-   A plan is plain data: it may be copied, and it may be a constant in flash.
+   A plan holds what depends on m alone: the quarter period as a sum of short numbers, and polynomials that replace the
+   series. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md
+   has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -1850,11 +1866,11 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 
 #include <string.h>
 
-/* One parameter m, prepared by jacobi_plan_init. Fields that the form does not use are 0. */
+/* One parameter m, prepared by jacobi_plan_init. Fields that the form (the method for this m) does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
-    int form;            /* VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
+    int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
-    vm_real K[4], per_K; /* quarter period as three short pieces and a last word, and 1/K (0 at m = 1) */
+    vm_real K[4], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, see vmi_plan_prepare */
     vmi_theta_form theta;               /* its field kp = k' is set in every form */
 } jacobi_plan;
@@ -1875,17 +1891,17 @@ VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
    eps/500 at u = K/2. */
 enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 };
 
-/* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by one of degree VMI_TERMS for
-   0 <= t <= 1. Each step removes the highest power: it subtracts a multiple of Chebyshev's polynomial of that
-   degree. */
+/* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by a polynomial of degree VMI_TERMS
+   that is close to it for 0 <= t <= 1. Each step removes the highest power: it subtracts a multiple of Chebyshev's
+   polynomial of the same degree. */
 VM_API void vmi_shorten(vm_real *c)
 {
     int n;
     for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Computes p->a and p->b for |v| <= longest: the coefficients in powers of v^2, without the first one, 1, of
-   w^2 cs^2(w) and of -theta^2 d(cs^2)/d theta, where w = v/2 and theta = w^2. */
+/* Computes the coefficients p->a of w^2 cs^2(w) and p->b of -theta^2 d(cs^2)/d theta in powers of v^2, where w = v/2
+   and theta = w^2, for |v| <= longest. The constant coefficients are 1 and are not stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -1944,8 +1960,8 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
    Domain and result are those of jacobi_plan_init; m1 keeps its digits where m is close to 1. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
 
-/* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication (compare
-   vmi_theta_near). theta_s is v times the second polynomial, since the derivative of sc^2 is 2 sc nc dc. */
+/* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
+   (compare vmi_theta_near). theta_s is v times the second polynomial, since the derivative of sc^2 is 2 sc nc dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -1970,7 +1986,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* a NaN is still in v.lo */
+        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* removes a NaN, but v.lo keeps it */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
@@ -1978,7 +1994,8 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* Returns u minus the nearest multiple of K, for u >= 0 that is too long for K in pieces; for m = 1, u itself. */
+/* Returns u minus the nearest multiple of K, for a u that is too large for vmi_reduce_pieces. For m = 1 returns u
+   itself. */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
@@ -2034,9 +2051,9 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
-/* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements
-   each and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
-   multiplications and additions, the last bits may depend on the place in the array. docs/cost.md has the time. */
+/* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
+   and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
+   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {
@@ -2076,7 +2093,7 @@ VM_API vm_real vmi_theta_loss(vm_real q)
 /* A parameter m, given by a nome q */
 typedef struct VM_TAG(vmi_solution) {
     int circular;        /* 1 if q is the nome of m, else 0 */
-    int upside;          /* counts if circular is 0: q is the nome of 1 - m (upside = 0) or of 1/(1 - m) (1) */
+    int upside;          /* used if circular is 0: 0 if q is the nome of 1 - m, 1 if q is that of 1/(1 - m) */
     vm_real q, L, L_lo;  /* the nome q, which is exp(-L - L_lo) if circular is 0 */
 } vmi_solution;
 
@@ -2085,7 +2102,7 @@ typedef struct VM_TAG(vmi_solution) {
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
-    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* 1 - theta_4(q)^2 */
+    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* less = 1 - theta_4(q)^2 */
     const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4(q))/2 = q - q^4 + q^9 */
     vm_real q = start;
     int i;
@@ -2097,8 +2114,8 @@ VM_API vm_real vmi_solve_middle(vm_real c)
 /* After a step of Newton's method that is shorter than this number, the error is below eps. */
 #define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
-/* Finds L = -ln q with K = L theta_3(q)^2/2 = c, for c >= K(1/2). Newton's method for lambda = 2c - L = 2c
-   (1 - theta_3^-2), 0 <= lambda < 0.57, starts at 0 and needs at most seven steps. */
+/* Finds L = -ln q with K = L theta_3(q)^2/2 = c, for c >= K(1/2). The unknown is lambda = 2c - L = 2c (1 - theta_3^-2),
+   between 0 and 0.57. Newton's method starts at lambda = 0 and needs at most seven steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -2150,7 +2167,7 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
    earlier), so that every such c gives the result of c = 1000. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
-    const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1), K(1/2) */
+    const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1) and K(1/2) */
     vmi_solution s;
     if (c > 1000) c = 1000;
     s.circular = c >= least && c <= most;
@@ -2167,8 +2184,8 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where they do
-   not. */
+/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where these
+   numbers do not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {
     const vm_two ln2 = vmi_log(2);
@@ -2190,7 +2207,7 @@ VM_API vm_real vmi_solution_m(const vmi_solution *s)
 }
 
 /* The parameter m whose k' K(m) is c, for c >= 0: solves equation (307). m is negative for c > pi/2, and 1 for c = 0.
-   The error is at most 4 ulp plus the change of m by one ulp of c. Returns NaN for c < 0 and infinite c. */
+   The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK(vm_real c)
 {
     vmi_solution s;
@@ -2201,7 +2218,7 @@ VM_API vm_real jacobi_solve_kpK(vm_real c)
 }
 
 /* The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits. The error is at most 4 ulp plus the
-   change of 1 - m by one ulp of c. Returns NaN for c < 0 and infinite c. */
+   change of 1 - m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
 {
     vmi_solution s;
@@ -2222,9 +2239,9 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K.
-   m is negative for c < pi/2, and -infinity for c = 0. The error is at most 4 ulp plus the change of m by one ulp of
-   c. Returns NaN for c < 0 and infinite c. */
+/* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K. m is negative for c < pi/2, and
+   -infinity for c = 0. The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0
+   and infinite c. */
 VM_API vm_real jacobi_solve_K(vm_real c)
 {
     vmi_solution s;
@@ -2261,19 +2278,21 @@ VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6
     *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
 }
 
-/* Computes the means by (383), (384) and (408) from K and E in two words, for 1 - m = c < 1/2 and l = ln(4/k'). */
-VM_API void vmi_means_from_K(vm_real c, vm_two l, vm_real *C2, vm_real *C4, vm_real *C6)
+/* Returns C2 by (383) from K and E, for 1 - m = c <= 1/2 and l = ln(4/k'): C2 = (E/K - c)/m. E/K is a sum of two words
+   here, because an error of C2 in a parameter near 4/5 doubles in the mean of sn^6. */
+VM_API vm_real vmi_mean_from_K(vm_real c, vm_two l)
 {
-    const vm_real m = 1 - c;
-    const vm_two K = vmi_K_by_log(c, l), less = vmi_two_product(c, K.hi);
-    *C2 = ((1 - less.hi) + (vmi_E_rest(c, l.hi) - (less.lo + c * K.lo))) / (m * K.hi);
-    *C4 = (2 * (m - c) * *C2 + c) / (3 * m);
-    *C6 = (4 * (m - c) * *C4 + 3 * c * *C2) / (5 * m);
+    const vm_two K = vmi_K_by_log(c, l);
+    const vm_real rest = vmi_E_rest(c, l.hi), ratio = (1 + rest) / K.hi;
+    const vm_two product = vmi_two_product(ratio, K.hi);
+    const vm_real ratio_lo = ((1 - product.hi) + (rest - (product.lo + ratio * K.lo))) / K.hi;
+    return ((ratio - c) + ratio_lo) / (1 - c);
 }
 
-/* Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1. The errors are at most 8 ulp; for m < -4 that
-   of C6 is at most 16 ulp. The means are 0 for m = 1, where the period is infinite, and NaN for m > 1 and infinite m.
-   Equations (383), (384), (408). */
+/* Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1. The errors are at most 8 ulp. The means are 0
+   for m = 1, where the period is infinite, and NaN for m > 1 and infinite m. Equations (383), (384), (408).
+   Outside -4 <= m <= 1/2 the recurrences (384) and (408) are solved for the means of sn^2 cn^2 and sn^2 cn^4. These
+   are small, and the others are sums of few of them, so that little is lost to rounding. */
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -2286,11 +2305,14 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        vmi_means_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo), C2, C4, C6);
-        if (m1.hi < 1) return;
-        *C6 = 1 - 3 * *C2 + 3 * *C4 - *C6; /* for m < 0 cn(u | m) = cd(k' u | m/(m - 1)), and cd has the means of sn */
-        *C4 = 1 - 2 * *C2 + *C4;
-        *C2 = 1 - *C2;
+        /* for m < 0 cn(u | m) = cd(k' u | m/(m - 1)), and the means of cd are those of sn: S2 = 1 - C2, for one */
+        const vm_real ratio = m < 0 ? -1 / m : m1.hi / m; /* (1 - m)/m of the parameter m or m/(m - 1) */
+        const vm_real second = vmi_mean_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo));
+        const vm_real s2c2 = (second - ratio * (1 - 2 * second)) / 3, fourth = second - s2c2;
+        const vm_real s2c4 = (fourth - ratio * (3 * second - 4 * fourth)) / 5;
+        *C2 = m < 0 ? 1 - second : second;
+        *C4 = m < 0 ? 1 - (second + s2c2) : fourth;
+        *C6 = m < 0 ? 1 - (second + (2 * s2c2 - s2c4)) : fourth - s2c4;
     }
 }
 
@@ -2307,10 +2329,11 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 #ifndef VARMASS_JACOBI_DESCENDING_H
 #define VARMASS_JACOBI_DESCENDING_H
 
-/* Goes back through the steps of the mean by Gauss' transformation, from the sine and cosine of the phase a_n u. The
-   functions are quotients, sn : cn : dn : 1 = s : c : d : q. One step turns s, c, d, q into
-     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a+ = a_(n+1).
-   No subtraction occurs, also for m < 0. */
+/* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation, beginning with the sine and
+   cosine of the phase a_n u. The functions are quotients of four numbers, sn : cn : dn : 1 = s : c : d : q. One step
+   turns s, c, d, q into
+     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a = a_n, b = b_n, a+ = a_(n+1).
+   No subtraction occurs, not even for m < 0. */
 VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
 {
     int n;
@@ -2326,10 +2349,10 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
-/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one)
-   cost less and are less accurate. With steps >= 15 it takes as many steps as the type needs; the error then is at
-   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|, since the argument is reduced
-   by pi/2 and not by K. The results are NaN for m >= 1 and for infinite arguments. */
+/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one) cost
+   less and are less accurate. With steps >= 15 the function takes as many steps as the type needs; the error is then at
+   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|, since the phase a_n u is
+   reduced by pi/2, instead of u by K. The results are NaN for m >= 1 and for infinite arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -2415,7 +2438,7 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* The complete integral of the third kind, Pi(-N | m), in proportion to K(m) */
+/* The complete integral of the third kind, Pi(-N | m), as its quotient with K(m) */
 typedef struct VM_TAG(vmi_third_kind) {
     vm_two mean;  /* agm(1, k') = pi/(2K) */
     vm_two ratio; /* Pi(-N | m)/K(m) */
@@ -2426,15 +2449,15 @@ typedef struct VM_TAG(vmi_third_kind) {
    below = 1/(1 + N). With p = sqrt(1 + N) and the numbers a, g of the arithmetic-geometric mean (DLMF 19.8.6-7),
    starting with Q = 1, each step is
      e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2.
-   sum Q = 2 - sum Q (1 - e), so that ratio = Pi/K and rest = 1 - Pi/K are both sums of positive terms and accurate
-   for any N. */
+   Since sum Q = 2 - sum Q (1 - e), both ratio = Pi/K and rest = 1 - Pi/K are sums of positive terms. Therefore they are
+   accurate for any N. */
 VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* takes 5 to 10 steps, and one more for each binary digit of p */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -2474,21 +2497,21 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* theta_4(z + i zy), up to a real factor, with the nome Q = q^2 of the doubled lattice, z = pi u/(2K),
-   zy = pi y/(2K), 0 <= y < K', where K' is K(1 - m). A torque-free body turns at a mean rate and, in addition, by a
-   periodic angle, which is the angle of this complex number. There are two forms. The direct form is used for
-   K <= 2K', so that Q <= exp(-pi):
+/* The complex number theta_4(z + i zy), up to a real factor. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K',
+   where K' is K(1 - m). The nome is Q = q^2 (doubled lattice), where q is the nome of m. The angle of this number is
+   the periodic part of the angle by which a torque-free body turns. There are two forms.
+   The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)).
-   For larger K Jacobi's transformation is used, with Qd = exp(-pi K/(2K')) < exp(-pi), |u| <= K,
-   v = (2n + 1) pi/(4K'):
+   The transformed form, by Jacobi's transformation, is used for larger K. With Qd = exp(-pi K/(2K')) < exp(-pi),
+   v = (2n + 1) pi/(4K') and |u| <= K it is
      e^(-i pi u y/(4KK')) times the sum over n >= 0 of
      Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')).
-   In both forms four terms leave an error of 1e-19. The sums are stored as polynomials, in cos 2z for the direct form
-   and in exp(+-pi |u|/(2K')) for the transformed one. */
+   In both forms four terms leave an error of 1e-19. The sums are stored as polynomials: in cos 2z in the direct form,
+   in exp(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
     vm_real decay; /* rate of the exponential per x = u/(4K) in the transformed form; 0 in the direct form */
-    vm_real shift; /* turns per x of the factor e^(-i pi u y/(4KK')) */
+    vm_real shift; /* the factor e^(-i pi u y/(4KK')) turns by shift x turns */
     vm_real Q;     /* the nome Qd; 0 in the direct form */
     vm_real re[4], im[4];
 } vmi_doubled_theta;

@@ -59,12 +59,12 @@
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
      VM_API               linkage of every function, default static inline
-     VM_INLINE            linkage of the functions that are fast only if they are inlined; VM_API makes smaller code
-                          with the same results
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
+                          the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
-                          They are exact, so that results are the same on every machine, unless the compiler fuses
-                          products and sums
+                          These functions are exact, so that results are the same on every machine, unless the compiler
+                          fuses products and sums.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
@@ -76,7 +76,7 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
      On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
      below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
 
@@ -85,17 +85,17 @@
                             |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. sa and ca are monotone
                             between their extremes apart from 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to within
                             1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
-     the zeros              of sa and ca are right to a relative error of 2^-125 (float 2^-58); for alpha above 5e8
-                            (float 2e4) and for plans, of 2^-102 (float 2^-44). This error, times |s| and the slope,
-                            adds to the errors above. It matters only where s is within an ulp of a zero.
+     the zeros              of sa and ca: relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4) and
+                            for plans, <= 2^-102 (float 2^-44). This error, times |s| and the slope, adds to the errors
+                            above. It matters only where s is within an ulp of a zero.
      Pi_alpha               <= 1 ulp
      sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
                             was made for
-     phase                  <= 8 ulp plus its change by 6 ulp of sa and of ca, for the sa and ca of ateb_saca
+     phase                  <= 8 ulp plus the change that 6 ulp of sa and of ca make, for the sa and ca of ateb_saca
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
      beta_inc               <= 30 ulp of p and of q
-     beta_inc_inv           <= 16 ulp of x and of y plus their change by one ulp of the smaller of p and q
-     sa(n, m), ca(m, n)     <= 8 ulp plus their change by an error of the phase of 2^-102 |s| (float 2^-44 |s|)
+     beta_inc_inv           <= 16 ulp of x and of y plus the change that one ulp of the smaller of p and q makes
+     sa(n, m), ca(m, n)     <= 8 ulp plus the change that an error of 2^-102 |s| (float 2^-44 |s|) in s makes
      integrals              those of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
@@ -103,9 +103,9 @@
      184). The largest stack frame is below 2 kB.
 
    REFERENCES
-     [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations, in
-         corrected form where they are misprinted: (278) and (280) mix up the indices and have a wrong sign, (279)
-         lacks the bars of |u|.
+     [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]
+         has a misprint, the corrected equation is meant: (278) and (280) mix up the indices and have a wrong sign,
+         (279) lacks the bars of |u|.
      [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
      [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.7 (continued fractions), 15.8(iii) (quadratic
          transformations).

@@ -29,7 +29,8 @@
                           used.
      jacobi_solve_kpK     m from k'K(k^2); jacobi_solve_K returns m from K
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
-     jacobi_agm_...       the same functions by the arithmetic-geometric mean, with its steps counted
+     jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; for sn, cn and dn its number of steps is an
+                          argument
 
    ERRORS
      m > 1, m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give NaN. m = 1 gives the limits:
@@ -38,22 +39,24 @@
      memory and keep no state; the value of errno means nothing.
 
    METHOD
-     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5]
-     lead to u; this needs no K and one square root. If u is beyond about K/2, it is first reduced by the quarter
-     period. The closer u is to a zero, the more words of the period are used: it comes from two steps of the AGM and
-     a series, or from the AGM in two or three words. Far from 0, for m near 1 or below -20, theta functions of an
-     imaginary phase are used [1], with the nome of 1 - m or 1/(1 - m), which is then at most 0.003. A plan has
-     polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
+     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5] lead
+     to u. This needs one square root, but not K.
+     If u is beyond about K/2, it is first reduced by the quarter period K. The closer u is to a zero, the more words of
+     K are used. K comes from two steps of the arithmetic-geometric mean and a series, or from the mean in two or three
+     words.
+     Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
+     or 1/(1 - m), which is then at most 0.003.
+     A plan has polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
      VM_API               linkage of every function, default static inline
-     VM_INLINE            linkage of the functions that are fast only if they are inlined; VM_API makes smaller code
-                          with the same results
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
+                          the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
-                          They are exact, so that results are the same on every machine, unless the compiler fuses
-                          products and sums
+                          These functions are exact, so that results are the same on every machine, unless the compiler
+                          fuses products and sums.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
@@ -65,7 +68,7 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
      On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
      below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
 
@@ -76,9 +79,9 @@
                   about the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
-     means        <= 8 ulp; for m < -4 the mean of cn^6 has <= 16 ulp
+     means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
-     solvers      m and m1 <= 4 ulp plus their change by one ulp of c
+     solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
 
    COST
      docs/cost.md has the times, docs/counts.md the instructions of each function. A jacobi_plan has 304 bytes (float

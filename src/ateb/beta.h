@@ -1,20 +1,20 @@
 /* ateb/beta.h - beta functions, their inverses, and mean values of sa and ca
 
    B(a, b) is the complete beta function, I_x(a, b) the regularised incomplete one, 0 <= I_x <= 1. Ateb functions are
-   inverses of incomplete beta functions, and their mean values are complete ones (316).
+   inverses of incomplete beta functions, and their mean values are quotients of complete beta functions (316).
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
    In this file y = 1 - x and q = 1 - p. The functions with the suffix _both also take and return y and q, which keep
    their digits where x or p is close to 1.
 
-   Method: all is computed by logarithms in two words. i, j and k are the least whole numbers for which A = a + i,
-   B = b + j and S = a + b + k are at least 10. Stirling's formula gives
+   Method: the functions are computed from logarithms in two words. i, j and k are the least whole numbers for which
+   A = a + i, B = b + j and S = a + b + k are at least 10. Stirling's formula gives
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). If the sum is not large, no
-   large terms cancel; and no product overflows or underflows, since i, j, k <= 10.
+   where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). If this sum is not large, no large
+   terms cancel in it. No product overflows or underflows, since i, j, k <= 10.
 
    Source of the fraction: Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_H
@@ -87,8 +87,8 @@ VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
     return vmi_minus(vmi_beta_ln_density(a, b, none, none));
 }
 
-/* Returns 1 if a and b lie between 1e-4 and 1e5, else 0. Outside these limits the series and fractions would take too
-   long, and float would have no digits left. */
+/* Returns 1 if a and b lie between 1e-4 and 1e5, else 0. Outside these limits the series and continued fractions would
+   need too many terms, and float would have no digits left. */
 VM_API int vmi_beta_is_in_domain(vm_real a, vm_real b)
 {
     return a >= VM_C(1e-4) && a <= VM_C(1e5) && b >= VM_C(1e-4) && b <= VM_C(1e5);
@@ -104,10 +104,10 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
     return vmi_exp(l.hi, l.lo);
 }
 
-/* Returns I_x(a, b) B(a, b)/(x^a y^b) for a > 1 and x <= (a + 1)/(a + b + 2). This is 1/f_0 of the continued fraction
-   of Didonato and Morris, f_n = constant + ratio/f_(n+1), which is evaluated from its end. All terms are positive
-   except for the last ones. Where a and b are large, digits cancel in excess = a y - b x; therefore the excess is
-   computed in two words. */
+/* Returns I_x(a, b) B(a, b)/(x^a y^b) for y = 1 - x, a > 1 and x <= (a + 1)/(a + b + 2). This is 1/f_0 of the continued
+   fraction of Didonato and Morris, f_n = constant + ratio/f_(n+1), which is evaluated from its end. All terms are
+   positive except for the last ones. Where a and b are large, digits cancel in excess = a y - b x; therefore the excess
+   is computed in two words. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
@@ -128,10 +128,10 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 }
 
 /* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. This is a times the sum over n >= 1 of (1 - b)_n/n!
-   x^n/(a + n). Term n is below (b x)^n/n! with b x < 2, or below x^n. */
+   x^n/(a + n). Term n is below the larger of x^n and (b x)^n/n!, where b x < 2. */
 VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
 {
-    const vm_real most = 200; /* 96 terms are enough, unless x is NaN */
+    const vm_real most = 200; /* limit of the loop if x is NaN; otherwise 96 terms are enough */
     vm_real power = 1, term, sum = 0, n = 0;
     do {
         n += 1;
@@ -148,7 +148,7 @@ VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
     vm_two rest = {0, 0};
     vm_real p, p_lo;
     int k;
-    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* the result is the tiny -e^l, or l is NaN */
+    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* the result is -e^l, which is tiny, or NaN */
         rest.hi = -vmi_exp(l.hi, 0);
         return rest;
     }
@@ -182,8 +182,8 @@ VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
     return mirrored;
 }
 
-/* Returns ln I_x(a, b) for x <= (a + 1)/(a + b + 2). For a small a I_x is close to 1, and 1 - I_x must keep its
-   digits: for a <= 1 a series is used, which loses no digits and has no factor y^b. */
+/* Returns ln I_x(a, b) for x <= (a + 1)/(a + b + 2). Where a is small, I_x is close to 1, and 1 - I_x must keep its
+   digits. Therefore a series is used for a <= 1: it loses no digits and has no factor y^b. */
 VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b)
 {
     vm_two f;
@@ -257,8 +257,8 @@ VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
     return p;
 }
 
-/* Returns the point with x/y = e^t. The logarithms belong to the rounded value of e^-|t|, so that x + y = 1 in two
-   words. */
+/* Returns the point with x/y = e^t, where y = 1 - x. The logarithms belong to the rounded value of e^-|t|, so that
+   x + y = 1 in two words. */
 VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 {
     const vm_real size = VM_FABS(t), e = vmi_exp(-size, 0);
@@ -274,12 +274,13 @@ VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 }
 
 /* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. Newton's method is used for ln I_x as a function of
-   t = ln(x/y). This function is concave. The start is the point where its asymptote for t to -infinity reaches ln p;
-   it lies left of the solution, so that all steps go to the right. The last step is taken in x, y, ln x and ln y. */
+   t = ln(x/y). This function is concave. The start is the point where the asymptote of the function for t to -infinity
+   equals ln p. It lies left of the solution, so that all steps go to the right. The last step changes x, y, ln x
+   and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* the square of a shorter step is below eps */
-    const int most = 60;                                               /* steps; 20 are enough */
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* a step shorter than this is the last one */
+    const int most = 60;                                               /* largest number of steps; 20 are enough */
     const vm_two a2 = vmi_two(a, 0), b2 = vmi_two(b, 0);
     const vm_two start = vmi_two_plus(ln_p, vmi_two_plus(vmi_log(a), vmi_beta_ln(a2, b2)));
     vm_real t = start.hi / a, step;
@@ -310,8 +311,8 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
 }
 
 /* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from p and
-   q = 1 - p; the smaller of p and q carries the digits. ln x is also right where x underflows. For a and b from 1e-3
-   to 1e4 the errors of x, y and ln x are at most 16 ulp plus their changes by one ulp of the smaller of p and q. a
+   q = 1 - p; the smaller of p and q carries the digits. ln x is also right where x underflows. For a and b from 1e-3 to
+   1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q makes. a
    and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. The results are NaN for
    other a or b, for p or q below 0, and if p + q is not 1. docs/cost.md has the time. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,

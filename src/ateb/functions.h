@@ -21,8 +21,8 @@
 #include "period.h"
 #include "powers.h"
 
-/* The place of s in the period: s is `quarter` quarters of the period plus rest, where quarter counts modulo 4. r and
-   d are the distances of s from the nearest zeros of sa and ca. */
+/* The position of s in the period. s is `quarter` quarters of the period plus rest, where whole periods (4 quarters)
+   are left out. r and d are the distances of s from the nearest zeros of sa and ca. */
 typedef struct VM_TAG(vmi_ateb_place) {
     vm_real rest, r, d;
     int quarter;
@@ -33,7 +33,7 @@ typedef struct VM_TAG(vmi_ateb_place) {
    this error would matter, three words are used. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
-    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* about 2^-44, 2^-16 */
+    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* about 2^-44 (float 2^-16) */
     vm_real rest, count;
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
@@ -44,18 +44,19 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
         if (count * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + count * Q.lo);
     }
     if (VM_FABS(rest) < c->quarter.hi) return rest;
-    return 0; /* s is beyond 2^52 quarters */
+    return 0; /* s is above 2^52 quarters: its digits do not give the phase */
 }
 
 /* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, which is mispredicted half
    the time. */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
-/* Returns the place of s >= 0, by the quickest of three ways. 1. For s <= (alpha + 1)/2, s lies in the first quarter,
-   and r = s does not have to wait for Pi_alpha. 2. For s <= 128 (alpha + 1), the quick quarter period of c is enough,
-   unless s is close to a zero. Its products with the number of quarters are exact. The number of quarters comes from
-   the high word alone, so that the rest may be a little longer than half a quarter. 3. Any other s is reduced
-   finely. */
+/* Returns the position of s >= 0 in the period, by the quickest of three ways.
+     1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
+     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero. Its products with the
+        number of quarters are exact. This number comes from the high word of c->quarter alone, so that the rest may be
+        a little longer than half a quarter.
+     3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
     const vm_real n = c->n.hi, to_integer = VM_C(1.5) / VM_EPSILON;

@@ -20,7 +20,7 @@
 VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
 {
     const vm_real q = 1 / (alpha + 1), b = q + VM_C(0.5);
-    vm_real sa, ca, w, rest; /* rest = s - sa ca; near 0 s = sa ca (1 + w b vmi_ateb_w_fraction(q, w)) */
+    vm_real sa, ca, w, rest; /* rest = s - sa ca, which for small s is sa ca w b vmi_ateb_w_fraction(q, w) */
     ateb_saca(s, alpha, &sa, &ca);
     w = sa * sa;
     if (VM_FABS(s) < VMI_ATEB_CHANGE_OVER) rest = sa * ca * (w * b * vmi_ateb_w_fraction(q, w));

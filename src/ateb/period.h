@@ -17,7 +17,7 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* Returns coefficient i of the polynomial in t = 2q - 1 for (1 + q)(2 + q)(3 + q) f(q), where
+/* Returns coefficient i of the polynomial in t = 2q - 1 that equals (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha, between 1 and 2 for 0 < q <= 1.
    The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A
    coefficient has up to three words; which_word = 0 selects the largest. Words that would change nothing are 0. */
@@ -105,7 +105,7 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 }
 
 /* Returns Pi_alpha/2 in three words, with a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float
-   3e4). It is the product n f(q)/2, where each divisor i + q of f is written as 1/(i + q) = n/(i n + 1). */
+   3e4). It is the product n f(q)/2, where each factor 1/(i + q) of f is computed as n/(i n + 1). */
 VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 {
     const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
@@ -350,9 +350,9 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24
-    const vm_real to_row = VM_C(211106232532992.0); /* 1.5 2^47: the last digit of a sum with it is worth 1/32 */
+    const vm_real to_row = VM_C(211106232532992.0); /* 1.5 2^47; adding it rounds a number to a multiple of 1/32 */
 #else
-    const vm_real to_row = VM_C(393216.0); /* 1.5 2^18: the last digit is worth 1/32 here, too */
+    const vm_real to_row = VM_C(393216.0); /* 1.5 2^18; adding it rounds a number to a multiple of 1/32 */
 #endif
     enum { S = VMI_ATEB_G_SERIES };
     const vm_real shifted = vmi_rounded(q.hi + to_row), h = q.hi - vmi_rounded(shifted - to_row);
@@ -381,7 +381,8 @@ typedef struct VM_TAG(vmi_ateb) {
     vm_two quarter; /* Pi_alpha/2, a quarter of the period */
 } vmi_ateb;
 
-/* Sets n and q, and sets g and quarter to 0. The remainder 1 - n q is exact, since n and q are cut into halves. */
+/* Sets the fields n = alpha + 1 and q = 1/n, and sets g and quarter to 0. The remainder 1 - n q is exact, since n and q
+   are split into halves. */
 VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
 {
     vm_real n_head, n_tail, q_head;
@@ -395,8 +396,8 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets g and quarter, whose low words may be as large as 2^-13. The phase takes over the absolute error of Pi_alpha.
-   As the sum of n and g, Pi_alpha has a small absolute error for a large alpha too. */
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. The absolute error of Pi_alpha enters the
+   phase. It is small for a large alpha too, since Pi_alpha is the sum of n and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -421,15 +422,17 @@ VM_API vm_real ateb_pi(vm_real alpha)
 {
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
-    vmi_ateb_constants(&c, alpha);
-    return 2 * c.quarter.hi;
+    vmi_ateb_index_constants(&c, alpha);
+    vmi_ateb_period_constants(&c);
+    return 2 * vmi_fast_two_sum(c.quarter.hi, c.quarter.lo).hi;
 }
 
 /* Returns 1 if alpha is so large that three terms of g(q) at q = 0 give the quarter period in two words, else 0. */
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
-/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). For a large alpha Pi_alpha is n + g(q), with
-   g(q) = 2 ln 2 + q g'(0) + q^2 g''(0)/2; for any other alpha it is n f(q). */
+/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
+   Pi_alpha is n + g(q), with g(q) = 2 ln 2 + q g'(0) + q^2 g''(0)/2; for any other alpha it is n f(q), where f is
+   vmi_ateb_gamma_ratio. */
 VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 {
     const vm_two one = {1, 0};

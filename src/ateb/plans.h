@@ -9,8 +9,8 @@
        vm_real sa, ca;
        if (ateb_plan_init(&p, VM_C(1.5)) == 0) ateb_plan_saca(&p, VM_C(0.7), &sa, &ca);
 
-   Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). With
-   polynomials A and C, up to a change-over
+   Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). A and C are
+   polynomials. Up to a change-over
      sa = r (1 + tau A(tau)) and ca = 1 + tau C(tau), where tau = r^2;
    beyond it, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
@@ -48,7 +48,7 @@ typedef struct VM_TAG(vmi_ateb_part) {
 /* One alpha, prepared by ateb_plan_init. All fields are pure numbers. */
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
-    vm_real quarter_parts[3]; /* three parts of quarter; the first two have half of the digits or less */
+    vm_real quarter_parts[3]; /* numbers with the sum quarter; the first two have half of the digits or less */
     vm_real per_quarter;      /* 2/Pi_alpha */
     vm_real longest;          /* for |s| < longest the products of quarter_parts and a number of quarters are exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
@@ -56,11 +56,11 @@ typedef struct VM_TAG(ateb_plan) {
     vm_two twice_q;           /* 2/(alpha + 1) */
     int length;               /* number of terms of the polynomials, an even number */
     int twice_alpha;          /* 2 alpha where tau is computed by products, -1 where it is an exponential */
-    vmi_ateb_part part[2];    /* polynomials up to the change-over, and beyond it */
+    vmi_ateb_part part[2];    /* polynomials for r up to the change-over, and for larger r */
 } ateb_plan;
 
-/* Returns d d^alpha for twice_alpha = 0 ... 14, from d + d_lo. twice_alpha is a sum of powers of two; 1 stands for
-   the factor sqrt(d), 2 for d, 4 for d^2, and 8 for d^4. */
+/* Returns d^(1 + alpha) from d + d_lo, where alpha = twice_alpha/2 and twice_alpha = 0 ... 14. Each bit of twice_alpha
+   stands for a factor: 1 for sqrt(d), 2 for d, 4 for d^2, and 8 for d^4. */
 VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real d2 = d * d;
@@ -73,7 +73,7 @@ VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
     return power * d + power * (p->n * d_lo);
 }
 
-/* Returns d d^alpha with the same bits as vmi_ateb_product, but without branches. */
+/* Returns d^(1 + alpha) with the same bits as vmi_ateb_product, but without branches. */
 VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real half = (vm_real)(p->twice_alpha & 1), one = (vm_real)(p->twice_alpha >> 1 & 1);
@@ -83,14 +83,14 @@ VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d
     return power * d + power * (p->n * d_lo);
 }
 
-/* Returns 2 q d in two words, from d + d_lo. */
+/* Returns 2 q d = 2 d/(alpha + 1) in two words, from d + d_lo. */
 VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* Returns X = (2 q d)^(alpha+1) and writes 2 q d to *y. Where X would be subnormal, about the least normal number is
-   returned. */
+/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1), and writes 2 q d to *y. Where X would be subnormal, about the
+   least normal number is returned. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vm_real least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -100,8 +100,8 @@ VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d,
     return vmi_ateb_exp(vmi_larger(ln_X, least_ln));
 }
 
-/* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where base is r or 2 q d. Terms with even powers
-   and terms with odd powers are added up separately, so that the processor computes both sums at once. */
+/* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where base is r or 2 q d. Terms with even powers of
+   tau and terms with odd powers are added up separately, so that the processor computes both sums at once. */
 VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two base, vm_real tau, vm_real *odd,
                                 vm_real *even)
 {
@@ -242,11 +242,11 @@ VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real 
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa
-   or ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may
-   depend on the place in the array. Arguments are copied in blocks of 64; arguments that are too long or not finite
-   are computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors with wide
-   vector registers (docs/cost.md has the times). */
+/* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
+   ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend
+   on the index in the array. Arguments are copied in blocks of 64; arguments that are too long or not finite are
+   computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors with wide vector
+   registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     enum { BLOCK = 64 };
@@ -271,8 +271,8 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
     }
 }
 
-/* Returns the coefficient w_j of the series w = b^alpha, where b_0 = 1, from w_0 ... w_(j-1) and b_1 ... b_j (by
-   Euler). */
+/* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. It is computed
+   from w_0 ... w_(j-1) and b_1 ... b_j (by Euler). */
 VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
 {
     vm_real sum = 0;
@@ -285,10 +285,11 @@ VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, con
 enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 
 /* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0 they are those of
-   sa/r (odd) and ca (even) in powers of r^2; for beyond = 1, those of ca/(2 q d) (odd) and sa (even) in powers of X. */
+   sa/r (odd) and ca (even) in powers of r^2; for beyond = 1 they are those of ca/(2 q d) (odd) and sa (even) in powers
+   of X = (2 q d)^(alpha+1). */
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
-    const vm_real large = VM_C(1e30); /* above it alpha j could overflow, and the coefficients no longer change */
+    const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
     vm_real w[VMI_ATEB_TERMS];        /* the series of ca to the power alpha */
     int j;
     if (alpha > large) {
@@ -320,11 +321,11 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* makes it a polynomial in t = tau/limit, times limit */
+    for (i = 0; i <= highest; i++) { /* makes c limit times the polynomial, in powers of t = tau/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), what removing c[k] changes for each unit of it */
+    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), the change for c[k] = 1 */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
         vmi_remove_highest(c, k, 0);
@@ -357,7 +358,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Sets the fields for the reduction: the quarter period in pieces, and the s up to which their products are exact. */
+/* Sets the fields for the reduction: the quarter period as a sum, and the s up to which products with its terms are
+   exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
     p->quarter = vmi_ateb_fine_quarter(c);

@@ -81,7 +81,7 @@ VM_API vm_real vmi_ateb_exp_series(vm_real z)
     const vm_real E01 = VM_C(0.500000001824) + z * VM_C(0.166666664398);
     const vm_real E23 = VM_C(0.0416664198173) + z * VM_C(0.00833340486371);
     const vm_real E45 = VM_C(0.00139382863335) + z * VM_C(1.98219343782e-4);
-    return E01 + zz * (E23 + zz * E45); /* z^4 could be subnormal, which is slow */
+    return E01 + zz * (E23 + zz * E45); /* this form avoids z^4, which could be subnormal and slow */
 #endif
 }
 

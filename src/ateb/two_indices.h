@@ -81,9 +81,9 @@ VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 }
 
 /* sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices. s is any real number; each index is 0 or lies
-   between 1e-3 and 1e3. All are pure numbers. The errors are at most 8 ulp plus the change by an error of the phase
-   of 2^-102 |s| (float 2^-44 |s|). Indices between 1e-4 and 1e5 are allowed too, with less accuracy. The results are
-   NaN for other indices and for NaN and infinite s. */
+   between 1e-3 and 1e3. All are pure numbers. The errors are at most 8 ulp plus the change that an error of 2^-102 |s|
+   (float 2^-44 |s|) in s makes. Indices between 1e-4 and 1e5 are allowed too, with less accuracy. The results are NaN
+   for other indices and for NaN and infinite s. */
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
 {
     vm_real a, b, rest, r, d; /* r and d: the distances of s from the nearest zeros of sa and ca */

@@ -1,12 +1,12 @@
 /* base/arrays.h - loops over arrays of numbers
-   Two functions test an array for numbers that are not finite and copy an array. A macro writes the loops over the
-   components of a small state: the compiler unrolls them where it knows the number n of components, and then keeps
+   vmi_all_finite tests whether all numbers of an array are finite, and vmi_copy copies an array. The macro VMI_EACH
+   writes a loop over the n components of a state. Where the compiler knows a small n, it unrolls such loops and keeps
    the components in registers.
 
        vm_real y[3] = {1, 2, 3}, z[3];
        if (vmi_all_finite(3, y)) vmi_copy(3, y, z);
 
-   Tests: tests/test_rk4.c and all others of the integrators. */
+   Tests: tests/test_rk4.c and the other tests of the integrators. */
 #ifndef VARMASS_BASE_ARRAYS_H
 #define VARMASS_BASE_ARRAYS_H
 

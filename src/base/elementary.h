@@ -1,8 +1,9 @@
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
-   The C library's functions differ from machine to machine in the last bits. These do not: they use the basic
-   operations alone. Most of them return a low word too, so that a power has all its digits. They branch only where a
-   result is subnormal, so that a compiler can vectorise loops over them.
+   The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
+   bits everywhere: they use only basic operations, which every machine rounds in the same way. Most of them return a
+   result in two words, so that a power made from them has all its digits. They branch only where a result is subnormal,
+   so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
@@ -17,9 +18,10 @@
 #include "sums.h"
 #include "words.h"
 
-/* Returns a constant of vmi_log for the interval `row` of 32. c is a number that lies close to all numbers of the
+/* Returns a constant of vmi_log for the interval `row`, one of 32. The number c lies close to all numbers of this
    interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
-   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from them for an integer k, has no rounding error. */
+   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
+   rounding error. */
 VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -117,7 +119,7 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
     const int row = (int)(44 * z - VM_C(30.5));
     const vm_real by_c = vmi_log_constant(row, 0);
-    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* both are exact */
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* no rounding error */
     const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
     const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + vmi_log_constant(row, 1), r.hi);
     const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
@@ -204,9 +206,9 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. The polynomial A serves tangents up to
-   tan(pi/8). A larger angle is subtracted from pi/2 if it is above pi/4 (steep), and pi/4 is subtracted from the
-   result if it is above pi/8 (middle). */
+/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
+   subtracted from pi/2; from the result, if it is above pi/8 (middle), pi/4 is subtracted. What remains is at most
+   pi/8, where the polynomial A gives the arctangent. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -232,7 +234,8 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     return angle;
 }
 
-/* The sine and the cosine of z for |z| <= 0.79, a little more than pi/4, where |z.lo| is at most an ulp of z.hi */
+/* Computes the sine and the cosine of the angle z, |z| <= 0.79, which is a little more than pi/4. |z.lo| is at most an
+   ulp of z.hi. */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -268,8 +271,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* The sine and the cosine of any angle x in radians, which is reduced by multiples of pi/2 in two words. Both are NaN
-   if x is infinite or NaN. */
+/* Computes the sine and the cosine of any angle x in radians. First x is reduced by a multiple of pi/2, which is used
+   in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();

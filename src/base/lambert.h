@@ -1,8 +1,8 @@
 /* base/lambert.h - Lambert's function W
 
    w = W(x) solves w e^w = x. The equation has one solution for x >= 0 and two for -1/e <= x < 0: the branch W_0 >= -1
-   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The forms that take the logarithm of the argument work
-   where the argument itself would overflow or underflow.
+   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The functions that take the logarithm of the argument
+   work where the argument itself would overflow or underflow.
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
@@ -38,8 +38,8 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x
-   close to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. An s between
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
+   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
    -eps/2 and 0 is caused by rounding and means x = -1/e. The start for W_-1 is by Barry, Culligan-Hensley and Barry
    (ACM TOMS 21, 1995); the start for W_0 is a series in sqrt(2s), which is good for s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
@@ -113,13 +113,13 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
     return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_minus(ln)), 1);
 }
 
-#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* where ln|x| is less than this, W_0(x) = x */
+#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* if ln|x| is less than this number, W_0(x) rounds to x */
 
 /* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
    overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
-    const vm_real direct_from = 40; /* from l = 40 on ln(1 + e^l) rounds to l */
+    const vm_real direct_from = 40; /* for l >= 40, ln(1 + e^l) rounds to l */
     vm_real start;
     if (!VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);

@@ -12,7 +12,7 @@
 #include "real.h"
 #include "status.h"
 
-/* Eliminates the entries of column k below the diagonal from a x = b. */
+/* Eliminates the unknown x[k] from the equations k + 1 to n - 1 of the system a x = b. */
 VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
 {
     int i, j;

@@ -42,7 +42,7 @@
 typedef float vm_real;
 #define VM_C(x) x##f            /* the constant x as a vm_real */
 #define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
-#define VM_TAG(tag) tag##_float /* the tag of a struct: each precision has its own, so that C++ programs can mix them */
+#define VM_TAG(tag) tag##_float /* the tag of a struct, one for each precision: a C++ program can use both */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
 #define VM_MIN FLT_MIN /* the smallest normal number */
@@ -58,7 +58,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is as short as float (AVR); table lengths depend on it */
+#define VM_MANT_DIG DBL_MANT_DIG /* digits; 24 where double is as short as float (AVR). Table lengths depend on it. */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
@@ -79,7 +79,7 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_READ(x) (x)        /* reads x, an element of a table, which is always written as table[i] or table[i][j] */
 #endif
 
-#ifndef VM_SQRT /* To use another library, define all four. The casts keep C++ from choosing a template. */
+#ifndef VM_SQRT /* To use another library, define all four macros. The casts keep C++ from choosing a template. */
 #define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))

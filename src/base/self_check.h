@@ -14,8 +14,9 @@
 #include "real.h"
 #include "sums.h"
 
-/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if
-   adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
+/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
+   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
+   two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -29,8 +30,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a
-   reciprocal instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
+/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
+   instead of dividing gets 1 - eps/2 instead of 1 for some of the quotients tested here. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -43,8 +44,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Returns 1 if sums next to 1 are rounded to the nearest number (a sum in the middle between two numbers, to the even
-   one) and are not kept with more digits than vm_real has. */
+/* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
+   the middle between two numbers must be rounded to the even number. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);

@@ -27,23 +27,23 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body without inertia about an axis (a rod, a point) keeps its spin about
-                                    this axis, and the angular momentum that was left for it is lost */
+    VM_NULL_AXIS = 1,            /* done, but a body (a rod, a point) has no inertia about an axis: it keeps its spin
+                                    about this axis, and the angular momentum that the spin should take up is lost */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
-    VM_NOT_FINITE = -2,          /* a number that was given, or that arises, is infinite or NaN */
-    VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the mass of the rest */
-    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation it may be that of the rest */
+    VM_NOT_FINITE = -2,          /* an argument, or a number computed from the arguments, is infinite or NaN */
+    VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the remaining body's mass */
+    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation this may be the remaining body's */
     VM_SINGULAR = -5,            /* a system of linear equations has no unique solution */
     VM_DOMAIN = -6,              /* a parameter lies outside its domain */
-    VM_NO_LAW = -7,              /* no such route or closed form exists for this problem */
+    VM_NO_LAW = -7,              /* this problem has no such route (method of solution) or closed form */
     VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator did not reach the end */
-    VM_BAD_MOTION = -9,          /* scenes: a motion that does not exist, or on which an effect or event cannot act */
+    VM_BAD_MOTION = -9,          /* scenes: a kind of motion does not exist, or no such effect or event can act on it */
     VM_NO_SUCH_BODY = -10,       /* scenes: no body has this index */
     VM_NO_SUCH_COORDINATE = -11, /* scenes: the body has no such coordinate */
     VM_NO_SUCH_EFFECT = -12,     /* scenes: no effect has this index */
-    VM_TWO_MASS_LAWS = -13,      /* scenes: a mass has two laws, or has a law and is a state as well */
+    VM_TWO_MASS_LAWS = -13,      /* scenes: a mass has two laws, or it has a law and is a component of the state too */
     VM_BAD_ORDER = -14,          /* scenes: the law of a body's mass stands after another effect on this body */
     VM_MASS_IS_NO_STATE = -15,   /* scenes: a stream acts on a body whose mass is not a state */
     VM_TOO_MANY_EVENTS = -16,    /* scenes: events follow each other without end */
@@ -60,7 +60,7 @@ enum {
     VM_LINK_NOT_LAST = -27,      /* scenes: another effect on the body stands after its link */
     VM_STORED_STREAM = -28,      /* scenes and reactive loads: a stream comes from a store, which cannot be used here */
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
-    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: M + M'(v) (reactive v - u) is not positive for a mass law M(v) */
+    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) makes the effective mass M + M'(v) (reactive v - u) <= 0 */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
     VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
 };
@@ -68,8 +68,8 @@ enum {
 /* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
 #define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
-/* The meaning of a status as a line of text. For an error it also says, where it can, what to do. The status may be
-   any number. */
+/* The meaning of a status as a line of text. For an error the text also says, where possible, what to do. The status
+   may be any number. */
 VM_API const char *vm_strerror(int status)
 {
     switch (status) {
@@ -114,15 +114,15 @@ VM_API const char *vm_strerror(int status)
     }
 }
 
-/* Where an error stands in the order at the top of this file: a smaller number comes first. Errors that are not there
-   have the order of their numbers. */
+/* Returns the rank of an error: the error with the smaller rank is reported. The ranks follow the order at the top of
+   this file; errors that are not named there follow in the order of their numbers. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
     return 2 * -status;
 }
 
-/* Of two statuses, VM_OK or errors, the one that is returned if both apply */
+/* Returns the one of two statuses, VM_OK or errors, that a function returns if both apply. */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;

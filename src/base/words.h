@@ -1,9 +1,9 @@
 /* base/words.h - products, quotients and roots with two and three times the digits
 
    Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
-   number in three words (vmi_three, hi + mid + lo) three times. p is the number of digits of vm_real, 53 or 24 bits.
-   The error of a product, quotient or root is given relative to the result; that of a sum, relative to its larger
-   term.
+   number in three words (vmi_three, hi + mid + lo) has three times as many. p is the number of digits of vm_real, 53 or
+   24 bits. The error of a product, quotient or root is given relative to the result; that of a sum, relative to its
+   larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -15,7 +15,7 @@
 #include "real.h"
 #include "sums.h"
 
-/* Multiplying by this number and subtracting cuts a vm_real into two halves of p/2 digits each (Veltkamp). */
+/* The factor of Veltkamp's method, which splits a vm_real into two halves of p/2 digits each */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
@@ -23,9 +23,9 @@
 #endif
 
 /* Returns the exact product a b as a pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor
-   underflows. Where the processor has a fused multiply-add, this is used; elsewhere both factors are split into
-   halves, with the same result. "+ 0" makes a product a sum, so that a compiler that fuses operations cannot put the
-   unrounded product into a later sum. */
+   underflows. Where the processor has a fused multiply-add, this is used; elsewhere both factors are split into halves,
+   with the same result. Each "+ 0" makes a product a sum: a compiler that fuses operations then cannot use the
+   unrounded product in a later sum. */
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
@@ -66,21 +66,21 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of two words each; the relative error is below 2^-(2p - 4) */
+/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of two words each; the error is below 2^-(2p - 4) of the larger term */
+/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of two words each; the relative error is below 2^-(2p - 4) */
+/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -94,7 +94,7 @@ typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
-/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c| or nearly so */
+/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c|, at least approximately */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -197,7 +197,7 @@ VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * p
 /* The difference x - y of numbers in two words */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* The square root of x >= 0. Below 2^-500 (float 2^-80) the low word is lost. */
+/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word is lost. */
 VM_API vm_two vmi_two_root(vm_two x)
 {
     if (x.hi > 0) return vmi_root(x.hi, x.lo);

@@ -11,7 +11,7 @@
 #include "ode.h"
 #include "runs.h"
 
-/* Makes the continuous extension of the last step ready, if it is not. Returns a status. */
+/* Makes the continuous extension of the last step ready, if it is not ready yet. Returns a status. */
 VM_API int vmi_extend(rk45 *s)
 {
     int status = ODE_OK;

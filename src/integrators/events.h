@@ -1,9 +1,9 @@
 /* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
-   After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of them,
-   the place of the change is located to rounding. The first event that stops or restarts the run ends the step there.
-   Events whose times rounding cannot tell apart happen together. Users set the events of the options: options.h.
-   The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this sign uncertain. A place x in a
-   step is a fraction of it, from 0 to 1.
+   After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of these
+   points, the time of the change is found as exactly as rounding allows. The first event that stops or restarts the run
+   ends the step there. Events whose times rounding cannot tell apart happen together. Users set the events of the
+   options: options.h. The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this sign
+   uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
 
        double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
        rk45 s;
@@ -34,12 +34,12 @@
 
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
-/* The place of an event that does not happen in the step; all other places are from 0 to 1 */
+/* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
 #define VMI_NONE VM_C(2.0)
 
-/* After an event, g is evaluated at places close to it, so that a short excursion of g is seen: first after the
-   fraction VMI_FIRST_LOOK of the step, then at distances that grow by the factor VMI_WIDER. The side of the event may
-   stay 0 for at most the fraction VMI_QUIET of the step. */
+/* After an event, g is evaluated at short distances from it, so that a short excursion of g is seen. The first distance
+   is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor VMI_WIDER. For at most the fraction
+   VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
 #if VM_MANT_DIG > 24
 #define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
 #define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 of a step, the longest time for which a sign is uncertain */
@@ -50,8 +50,8 @@ VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 #define VMI_WIDER 8
 #endif
 
-/* Sets the side of each event at the start or the restart of a run. The side is 0 if g is 0, or if the event has just
-   happened and g is so small that rounding could decide its sign. Returns a status. */
+/* Sets the side of each event, the sign of its g, at the start or the restart of a run. The side is 0 if g is 0, or if
+   the event has just happened and g is so small that rounding could decide its sign. Returns a status. */
 VM_API int vmi_watch_events(rk45 *s)
 {
     int i;
@@ -100,7 +100,7 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real 
                                      int direction)
 {
     const vm_real relative = earlier ? VMI_EARLIER_ROUNDING : vmi_least_rtol(&s->pair);
-    const vm_real end = earlier ? 1 : x; /* weight of s->y in the size of a component */
+    const vm_real end = earlier ? 1 : x; /* weight of s->y in `size`, to which rounding is proportional */
     const vm_real rounding = (vm_real)direction * relative, golden = VM_C(0.6180339887498949);
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
     vm_real *z = vmi_part(s, VMI_Z), phase = 0;
@@ -116,8 +116,9 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real 
     return e->g(vmi_time_inside(s, x) * (1 + (vm_real)direction * VM_EPSILON), z, e->ctx);
 }
 
-/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; `earlier` is that of
-   vmi_event_value_moved. Returns 1 if g has the sign `side` there whatever rounding does, else 0. */
+/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; `earlier` has the
+   meaning that it has in vmi_event_value_moved. Returns 1 if g certainly has the sign `side` there, in spite of
+   rounding, else 0. */
 VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlier, int side)
 {
     int direction, certain = 1;
@@ -132,17 +133,17 @@ VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlie
     return certain;
 }
 
-/* Whether the event happens, by its field `direction`, when g leaves the side `side` */
+/* Whether the event, according to its field `direction`, happens when g leaves the sign `side` */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
 }
 
-/* Sets *at to a place in [a, b] at which g leaves the sign that it has at a. a and b are fractions of the last step, ga
-   and gb the values of g there. The interval is shrunk to the resolution of such fractions; the place is its right end.
-   The method is false position in the Illinois form, with bisection every third time and where g is 0 over a distance.
-   If g is 0 at the initial b, and the time there equals the time of the place, then *at becomes the initial b. Returns
-   a status. */
+/* Sets *at to a fraction of the last step between a and b at which g leaves the sign that it has at a. ga and gb are
+   the values of g at the fractions a and b. The interval is shrunk to the resolution of such fractions, and *at becomes
+   its right end. The method is false position in the Illinois form, with bisection every third time and while g stays 0
+   at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the initial
+   b. Returns a status. */
 VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
                       vm_real *at)
 {
@@ -175,9 +176,9 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 
 enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
 
-/* The place, at most `to`, at which g is evaluated next after e->from. It is the nearest of three: a point at the
-   distance *gap from `start`, the next of the points that divide the step evenly, and `to`. *gap grows with each call;
-   the points at short distances show an excursion of g that is much shorter than the step. */
+/* The fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
+   start + *gap, the next of those that divide the step evenly, and `to`. *gap is short at first and grows with each
+   call, so that an excursion of g that is much shorter than the step is seen. */
 VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
 {
     const int wanted = e->checks == 0 ? (int)VMI_CHECKS : e->checks;
@@ -186,16 +187,16 @@ VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm
     const int before = (int)(e->from * parts);
     const vm_real even = (vm_real)(before + 1) / parts;
     vm_real next = even;
-    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* rounding has made `even` the place e->from */
+    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* rounding has made `even` equal to e->from */
     next = VMI_SMALLER(next, to);
     if (start + *gap < next) next = start + *gap;
     *gap *= VMI_WIDER;
     return next;
 }
 
-/* Sets the side of the event to 0, because g has just reached or passed 0 at the place x. It stays 0 while rounding
-   could decide the sign of g, that is while |g| <= e->slack, but at most for the time e->quiet: if g has jumped,
-   e->slack is much too large. */
+/* Sets the side of the event to 0 (uncertain), because g has just reached or passed 0 at the fraction x of the step.
+   The side stays 0 while rounding could decide the sign of g, that is while |g| <= e->slack. It stays 0 at most for the
+   time e->quiet, since e->slack is much too large if g has jumped. */
 VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
 {
     vmi_weigh_rounding(s, e, x, 0, 0);
@@ -203,9 +204,9 @@ VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
     e->quiet = VMI_QUIET * VM_FABS(s->h_done);
 }
 
-/* Handles a g that has passed 0 before the place x in a direction that does not count; `side` is the sign of g at x. If
-   rounding alone could have caused this sign, the side of the event becomes 0, so that g does not make an event when
-   rounding takes it back across 0, and the result is 1. Otherwise nothing changes and the result is 0. */
+/* Handles a g that has passed 0 before the fraction x of the step in a direction that does not count. `side` is the
+   sign of g at x. If rounding alone could have caused this sign, the side of the event becomes 0 and the result is 1: g
+   must not make an event if rounding takes it back across 0. Otherwise nothing changes and the result is 0. */
 VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
 {
     ode_event look = *e;
@@ -214,9 +215,9 @@ VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
     return 1;
 }
 
-/* Evaluates g along the step from e->from to the place `to`, or to the first place at which the event happens. *at
-   becomes this place, or VMI_NONE if the event does not happen. e->from, e->side and e->quiet become those of the last
-   place. Returns a status. */
+/* Evaluates g along the step from the fraction e->from to the fraction `to`, or until the event happens. *at becomes
+   the fraction at which it happens, or VMI_NONE if it does not happen. e->from, e->side and e->quiet become those at
+   the last evaluation. Returns a status. */
 VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at)
 {
     const vm_real h = VM_FABS(s->h_done);
@@ -248,7 +249,8 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
     return ODE_OK;
 }
 
-/* Counts an event that happens at the place x, and stores its time and its state if the caller's arrays have room */
+/* Counts an event that happens at the fraction x of the step. Stores its time and state if the caller's arrays have
+   room. */
 VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
 {
     e->t = vmi_time_inside(s, x);
@@ -260,9 +262,10 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
     vmi_quieten_event(s, e, x);
 }
 
-/* Finds the first event that ends the step: *cut becomes its place and *owner its index. Both stay as they are if no
-   event ends the step. When an event is found, all remaining events are followed again up to *cut, because g at *cut
-   may show an earlier zero; the search ends when there is none. Returns a status. */
+/* Finds the first event that ends the step: *cut becomes the fraction of the step at which it happens, and *owner its
+   index. Both stay as they are if no event ends the step. When an event is found, the functions g of all remaining
+   events are followed again up to *cut, because their values at *cut may show an earlier zero. The search ends when
+   there is no earlier zero. Returns a status. */
 VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
@@ -288,8 +291,8 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
     return ODE_OK;
 }
 
-/* Counts and stores each time that an event with the action ODE_RECORD happens up to the place `to`. Returns a
-   status. */
+/* Counts and stores each time that an event with the action ODE_RECORD happens up to the fraction `to` of the step.
+   Returns a status. */
 VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 {
     for (;;) {
@@ -300,9 +303,9 @@ VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
     }
 }
 
-/* Sets e->happens to 1 if the event e happens at the place x, where the step ends, else to 0. It happens if its g has
-   changed sign up to x, or if g is so small at x that rounding decides its sign, and changes its sign just after x.
-   Events at one instant must happen together, because the change that one of them makes may keep the rest from
+/* Sets e->happens to 1 if the event e happens at the fraction x of the step, where the step ends, else to 0. It happens
+   if its g has changed sign up to x, or if g is so small at x that rounding decides its sign, and changes its sign just
+   after x. Events at one instant must happen together, because the change that one event makes may keep the others from
    happening. Returns a status. */
 VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
 {
@@ -317,12 +320,12 @@ VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
         vmi_quieten_event(s, e, x);
         return ODE_OK;
     }
-    /* x + VMI_QUIET may lie beyond the step, where the continuous extension goes on but g may be NaN */
+    /* x + VMI_QUIET may be above 1, where the step has ended: y is still defined there, but g may be NaN */
     e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
     return ODE_OK;
 }
 
-/* Ends the step at the place x: counts all events that happen there, then calls their `change` functions. Returns
+/* Ends the step at its fraction x: counts all events that happen there, then calls their `change` functions. Returns
    ODE_EVENT if one of these events stops the run, else ODE_OK. */
 VM_API int vmi_cut_step(rk45 *s, vm_real x)
 {
@@ -349,7 +352,7 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
 }
 
 /* Takes back the last step, inside which f is not finite, and makes the next step a quarter as long. Returns
-   ODE_NOT_FINITE if a step so short must not be tried, else ODE_OK. */
+   ODE_NOT_FINITE if such a short step must not be tried, else ODE_OK. */
 VM_API int vmi_take_back(rk45 *s)
 {
     vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
@@ -367,8 +370,8 @@ VM_API int vmi_take_back(rk45 *s)
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }
 
-/* Decides for each event whether it happens at the place `cut`, where the event with the index `owner` happens. Returns
-   a status. */
+/* Decides for each event whether it happens at the fraction `cut` of the step, where the event with the index `owner`
+   happens. Returns a status. */
 VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
 {
     int i, status = ODE_OK;

@@ -1,5 +1,5 @@
 /* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
-   Each pair has functions for users, which call these: rk45.h, rk87.h.
+   Users call the functions of rk45.h and rk87.h, which call the functions of this file.
 
    Tests: tests/test_adaptive.c, tests/test_events.c. */
 #ifndef VARMASS_INTEGRATORS_LOOP_H
@@ -13,8 +13,8 @@
 #include "runs.h"
 #include "steps.h"
 
-/* Does the work of rk45_init for any pair. Being inlined, it assigns f and n to s where the caller's compiler sees
-   their values and can inline f in the steps. */
+/* Does the work of rk45_init for any pair. It is inlined, so that the compiler sees the values of f and n in the caller
+   and can inline f in the steps. */
 VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                            const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -26,8 +26,8 @@ VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int 
     return status;
 }
 
-/* Forgets which events have just happened, because the run continues at another time. There the sign of g alone gives
-   the side of each event. */
+/* Forgets which events have just happened, because the run continues at another time. The side of each event is then
+   the sign of its g at this time, even if g is small. */
 VM_API void vmi_forget_events(rk45 *s)
 {
     int i;
@@ -82,8 +82,8 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
    begins anew when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
 enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
 
-/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. These states differ by h dz
-   and their derivatives by dk, and |dk|/|dz| is about h times the largest eigenvalue of the Jacobian matrix of f. */
+/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by
+   h dz and their derivatives by dk. Then |dk|/|dz| is about h times the largest eigenvalue of the Jacobian of f. */
 VM_API void vmi_look_for_stiffness(rk45 *s)
 {
     const int last = vmi_last_k(&s->pair), count = last - VMI_K;
@@ -144,8 +144,8 @@ VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_rea
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Does what comes before the step in rk45_step, for the pair whose number is `method`. *t_end becomes the last number
-   in the direction of s. Returns a status; s may go on if that is ODE_OK. */
+/* Prepares the one step of rk45_step, for the pair whose number is `method`. *t_end becomes VM_MAX, or -VM_MAX if the
+   run goes backward. Returns a status; the step may be made if it is ODE_OK. */
 VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 {
     if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
@@ -156,8 +156,8 @@ VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
     return ODE_OK;
 }
 
-/* Does what comes before the steps in rk45_solve_with, for the pair whose number is `method`. Returns a status; s may
-   go on if that is ODE_OK. */
+/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. Returns a status; the steps may be made
+   if it is ODE_OK. */
 VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
     if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;

@@ -1,6 +1,6 @@
 /* integrators/options.h - options and events of an adaptive run
-   A zeroed rk45_options means the defaults. An event is a change of sign of a function g(t, y) along a run, such as a
-   bounce, g = height.
+   An rk45_options whose fields are all 0 stands for the defaults. An event is a change of sign of a function g(t, y)
+   along a run, such as a bounce, where g is a height.
 
        ode_event touch;
        rk45_options options;
@@ -33,9 +33,9 @@ enum {
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
-    int direction; /* the changes of sign of g, along the run, that count: > 0 rising ones, < 0 falling ones, 0 both */
+    int direction; /* which changes of sign of g count, along the run: > 0 from - to +, < 0 from + to -, 0 both */
     int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
-    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0 means 3, negative 0 */
+    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0 means 3, < 0 none */
     /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
        depends. */
     void (*change)(vm_real t, vm_real *y, void *ctx);
@@ -57,7 +57,7 @@ typedef struct VM_TAG(ode_event) {
 typedef struct VM_TAG(rk45_options) {
     vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
     vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
-    vm_real h0;               /* size of the first step; by default from f. Its sign is the direction of rk45_step. */
+    vm_real h0;               /* size of the first step; 0: chosen from f. Its sign is the direction of rk45_step. */
     vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
     vm_real h_max;            /* size of the longest step; the default is no limit */
     long max_steps;           /* attempts in a call of rk45_solve; the default is 1000000, negative means no limit */

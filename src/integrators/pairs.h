@@ -3,9 +3,9 @@
 
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
-   and estimates the error by another sum of the k_i. A file for each pair has its coefficients and its descriptor, a
-   vmi_rk_pair, with all that an adaptive run needs to know of it, and its public functions: rk45.h, rk87.h. To
-   add a pair, write such a file and include it in src/integrators.h.
+   and estimates the error by another sum of the k_i. For each pair there is a file with its public functions, its
+   coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a vmi_rk_pair, holds all that an adaptive run needs
+   to know of the pair. To add a pair, write such a file and include it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -37,11 +37,11 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage is f at the new state, k_1 of the next step; 0: the run evaluates that */
+    int last_is_first;    /* 1: the last stage is f at the new state, k_1 of the next step; 0: the run evaluates k_1 */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
-    int rounding;         /* bound of the rounding error in a step, relative to y, in VM_EPSILON: the least rtol */
+    int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
-    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of the Jacobian of f is larger */
+    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of the Jacobian of f exceeds this */
     /* Two stages, or the last stage and the new state, evaluate f at t + h. Returns the weight of k_{j+1} in the
        difference of these two states, divided by h. */
     vm_real (*end_difference)(int j);
@@ -52,8 +52,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* A pair as the loop over the steps takes it. It is a constant of the call, and so the compiler inlines both functions
-   into the loop. They are no part of vmi_rk_pair, which each run holds: there they would be compiled a second time. */
+/* What the loop over the steps needs to know of a pair. The call of the loop gets it as a constant, so that the
+   compiler inlines both functions into the loop. The functions are no part of vmi_rk_pair, which each run holds,
+   because they would then be compiled a second time. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -75,8 +76,8 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* Linkage of the loop over the steps of one pair. It is inlined where it is to be fast, and never where it is to be
-   short: there one copy for any n is enough. */
+/* Linkage of the loop over the steps of one pair. The loop is inlined, in order to be fast, but not if the compiler
+   optimises for size: then one copy for any n is enough. */
 #ifdef __OPTIMIZE_SIZE__
 #define VMI_LOOP VMI_APART
 #else
@@ -89,8 +90,8 @@ VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages
 /* The least rtol that a run by this pair accepts */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
-/* For the stages of a pair: VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h is
-   multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
+/* Macros for the stages of a pair. VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h
+   is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
    between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
@@ -103,11 +104,11 @@ VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pai
 
 #define VMI_LARGER(a, b) ((a) > (b) ? (a) : (b))
 #define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
-#define VMI_WORST VM_C(1e4) /* a larger ratio of an error to its tolerance counts as this one */
+#define VMI_WORST VM_C(1e4) /* a ratio of an error to its tolerance above this number counts as this number */
 
-/* Enters the error e of component i, whose value is y before the step and z after it. *worst becomes the largest ratio
-   of an error to its tolerance so far. *bad becomes NaN if e or z is not finite, since infinity minus infinity is
-   NaN. */
+/* Takes the error e of component i into account; the component is y before the step and z after it. *worst becomes the
+   largest ratio of an error to its tolerance so far. *bad becomes NaN if e or z is not finite, since infinity minus
+   infinity is NaN. */
 VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_real z, vm_real *worst, vm_real *bad)
 {
     const vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y), VM_FABS(z)));

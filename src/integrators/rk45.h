@@ -1,7 +1,7 @@
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
    Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4 takes none. It is the pair to begin with, and the better one in
-   float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
+   evaluations of f. The continuous extension of order 4 takes no further evaluation. rk45 is the pair to begin with,
+   and the better one in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -23,8 +23,8 @@
 
 enum { VMI_RK45 = 45 }; /* the number of this pair */
 
-/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy
-   the order conditions to 2e-14. */
+/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy the order conditions to
+   2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -125,7 +125,7 @@ VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
     return pair;
 }
 
-/* Steps of rk45 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+/* Makes steps of rk45 to t_end, or only one if `single` is not 0. f and n are those of s. Returns a status. */
 VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 {
     vmi_rk_stepper stepper;

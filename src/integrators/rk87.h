@@ -1,7 +1,7 @@
 /* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
    Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
-   f in each step in which it is used. The coefficients of the pair are up to 123, so that its roundings are larger than
-   those of rk45. It is the pair for a smooth f in double and small errors.
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
+   larger than those of rk45. rk87 is the pair for a smooth f in double and small errors.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_H
@@ -124,9 +124,9 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
    The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: its weights before the jump add up
    to 4e-4 at most, while the error is a quarter of the jump. The weights used here, of order 5, add up to 0.1, -0.17 or
-   0.25. If f is smooth, their sum `seen` is much smaller than `change`, the change of f along the step. The result
-   seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
-   loose. */
+   0.25. If f is smooth, the weighted sum `seen` of the k is much smaller than `change`, the change of f along the step.
+   The result seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance
+   is loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
@@ -159,8 +159,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. For both states f is
-   evaluated at the end of the step. */
+/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. The run evaluates f
+   for both states at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -294,7 +294,7 @@ VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
     const int count = VMI_RK87_OWN + VMI_RK87_EXTRA;
     const vm_real u = 1 - x;
-    vm_real powers[8], power = x; /* powers[i] is u^i, and power is x^(i + 1) */
+    vm_real powers[8], power = x; /* powers[i] is (1 - x)^i, and power is x^(i + 1) */
     int i, j;
     powers[0] = 1;
     for (i = 1; i < 8; i++) powers[i] = powers[i - 1] * u;
@@ -333,7 +333,7 @@ VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
     return pair;
 }
 
-/* Steps of rk87 to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+/* Makes steps of rk87 to t_end, or only one if `single` is not 0. f and n are those of s. Returns a status. */
 VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 {
     vmi_rk_stepper stepper;

@@ -43,7 +43,7 @@ typedef struct VM_TAG(rk45) {
     long next_miss;        /* value of `steps` from which on a step of the smallest size may miss the tolerance again */
     int stiff_wait;        /* number of steps until the next test of stiffness */
     int stiff_hits;        /* number of tests that found stiffness since VMI_STIFF_MISSES tests in a row found none */
-    int stiff_misses;      /* number of tests since the last one that found stiffness */
+    int stiff_misses;      /* number of tests since the last test that found stiffness */
 } rk45;
 
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the previous step's last k */
@@ -109,7 +109,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
 }
 
 /* Computes y = y_old + h (b[0] k_1 + b[1] k_2 + ...), a sum of `count` terms. The weights b add up to x, so that the
-   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have less rounding. */
+   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have smaller rounding errors. */
 VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
 {
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);

@@ -1,6 +1,6 @@
 /* integrators/steps.h - steps of an adaptive run and the control of their size
-   vmi_advance is the loop over the steps. It is specialised at compile time for a pair and, where the compiler knows
-   that n is small, for n and f too. The manual of integrators.h has the rules of step size control.
+   vmi_advance is the loop over the steps. The compiler specialises it for a pair and, where it knows that n is small,
+   for n and f too. The manual of integrators.h has the rules of step size control.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_STEPS_H
@@ -89,9 +89,10 @@ VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - 
 /* The direction of the run to t_end: 1 forward, -1 backward */
 VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
 
-/* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is at most 10, and else
+/* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is the
+   smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
-   where error is the error of this step divided by its tolerance, and error_before that of the step before. */
+   where error is the error of this step divided by its tolerance, and error_before that of the previous step. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
     const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
@@ -183,7 +184,7 @@ typedef struct VM_TAG(vmi_trial) {
 
 /* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that the type can hold.
    A step for which the change would be larger is so short that it ends between two such times, and t_low is then not 0.
-   So t does not drift away from the motion. */
+   In this way t does not drift away from the motion. */
 #define VMI_LANDING VM_C(0.015625)
 #define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
 
@@ -215,8 +216,8 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* The number of steps that must keep the tolerance between two steps that may miss it. Behind a jump of f there are
-   such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
+/* The number of steps that must keep the tolerance between two steps that may miss it. After a jump of f there are
+   three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Takes back the last accepted step, which missed the tolerance */
@@ -234,8 +235,8 @@ VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 }
 
 /* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
-   a shorter step can be tried. Otherwise returns the status with which the run ends, after taking back the step before
-   if that step missed the tolerance too. */
+   a shorter step can be tried. Otherwise returns the status with which the run ends. If the previous step missed the
+   tolerance too, it is taken back. */
 VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
@@ -250,7 +251,7 @@ VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_
 
 /* Replaces the state after a step of the smallest size in which f jumps. The weights of the stages have both signs, so
    that their sum may lead far away from the jump. Therefore each component is continued with the mean of the smallest
-   and the largest of its derivatives in the stages, whose error is at most half the jump. */
+   and the largest of its derivatives in the stages. The error of this mean is at most half the jump. */
 VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -269,9 +270,9 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 }
 
 #define VMI_KEEP_TO VM_C(0.75)     /* the step size may stay after an error below this fraction of the tolerance */
-#define VMI_LEAST_ERROR VM_C(1e-8) /* a smaller ratio of an error to its tolerance counts as this one */
+#define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
 
-/* Chooses the size of the step after an accepted one. It stays the same if the error is between keep_from and
+/* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
    VMI_KEEP_TO times the tolerance. The processor can predict this branch and begin the next step before the error is
    known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
@@ -295,7 +296,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* apart from p, so that make_stages does not get the address of p */
+    long evals = 0; /* a variable of its own, so that make_stages does not get the address of p */
     int status;
     for (;;) {
         vmi_trial trial;

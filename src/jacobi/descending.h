@@ -16,10 +16,11 @@
 #include "../base/words.h"
 #include "agm.h"
 
-/* Goes back through the steps of the mean by Gauss' transformation, from the sine and cosine of the phase a_n u. The
-   functions are quotients, sn : cn : dn : 1 = s : c : d : q. One step turns s, c, d, q into
-     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a+ = a_(n+1).
-   No subtraction occurs, also for m < 0. */
+/* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation, beginning with the sine and
+   cosine of the phase a_n u. The functions are quotients of four numbers, sn : cn : dn : 1 = s : c : d : q. One step
+   turns s, c, d, q into
+     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a = a_n, b = b_n, a+ = a_(n+1).
+   No subtraction occurs, not even for m < 0. */
 VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
 {
     int n;
@@ -35,10 +36,10 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
-/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one)
-   cost less and are less accurate. With steps >= 15 it takes as many steps as the type needs; the error then is at
-   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|, since the argument is reduced
-   by pi/2 and not by K. The results are NaN for m >= 1 and for infinite arguments. */
+/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one) cost
+   less and are less accurate. With steps >= 15 the function takes as many steps as the type needs; the error is then at
+   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|, since the phase a_n u is
+   reduced by pi/2, instead of u by K. The results are NaN for m >= 1 and for infinite arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();

@@ -19,11 +19,11 @@
 #include "reduction.h"
 #include "theta.h"
 
-/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN if u or m is refused. dn
-   lies between 1 and *bound. Near 0 neither K nor k' is needed. */
+/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN if u or m lies outside the
+   domain. dn lies between 1 and *bound. For a small |u| neither K nor k' is needed. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
-    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* (2u/K)^2, roughly */
+    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* about (2u/K)^2 */
     vm_real v, v_lo;
     vmi_bits quarters;
     vmi_thetas theta;
@@ -44,14 +44,14 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     vm_real bound;
     const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
-    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less than cn (1/n) */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* has one rounding less than theta.c (1/theta.n) */
 }
 
 /* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies
    between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 8 ulp for
-   |u| <= 100 K, next to the zeros too, and 4 eps times the largest value for |u| <= 1e9 (float 1e4). The results are
-   NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for infinite u.
-   docs/cost.md has the time. DLMF 22. */
+   |u| <= 100 K, next to the zeros too, and at most 4 eps times the function's largest value for |u| <= 1e9 (float 1e4).
+   The results are NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for
+   infinite u. docs/cost.md has the time. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -74,7 +74,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* The quotient pq = theta_p/theta_q. For m = 1 both may have underflowed to one number: then the quotient is 1. */
+/* The quotient pq = theta_p/theta_q. For m = 1 both theta functions may underflow to the same number: then the quotient
+   is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;

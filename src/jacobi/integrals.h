@@ -18,7 +18,7 @@
 #include "../base/words.h"
 #include "agm.h"
 
-/* Is 1 for an m1 = 1 - m for which K and E are computed by series, 0 where they are computed by logarithms. */
+/* Is 1 if K and E are computed by series for this m1 = 1 - m, and 0 if they are computed by logarithms. */
 #define VMI_MIDDLE(m1) ((m1) > VM_C(0.029) && (m1) < VM_C(34.5))
 
 /* Returns ln(4/k') for m1 < 1 and ln(4 k') for m1 > 1 in two words, where k'^2 = m1 + m1_lo. */
@@ -87,9 +87,9 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* Returns the series S(x) in K = pi/(1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.0295. The error of x S
-   is 2^-60 (float 2^-31). A step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'), brings
-   every m1 of VMI_MIDDLE into this range. */
+/* Returns the series S(x) in K = pi/(1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.0295. The error of x S is
+   2^-60 (float 2^-31). A step of the arithmetic-geometric mean replaces k' by 2 sqrt(k')/(1 + k'). It makes x small
+   enough for every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -126,8 +126,8 @@ VM_API vm_real vmi_E_series(vm_real x)
 #endif
 }
 
-/* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) holds, it takes two steps of the arithmetic-geometric mean
-   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m near 1 it takes
+/* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
+   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m near 1 it comes from
    logarithms, and for m < -33.5 too, since k' K(m) = K(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
@@ -142,15 +142,15 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
-    K = vmi_K_by_log(vmi_smaller(m1, 1 / m1), vmi_log_4(m1, m1_lo));
+    K = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo));
     if (m1 < 1) return K.hi;
     root = vmi_root(m1, m1_lo);
     quotient = K.hi / root.hi;
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* Returns E for 1 - m = m1 + m1_lo: where VMI_MIDDLE(m1) holds by the series, for m near 1 by logarithms, for
-   m < -33.5 by E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
+/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from the series, for m near 1 from logarithms,
+   and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -159,7 +159,7 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real kp_lo = m1_lo * VM_C(0.09); /* m1_lo/(2 k') for m < -15; for other m it is too small to matter */
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k', m1_lo/(2 k') for m < -15; else negligible */
         const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }

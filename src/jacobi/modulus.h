@@ -28,7 +28,7 @@ VM_API vm_real vmi_theta_loss(vm_real q)
 /* A parameter m, given by a nome q */
 typedef struct VM_TAG(vmi_solution) {
     int circular;        /* 1 if q is the nome of m, else 0 */
-    int upside;          /* counts if circular is 0: q is the nome of 1 - m (upside = 0) or of 1/(1 - m) (1) */
+    int upside;          /* used if circular is 0: 0 if q is the nome of 1 - m, 1 if q is that of 1/(1 - m) */
     vm_real q, L, L_lo;  /* the nome q, which is exp(-L - L_lo) if circular is 0 */
 } vmi_solution;
 
@@ -37,7 +37,7 @@ typedef struct VM_TAG(vmi_solution) {
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
-    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* 1 - theta_4(q)^2 */
+    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* less = 1 - theta_4(q)^2 */
     const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4(q))/2 = q - q^4 + q^9 */
     vm_real q = start;
     int i;
@@ -49,8 +49,8 @@ VM_API vm_real vmi_solve_middle(vm_real c)
 /* After a step of Newton's method that is shorter than this number, the error is below eps. */
 #define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
-/* Finds L = -ln q with K = L theta_3(q)^2/2 = c, for c >= K(1/2). Newton's method for lambda = 2c - L = 2c
-   (1 - theta_3^-2), 0 <= lambda < 0.57, starts at 0 and needs at most seven steps. */
+/* Finds L = -ln q with K = L theta_3(q)^2/2 = c, for c >= K(1/2). The unknown is lambda = 2c - L = 2c (1 - theta_3^-2),
+   between 0 and 0.57. Newton's method starts at lambda = 0 and needs at most seven steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -102,7 +102,7 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
    earlier), so that every such c gives the result of c = 1000. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
-    const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1), K(1/2) */
+    const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1) and K(1/2) */
     vmi_solution s;
     if (c > 1000) c = 1000;
     s.circular = c >= least && c <= most;
@@ -119,8 +119,8 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where they do
-   not. */
+/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where these
+   numbers do not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {
     const vm_two ln2 = vmi_log(2);
@@ -142,7 +142,7 @@ VM_API vm_real vmi_solution_m(const vmi_solution *s)
 }
 
 /* The parameter m whose k' K(m) is c, for c >= 0: solves equation (307). m is negative for c > pi/2, and 1 for c = 0.
-   The error is at most 4 ulp plus the change of m by one ulp of c. Returns NaN for c < 0 and infinite c. */
+   The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK(vm_real c)
 {
     vmi_solution s;
@@ -153,7 +153,7 @@ VM_API vm_real jacobi_solve_kpK(vm_real c)
 }
 
 /* The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits. The error is at most 4 ulp plus the
-   change of 1 - m by one ulp of c. Returns NaN for c < 0 and infinite c. */
+   change of 1 - m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
 {
     vmi_solution s;
@@ -174,9 +174,9 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K.
-   m is negative for c < pi/2, and -infinity for c = 0. The error is at most 4 ulp plus the change of m by one ulp of
-   c. Returns NaN for c < 0 and infinite c. */
+/* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K. m is negative for c < pi/2, and
+   -infinity for c = 0. The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0
+   and infinite c. */
 VM_API vm_real jacobi_solve_K(vm_real c)
 {
     vmi_solution s;

@@ -1,8 +1,8 @@
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
-   A plan holds what depends on m alone: the quarter period in pieces, and polynomials that replace the series. A call
-   with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md has the times).
-   A plan is plain data: it may be copied, and it may be a constant in flash.
+   A plan holds what depends on m alone: the quarter period as a sum of short numbers, and polynomials that replace the
+   series. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md
+   has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -23,11 +23,11 @@
 #include "reduction.h"
 #include "theta.h"
 
-/* One parameter m, prepared by jacobi_plan_init. Fields that the form does not use are 0. */
+/* One parameter m, prepared by jacobi_plan_init. Fields that the form (the method for this m) does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
-    int form;            /* VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
+    int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
-    vm_real K[4], per_K; /* quarter period as three short pieces and a last word, and 1/K (0 at m = 1) */
+    vm_real K[4], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, see vmi_plan_prepare */
     vmi_theta_form theta;               /* its field kp = k' is set in every form */
 } jacobi_plan;
@@ -48,17 +48,17 @@ VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
    eps/500 at u = K/2. */
 enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 };
 
-/* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by one of degree VMI_TERMS for
-   0 <= t <= 1. Each step removes the highest power: it subtracts a multiple of Chebyshev's polynomial of that
-   degree. */
+/* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by a polynomial of degree VMI_TERMS
+   that is close to it for 0 <= t <= 1. Each step removes the highest power: it subtracts a multiple of Chebyshev's
+   polynomial of the same degree. */
 VM_API void vmi_shorten(vm_real *c)
 {
     int n;
     for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Computes p->a and p->b for |v| <= longest: the coefficients in powers of v^2, without the first one, 1, of
-   w^2 cs^2(w) and of -theta^2 d(cs^2)/d theta, where w = v/2 and theta = w^2. */
+/* Computes the coefficients p->a of w^2 cs^2(w) and p->b of -theta^2 d(cs^2)/d theta in powers of v^2, where w = v/2
+   and theta = w^2, for |v| <= longest. The constant coefficients are 1 and are not stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -117,8 +117,8 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
    Domain and result are those of jacobi_plan_init; m1 keeps its digits where m is close to 1. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
 
-/* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication (compare
-   vmi_theta_near). theta_s is v times the second polynomial, since the derivative of sc^2 is 2 sc nc dc. */
+/* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
+   (compare vmi_theta_near). theta_s is v times the second polynomial, since the derivative of sc^2 is 2 sc nc dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -143,7 +143,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* a NaN is still in v.lo */
+        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* removes a NaN, but v.lo keeps it */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
@@ -151,7 +151,8 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* Returns u minus the nearest multiple of K, for u >= 0 that is too long for K in pieces; for m = 1, u itself. */
+/* Returns u minus the nearest multiple of K, for a u that is too large for vmi_reduce_pieces. For m = 1 returns u
+   itself. */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
@@ -207,9 +208,9 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
-/* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements
-   each and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
-   multiplications and additions, the last bits may depend on the place in the array. docs/cost.md has the time. */
+/* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
+   and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
+   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {

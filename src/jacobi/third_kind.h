@@ -49,7 +49,7 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* The complete integral of the third kind, Pi(-N | m), in proportion to K(m) */
+/* The complete integral of the third kind, Pi(-N | m), as its quotient with K(m) */
 typedef struct VM_TAG(vmi_third_kind) {
     vm_two mean;  /* agm(1, k') = pi/(2K) */
     vm_two ratio; /* Pi(-N | m)/K(m) */
@@ -60,15 +60,15 @@ typedef struct VM_TAG(vmi_third_kind) {
    below = 1/(1 + N). With p = sqrt(1 + N) and the numbers a, g of the arithmetic-geometric mean (DLMF 19.8.6-7),
    starting with Q = 1, each step is
      e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2.
-   sum Q = 2 - sum Q (1 - e), so that ratio = Pi/K and rest = 1 - Pi/K are both sums of positive terms and accurate
-   for any N. */
+   Since sum Q = 2 - sum Q (1 - e), both ratio = Pi/K and rest = 1 - Pi/K are sums of positive terms. Therefore they are
+   accurate for any N. */
 VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* takes 5 to 10 steps, and one more for each binary digit of p */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -108,21 +108,21 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* theta_4(z + i zy), up to a real factor, with the nome Q = q^2 of the doubled lattice, z = pi u/(2K),
-   zy = pi y/(2K), 0 <= y < K', where K' is K(1 - m). A torque-free body turns at a mean rate and, in addition, by a
-   periodic angle, which is the angle of this complex number. There are two forms. The direct form is used for
-   K <= 2K', so that Q <= exp(-pi):
+/* The complex number theta_4(z + i zy), up to a real factor. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K',
+   where K' is K(1 - m). The nome is Q = q^2 (doubled lattice), where q is the nome of m. The angle of this number is
+   the periodic part of the angle by which a torque-free body turns. There are two forms.
+   The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)).
-   For larger K Jacobi's transformation is used, with Qd = exp(-pi K/(2K')) < exp(-pi), |u| <= K,
-   v = (2n + 1) pi/(4K'):
+   The transformed form, by Jacobi's transformation, is used for larger K. With Qd = exp(-pi K/(2K')) < exp(-pi),
+   v = (2n + 1) pi/(4K') and |u| <= K it is
      e^(-i pi u y/(4KK')) times the sum over n >= 0 of
      Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')).
-   In both forms four terms leave an error of 1e-19. The sums are stored as polynomials, in cos 2z for the direct form
-   and in exp(+-pi |u|/(2K')) for the transformed one. */
+   In both forms four terms leave an error of 1e-19. The sums are stored as polynomials: in cos 2z in the direct form,
+   in exp(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
     vm_real decay; /* rate of the exponential per x = u/(4K) in the transformed form; 0 in the direct form */
-    vm_real shift; /* turns per x of the factor e^(-i pi u y/(4KK')) */
+    vm_real shift; /* the factor e^(-i pi u y/(4KK')) turns by shift x turns */
     vm_real Q;     /* the nome Qd; 0 in the direct form */
     vm_real re[4], im[4];
 } vmi_doubled_theta;

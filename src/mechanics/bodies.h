@@ -19,16 +19,16 @@
 typedef struct VM_TAG(vm_body) {
     vm_real mass;       /* mass > 0, kg */
     vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
-    vm_quat q;          /* attitude: turns body axes into inertial ones; of any length; four zeros: the identity */
+    vm_quat q;          /* attitude: turns body axes into inertial ones; any length; four zeros mean the identity */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
-    vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
+    vm_vec3 v;          /* velocity, defined as momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
-/* An impulse that acts on a body during an instant; inertial axes */
+/* An impulse that acts on a body at an instant. All vectors are along inertial axes. */
 typedef struct VM_TAG(vm_impulse) {
     vm_vec3 linear; /* the impulse of forces, N s */
-    vm_vec3 couple; /* an impulsive moment in addition to the moment of `linear`, N m s */
+    vm_vec3 couple; /* an impulsive couple in addition to the moment of `linear`, N m s */
     vm_vec3 at;     /* the point at which `linear` acts, m */
 } vm_impulse;
 
@@ -42,22 +42,23 @@ typedef struct VM_TAG(vm_body2) {
     vm_real omega;   /* angular velocity, rad/s, anticlockwise */
 } vm_body2;
 
-/* An impulse that acts on a body of the plane during an instant */
+/* An impulse that acts at an instant on a body that moves in the plane */
 typedef struct VM_TAG(vm_impulse2) {
     vm_real jx, jy; /* the impulse of forces, N s */
-    vm_real couple; /* an impulsive moment in addition to the moment of jx, jy, N m s, anticlockwise */
+    vm_real couple; /* an impulsive couple in addition to the moment of jx, jy, N m s, anticlockwise */
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* Balance across an instant: what some bodies have after it less what they had before it. The two momenta are also
-   less what an impulse gave the bodies. */
+/* Balance across an instant: the momentum, angular momentum and energy of some bodies after it less those before it.
+   The impulse that acted on the bodies is subtracted from the two momenta. They are then zero except for rounding
+   errors if the bodies obey the laws of mechanics. */
 typedef struct VM_TAG(vm_balance) {
-    vm_vec3 momentum;               /* momentum, N s: (6) with (20), (21); zero except for rounding errors */
-    vm_vec3 angular_momentum;       /* angular momentum about a point, N m s: (12), (17) with (22); likewise zero */
-    vm_real momentum_scale;         /* sum of mass times speed of all bodies, plus the size of the impulse, N s */
+    vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
+    vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
+    vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
     /* The sum over all bodies of tr(I) |omega| + (|r| + |r - about|) M |v|, with inertia I, mass M and the point
-       `about`, plus the share of the impulse, N m s. It contains |r|, because the rounding error eps |r| of a
-       position changes the angular momentum about any point by eps |r| M |v|. */
+       `about`, plus a term for the impulse, N m s. |r| is in it because the rounding error eps |r| of a position
+       changes the angular momentum about any point by eps |r| M |v|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -98,8 +99,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- the plane as a part of space ---- */
 
-/* Converts a body of the plane to a body of space. Of its inertia only zz is set, which is all that motion in the
-   plane needs. */
+/* Converts a body of the plane to a body of space. Only the entry zz of its inertia is set, because motion in the plane
+   needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -111,7 +112,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* The body of the plane that has the mass, position and motion of b, its inertia.zz, and the given angle */
+/* Converts a body of space to a body of the plane: its mass, position, motion, inertia.zz, and the given angle */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -162,7 +163,7 @@ VM_API int vmi_check_body2(const vm_body2 *b)
     return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* An array of n bodies, either of space or of the plane. The pointer for the other kind of body is NULL. */
+/* An array of n bodies, either of space or of the plane. One of the two pointers is NULL. */
 typedef struct VM_TAG(vmi_bodies) {
     int n;
     const vm_body *in_space;
@@ -194,8 +195,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* Returns VM_OK if all bodies are valid, else that error of a body which comes first in the order of
-   vmi_first_error. Returns VM_BAD_ARGUMENT for n < 0 and for n > 0 without an array. */
+/* Returns VM_OK if all bodies are valid. Else returns the error of a body. If there are several errors, vmi_first_error
+   selects one. Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -244,11 +245,11 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
-/* Balance of momentum, angular momentum and energy across an instant. *balance is what the n_after bodies have less
-   what the n_before bodies had, and less the impulse, where one acted, (4)-(6), (10)-(12). If nothing was lost, the
-   changes of momentum and of angular momentum about any point are zero except for some eps of their scales. Either
-   side may have any number of bodies, or none. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null
-   pointer or a negative number of bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
+/* Balance of momentum, angular momentum and energy across an instant. *balance has the sums over the n_after bodies
+   less those over the n_before bodies, less the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
+   momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
+   bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
+   bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {

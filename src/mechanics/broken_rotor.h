@@ -1,10 +1,10 @@
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
-   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is
-   damped viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the
-   distance s from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form
-   (75), and the break (52)-(64), in corrected form. The motion of the rotor is in mechanics/broken_rotor_motion.h,
-   the stability of the remainder's steady motion in mechanics/broken_rotor_stability.h.
+   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is damped
+   viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the distance s
+   from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form (75), and the
+   break (52)-(64), corrected as in docs/errata.md. The motion of the rotor is in mechanics/broken_rotor_motion.h, and
+   the stability of the remainder's steady motion is in mechanics/broken_rotor_stability.h.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
@@ -24,8 +24,8 @@
 #include "../base/real.h"
 #include "../base/status.h"
 
-/* The rotor. (67) writes omega^2 for stiffness/mass, p^2 for mass/inertia, k* for damping/inertia and M* for
-   torque/inertia. */
+/* The rotor. The formulas use the abbreviations (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
+   k* = damping/inertia, M* = torque/inertia. */
 typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* mass M > 0, kg */
     vm_real inertia;   /* inertia I > 0 about the rotor's own mass centre, kg m^2 */
@@ -35,16 +35,17 @@ typedef struct VM_TAG(vm_broken_rotor) {
     vm_real s;         /* distance from the mass centre to the shaft, in the direction of the angle psi, m */
 } vm_broken_rotor;
 
-/* Where the states of a rotor stand in y, and how many there are */
+/* Indices of the states of a rotor in the array y, and the number of states */
 enum {
-    VM_BROKEN_ROTOR_X = 0,     /* mass centre from the rest position of the shaft, 2 numbers x, y, m */
+    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, from the rest position of the shaft, m */
     VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, rad */
-    VM_BROKEN_ROTOR_V = 3,     /* velocity of the mass centre, 2 numbers, m/s */
+    VM_BROKEN_ROTOR_V = 3,     /* velocity x', y' of the mass centre, m/s */
     VM_BROKEN_ROTOR_OMEGA = 5, /* angular velocity psi', rad/s */
     VM_BROKEN_ROTOR_STATES = 6
 };
 
-/* Where the states in polar form stand. The angle psi and its rate stand at VM_BROKEN_ROTOR_ANGLE and _OMEGA. */
+/* Indices of the states in polar form. The angle psi and its rate have the indices VM_BROKEN_ROTOR_ANGLE and
+   VM_BROKEN_ROTOR_OMEGA. */
 enum {
     VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 of the mass centre from the rest position of the shaft, m */
     VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the direction to the mass centre, rad */
@@ -55,37 +56,40 @@ enum {
 /* The piece that breaks off. S is the mass centre of the whole, S2 that of the piece, and A the point at which the
    whole touches the stator. */
 typedef struct VM_TAG(vm_broken_rotor_piece) {
-    vm_real mass;     /* mass m of the piece, kg, 0 < m < M with the mass M of the whole */
+    vm_real mass;     /* mass m of the piece, kg; 0 < m < M, where M is the mass of the whole */
     vm_real inertia;  /* inertia I_S2 >= 0 of the piece about its mass centre S2, kg m^2 */
-    vm_real distance; /* distance SS2 of the mass centres, m */
-    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17: S2 at -alpha from SA) */
-    vm_real radius;   /* distance SA of the point of contact, called R in the formulas, m */
+    vm_real distance; /* distance SS2 between the mass centres S and S2, m */
+    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17) */
+    vm_real radius;   /* distance SA of the point of contact A, called R in the formulas, m */
     vm_real contact;  /* direction angle of SA in inertial axes, rad */
 } vm_broken_rotor_piece;
 
-/* The break, (52)-(64) corrected, in the letters of vm_broken_rotor_piece. The touched point A of the piece keeps its
-   velocity, and S2 loses its velocity across S2A (57). This is an assumption of [1]; all else follows from momentum
-   and angular momentum. */
+/* The break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of vm_broken_rotor_piece, and S1 is
+   the mass centre of the remainder. [1] assumes in (57): the point A of the piece keeps its velocity, and the component
+   of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
-    vm_broken_rotor rest; /* the remainder: its mass, inertia and s = m SS2/(M - m); stiffness, damping and torque are
-                             those of the whole */
+    vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
+                             and torque are those of the whole */
     /* The state of the remainder. Its angle psi is the direction from its mass centre S1 to the shaft, which is the
-       direction of SS2. Its angular velocity is Omega_b, that of the whole, plus Omega_r1 [(59), (64) corrected] */
+       direction of SS2. Its angular velocity is that of the whole, Omega_b, plus spin_rest [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
-    vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its psi is that of the rest */
+    vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
     vm_real dragging;                      /* speed v_S2d of S2 before the break (52), (61), m/s */
-    vm_real gamma;                         /* angle of S2's velocity from SA (52), (60), rad; also if S moves */
-    vm_real beta;                          /* angle of S2A from SA, rad [(56) corrected]:
+    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; it is
+                                              right also if S moves */
+    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
     vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
-    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity across S2A,
-                                              counterclockwise, m/s [(55) with the opposite sign] */
-    vm_real spin_piece;                    /* the piece's spin relative to the whole, rad/s:
+    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity before the break,
+                                              perpendicular to S2A, m/s; T > 0 is counterclockwise, unlike (55) */
+    vm_real spin_piece;                    /* Omega_r, the angular velocity of the piece relative to the whole, rad/s:
                                               Omega_r = T/AS2 (57), (63) */
-    vm_real spin_rest;                     /* Omega_r1, the rest's spin relative to the whole, rad/s [(58) corrected]:
-                                              I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T, v_T: velocity T */
-    vm_real stop_inertia;                  /* the I_S2 with which the rest would not turn, kg m^2, if there is one; it
-                                              is I_S (R - SS2)/R for alpha = 0 [after (64), corrected] */
+    vm_real spin_rest;                     /* Omega_r1, angular velocity of the remainder relative to the whole, rad/s:
+                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where the
+                                              vector v_T has the component T [(58) corrected] */
+    vm_real stop_inertia;                  /* the I_S2 for which the remainder would not turn, kg m^2. If it is < 0 or
+                                              not finite, there is none. For alpha = 0 it is I_S (R - SS2)/R
+                                              [after (64), corrected] */
 } vm_broken_rotor_break;
 
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
@@ -150,8 +154,8 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
 }
 
 /* Polar states {r, phi, psi, r', phi', psi'} of a rotor from its states in x and y.
-   polar may be y. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and VM_OK
-   otherwise. */
+   The array polar may be y itself. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and
+   VM_OK otherwise. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
     vm_real p[VM_BROKEN_ROTOR_STATES], x0, y0, vx, vy, radius, c, s;
@@ -175,11 +179,11 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 }
 
 /* States {x, y, psi, x', y', psi'} of a rotor from its polar states.
-   y may be polar. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is not positive, and
-   VM_OK otherwise. */
+   The array y may be polar itself. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is not
+   positive, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
-    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: velocity r', r phi' */
+    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* velocities: along = r', across = r phi' */
     if (!y || !polar) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, polar)) return VM_NOT_FINITE;
     radius = polar[VM_BROKEN_ROTOR_RADIUS];
@@ -229,8 +233,8 @@ VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cos
     return b;
 }
 
-/* Sets the state of a body with the angle psi, whose mass centre is at (dx, dy) from S and which moves relative to
-   the whole with the velocity (ux, uy) and the given spin. `before` is the state of the whole. */
+/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S.
+   Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose state is `before`. */
 VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                                    vm_real spin, vm_real *state)
 {
@@ -243,8 +247,8 @@ VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real d
     state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
 }
 
-/* Sets mass, inertia and eccentricity s of the rest. Returns VM_BAD_INERTIA if the inertia is negative or lost in
-   rounding errors, else VM_OK. */
+/* Sets mass, inertia and eccentricity s of the remainder. Returns VM_BAD_INERTIA if its inertia is negative or not
+   larger than rounding errors, else VM_OK. */
 VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
@@ -257,7 +261,8 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
 }
 
 /* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
-   distance AS2. Vectors are in axes along SA and counterclockwise across it: d = SS2, and v is the velocity of S. */
+   distance AS2. d is the vector SS2, and v is the velocity of S before the break. The x axis of all vectors is along
+   SA, and the y axis is 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
@@ -265,7 +270,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
     const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
     const vm_real reduced = p->mass / b->rest.mass * whole->mass;
     const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T, where v_T is the velocity T across S2A */
+    vm_real moment; /* SS2 x v_T, with the velocity v_T of size T perpendicular to S2A */
     e->x = reach_x / reach;
     e->y = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);
@@ -284,8 +289,8 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole at the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
    VM_BAD_MASS if the mass of the piece is not between 0 and M, VM_BAD_STIFFNESS for a negative stiffness,
-   VM_BAD_INERTIA if the inertia of the rest is negative or lost in rounding errors, VM_DOMAIN for a whole with s != 0
-   and for a piece whose mass centre S2 is at A, and VM_OK otherwise. */
+   VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN if the whole
+   has s != 0 or if the mass centre S2 of the piece is at A, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {

@@ -1,9 +1,10 @@
 /* mechanics/euler_angles.h - Euler's angles
 
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body, which turns by psi about z, by theta
-   about the line of nodes, and by phi about its own z axis. This chapter computes the quaternion of three angles, the
-   axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i, and the rates psi',
-   theta', phi' of the angles from an angular velocity.
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
+   the line of nodes, and by phi about its own z axis. This chapter computes
+     - the quaternion of three angles,
+     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the rates psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
 
@@ -27,11 +28,12 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
     return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
 }
 
-/* Axes about which Euler's angles turn the body, in inertial axes. The angular velocity is omega = psi' axis[0] +
-   theta' axis[1] + phi' axis[2], so that axis[i] is domega/dq'_i. Nothing is done for a null pointer. */
+/* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2], so that axis[i] is domega/dq'_i. A call with a null pointer
+   does nothing. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* s, c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */
     if (!axis) return;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -40,11 +42,11 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
     axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
 }
 
-/* Axes about which Euler's angles turn the body, in body axes. The angular velocity is omega = psi' axis[0] + theta'
-   axis[1] + phi' axis[2]. Nothing is done for a null pointer. */
+/* Unit vectors of the axes about which Euler's angles turn the body, along body axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* s, c of phi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* sine s and cosine c of phi; sine, cosine of theta */
     if (!axis) return;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -54,10 +56,10 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 }
 
 /* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR where sin(theta) is 0, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR if sin(theta) is 0, and VM_OK otherwise. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3]; /* s, c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine, result[3]; /* sine s and cosine c of psi; sine, cosine of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);

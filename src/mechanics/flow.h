@@ -1,9 +1,10 @@
 /* mechanics/flow.h - a free body in space with streams of mass
 
-   Right-hand sides for rk45 and rk87 of a rigid body whose mass, mass centre and inertia change while it moves. Streams
-   cause the change (151), (152), or functions of time give it (170), or the mass that is lost or gained moves with the
-   body (166). The states are momenta, from which velocity and angular velocity follow: a momentum that is conserved
-   stays exactly constant, and rates may jump.
+   These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
+   moves. There are three cases: streams cause the change (151), (152); functions of time give it (170); or the mass
+   that is lost or gained moves with the body (166). In the first two cases momentum and angular momentum are states,
+   from which velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and
+   the rate of a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -25,18 +26,19 @@
            rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
-   The equations, with a stream's letters M', u, d, kappa, omega2, P(d) of vm_reactive, and the outer force F and moment
-   M_S on a body of mass M, inertia I and angular velocity omega:
+   The equations. The letters M', u, d, kappa, omega2, P(d) of a stream are explained at vm_reactive. The body has the
+   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
-   attitude. c leads from the reference point to the mass centre, in body axes, d = at - c, and R is the rotation of
-   q/|q| from body axes to inertial ones. [1] prints the torque of (152) with I' omega2. If a stream has a store at s,
-   d_s = s - c replaces d in c' and P(d), the store's gyration replaces kappa in I', and the mass on its way through the
-   body has the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 for |q| = 1 and
-   brings the length of q back to 1; integrators keep their order. The reference point, from which `at` and the stores
-   are measured, is fixed in the body, at r - R c. If flow.centre is 0 at the start, this point is the mass centre of
-   the start.
+   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R
+   is the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the
+   length of q back to 1, and integrators keep their order. In (152), [1] prints I' omega2 instead of M' kappa omega2.
+   If a stream has a store at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and P(d); the
+   gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the momentum
+   M' (s - at) and the angular momentum M' d x d_s.
+   The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
+   flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_FLOW_H
 #define VARMASS_MECHANICS_FLOW_H
@@ -61,9 +63,9 @@ enum {
     VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
     VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
-    VM_FLOW_GIVEN_STATES = 13,   /* for vm_flow_given_rhs, vm_flow_carried_rhs: flow.update gives the mass data */
-    VM_FLOW_STATES = 23,         /* for vm_flow_rhs: mass, centre and inertia are states */
-    VM_FLOW_BALANCED_STATES = 30 /* for vm_flow_balanced_rhs: the states of vm_flow_rhs and the balance */
+    VM_FLOW_GIVEN_STATES = 13,   /* states if flow.update gives the mass data: vm_flow_given_rhs, vm_flow_carried_rhs */
+    VM_FLOW_STATES = 23,         /* states of vm_flow_rhs; mass, mass centre and inertia are among them */
+    VM_FLOW_BALANCED_STATES = 30 /* states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7 integrals */
 };
 
 /* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
@@ -73,28 +75,28 @@ typedef struct VM_TAG(vm_flow) {
     vm_stream *streams; /* n streams, kept by the caller */
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
-    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time
-       and state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a
-       rate that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs
-       and vm_flow_carried_rhs. (These laws are one function and not vm_laws, because their ten numbers belong
-       together.) It returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it
-       sets has to be a smooth function of t and y: a switch at some time belongs into the change of an ODE_RESTART
-       event. */
+    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
+       state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
+       that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
+       vm_flow_carried_rhs. (These laws are one function and not vm_laws, because their ten numbers belong together.) It
+       returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
+       smooth function of t and y. To switch something at an instant, use an event with the action ODE_RESTART and its
+       function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
-    vm_vec3 centre;        /* mass centre for vm_flow_given_rhs, and of the start for vm_flow_start, m, body axes */
+    vm_vec3 centre;        /* mass centre (vm_flow_given_rhs, vm_flow_start) from the reference point, m, body axes */
     vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
     vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
     vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
-    vm_real least_inertia; /* least pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
-    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. In a trial step beyond the end of a
-       motion the mass may be zero or negative, or the inertia impossible. The derivatives are then NaN, so that the
-       integrator shortens its step. An event should stop the run before that. */
+    vm_real least_inertia; /* smallest pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
+    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step may go beyond the end of a
+       motion, where the mass is zero or negative or no body can have the inertia. The derivatives are then NaN, so that
+       the integrator shortens its step. An event should stop the run before this happens. */
     int status;
-    /* 0 for unknown, or how many numbers y has room for, VM_LENGTH(y), which all functions below check. vm_flow_start
-       writes no more: VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and, if there is room for all
-       VM_FLOW_BALANCED_STATES, the zeros of the balance too. */
+    /* Number of elements of y, VM_LENGTH(y), which all functions below check; 0 if it is unknown. vm_flow_start writes
+       VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
+       VM_FLOW_BALANCED_STATES, it writes the zeros of the balance too. */
     int y_size;
 } vm_flow;
 
@@ -109,8 +111,8 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation in *kept and returns it. Of several failures in a row *kept holds the first,
-   because the later ones follow from its NaN. */
+/* Stores the status of an evaluation in *kept and returns it. After several failures in a row *kept is the first one,
+   because its NaN causes the later ones. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
@@ -124,7 +126,7 @@ typedef struct VM_TAG(vmi_flow_mass) {
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* Mass, mass centre and inertia from the state y or, if given = 1, from the flow's laws */
+/* The present mass, mass centre and inertia: from the fields of the flow if given = 1, else from the state y */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -152,8 +154,8 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
     return VM_OK;
 }
 
-/* From a state y, sets *turn to the rotation and *seen to velocity, angular velocity and all else that the streams
-   need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Computes from the state y the rotation *turn from body axes to inertial ones, and in *seen the velocity, the
+   angular velocity and all else that the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -188,7 +190,7 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
 }
 
-/* Evaluates the right-hand side of n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs, as n tells */
+/* Evaluates the right-hand side that has n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
@@ -225,7 +227,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
    An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of mechanics/flow.h. Returns
-   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_SHORT_ARRAY if y_size is too
+   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too
    small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
@@ -235,8 +237,8 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
    An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
-   The streams make forces and moments as in vm_flow_rhs. Without streams this is (170): mass joins and leaves at
-   rest, at the mass centre. The errors are those of vm_flow_rhs. */
+   The streams make forces and moments as in vm_flow_rhs. Without streams the equations are (170): mass joins and
+   leaves at rest, at the mass centre. The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -248,12 +250,12 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
    zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
    out, minus those that the outer loads put in. The sum of an integral and the body's own quantity stays constant.
    (There are two exceptions if a stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the
-   energy does not balance.) The rate T' of the kinetic energy has the continuous limit of (113), (118), for either
-   sign of M', in the letters of the banner:
+   energy does not balance.) The rate T' of the kinetic energy is the limit of (113), (118) for a continuous stream
+   with either sign of M'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
-   The first sum is the energy that the streams bring. The second is what engines give (M' < 0) or plastic impact
-   takes (M' > 0). The errors are those of vm_flow_rhs. */
+   The first sum is the power that the streams bring. The second term is the power of engines (M' < 0), or the power
+   that plastic impact takes (M' > 0). The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -263,8 +265,9 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
    An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
    The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum). Streams
-   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S, with
-   the letters of the banner and M_S in body axes. The errors are those of vm_flow_rhs. */
+   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S.
+   Their letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
+   errors are those of vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -292,7 +295,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes the
-   zeros of the balance only if y_size tells that there is room. */
+   zeros of the balance only if y_size is large enough for them. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
@@ -314,10 +317,10 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 
 /* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
    The mass centre is flow.centre, and the streams are those of flow.streams at the start. Sets flow.mass and
-   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and y_size must
-   say so if y has fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the caller sets. Returns
-   VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
+   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and flow.y_size
+   must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the
+   caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -381,8 +384,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
 }
 
 /* Mass minus flow.least_mass, kg: an event function that stops a run before the mass is used up.
-   It is for vm_flow_rhs and vm_flow_balanced_rhs, and the event's ctx is the vm_flow. Returns NaN for a null pointer.
-   */
+   It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of the event is the vm_flow. Returns NaN for a null
+   pointer. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -390,11 +393,11 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
-/* Least pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
-   It stops a run before the inertia becomes singular, where the least pivot is 0. It is for vm_flow_rhs and
-   vm_flow_balanced_rhs, and the event's ctx is the vm_flow. The triangle inequality is not watched, because the
-   inertia of thin bodies is always close to its limit. Returns NaN for a null pointer and an inertia that is not
-   finite. */
+/* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
+   The pivots are those of the factorization L D L^T. The event stops a run before the inertia becomes singular, which
+   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The triangle
+   inequality is not watched, because the inertia of thin bodies is always close to its limit. Returns NaN for a null
+   pointer or an inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;

@@ -1,7 +1,7 @@
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. The streams have
-   no stores; all else is as in space.
+   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. Streams in the
+   plane have no stores; otherwise the equations are those of motion in space.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
@@ -23,7 +23,7 @@
 #include "flow.h"
 #include "streams.h"
 
-/* Where the states of vm_flow2_rhs stand in y, and how many there are. Axes are inertial unless body axes are named. */
+/* Indices of the states of vm_flow2_rhs in y, and their number. Axes are inertial unless body axes are named. */
 enum {
     VM_FLOW2_X = 0,       /* position of the mass centre, 2 numbers x, y, m */
     VM_FLOW2_ANGLE = 2,   /* angle of the body axes, rad, anticlockwise */
@@ -39,10 +39,10 @@ enum {
 typedef struct VM_TAG(vm_stream2) {
     vm_real rate;     /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;       /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
-    vm_real x, y;     /* the point of crossing, from the body's reference point, m, body axes */
-    vm_real vx, vy;   /* velocity of the mass when it crosses, m/s */
-    vm_real spin;     /* angular velocity of the mass when it crosses, rad/s */
-    vm_real gyration; /* inertia per unit mass of the crossing mass, about its own mass centre, m^2 */
+    vm_real x, y;     /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
+    vm_real vx, vy;   /* velocity of the mass as it enters or leaves the body, m/s */
+    vm_real spin;     /* angular velocity of the mass as it enters or leaves the body, rad/s */
+    vm_real gyration; /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2 */
 } vm_stream2;
 
 /* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
@@ -58,10 +58,10 @@ typedef struct VM_TAG(vm_flow2) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) the reduction by j quarter
-   turns is shorter than that of vmi_sincos: pi/2 is the sum of `first`, which has 33 (float 14) bits, so that j times
-   `first` is exact, and `second`, which makes the sum right to 2^-87 (float 2^-38). Rounding j times `second` makes
-   an error of 2^-67 (float 2^-28). */
+/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) the reduction of x by j
+   quarter turns is shorter than that of vmi_sincos. It takes pi/2 as the sum of two numbers: `first` has 33 (float
+   14) bits, so that j times `first` is exact, and `second` makes the error of the sum 2^-87 (float 2^-38). The
+   product j times `second` has a rounding error of 2^-67 (float 2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -89,7 +89,7 @@ VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
     *cosine = (j & 1 ? s : c) * (vm_real)(1 - ((j + 1) & 2));
 }
 
-/* The motion of a body in the plane as its streams need it */
+/* The motion of a body in the plane, in the form that the sums over its streams need */
 typedef struct VM_TAG(vmi_stream_seen2) {
     vm_real sine, cosine;       /* sine and cosine of the body's angle */
     vm_real vx, vy;             /* velocity, which is momentum/mass, body axes */
@@ -97,9 +97,10 @@ typedef struct VM_TAG(vmi_stream_seen2) {
     vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
 } vmi_stream_seen2;
 
-/* The sums over the streams of a body in the plane, in body axes except fx, fy, with the letters of vm_reactive */
+/* The sums over the streams of a body in the plane, in body axes except fx, fy. The letters M', u, v, d, kappa,
+   omega2 are explained at vm_reactive. */
 typedef struct VM_TAG(vmi_stream_sum2) {
-    vm_real rate;    /* sum of M' */
+    vm_real rate;    /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
     vm_real px, py;  /* sum of M' (u - v) of the streams whose velocity is relative to the body */
     vm_real fx, fy;  /* sum of M' u of the streams whose velocity is absolute, inertial axes, plus the outer force */
@@ -108,12 +109,12 @@ typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real inertia; /* sum of M' (kappa + d^2) */
 } vmi_stream_sum2;
 
-/* Adds a stream, whose `motion` exists, to the sums */
+/* Adds a stream, whose `motion` is known, to the sums */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);
     const vm_real dx = s->x - b->centre_x, dy = s->y - b->centre_y;
-    vm_real ux, uy, spin = 0; /* ux, uy become M' (u - v); spin is omega2 */
+    vm_real ux, uy, spin = 0; /* ux, uy become M' (u - v); spin is the angular velocity omega2 of the mass */
     if (vmi_stream_moves_with_body(s->motion)) {
         ux = -b->omega * dy;
         uy = b->omega * dx;
@@ -157,7 +158,7 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
    An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
-   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, or the number that
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that
    flow.update returns, each of which ends the run. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {

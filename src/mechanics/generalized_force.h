@@ -15,12 +15,14 @@
 #include "../base/real.h"
 #include "vectors.h"
 
-/* Add the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235).
-   dr[i] and domega[i] are these derivatives, by the coordinate q_i and its rate q'_i, of the place r at which the
-   force acts and of the angular velocity omega. For outer loads give their resultant and moment. For a stream of rate
-   M' give the force M' u at the point where the mass crosses with the velocity u, and the moment M' kappa omega2,
-   with the gyration kappa and the spin omega2 of the mass. dr, domega and Q are arrays of n. Without dr or domega its
-   term is left out. Without Q nothing is done. */
+/* Add the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235). dr_or_NULL[i]
+   is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
+   domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
+   These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
+
+   External loads are given by their resultant and their moment. A stream with the mass rate M' is given by the force
+   M' u at the point where the mass enters or leaves with the velocity u, and by the moment M' kappa omega2. kappa is
+   the inertia of this mass per unit mass, and omega2 is its angular velocity. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {

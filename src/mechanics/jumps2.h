@@ -25,8 +25,8 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
     return lifted;
 }
 
-/* Changes the moment of a lump of the plane to one that a body can have exactly: a moment that is lost in rounding
-   errors becomes 0. Returns VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
+/* Changes the moment of inertia of a lump of the plane to one that a body can have exactly: a moment that is smaller
+   than its rounding errors becomes 0. Returns VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -35,8 +35,8 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity of a lump relative to the frame, (44), or to `before`, its value before the
-   jump, if the lump has no inertia. Returns 1 if angular momentum is left that a lump without inertia cannot carry,
+/* Sets *omega to the angular velocity of a lump relative to the frame, (44). If the lump has no inertia, *omega becomes
+   `before`, the value before the jump. Returns 1 if a lump without inertia has angular momentum, which is impossible,
    else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
@@ -58,7 +58,7 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
     return vmi_impulse_is_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* Does in the plane what vmi_jump_total does in space, and clamps the moment of the total */
+/* Does in the plane what vmi_jump_total does in space, and calls vmi_lump_clamp_moments2 */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
@@ -102,25 +102,25 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part has left the
-   whole and moves as given. The impulse, if there is one, acts during the separation. Momentum and angular momentum
-   of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or to
-   part. The accuracy is that of vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part is the part with
+   its motion after the separation. The impulse, if there is one, acts during the separation. Momentum and angular
+   momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or
+   to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, or VM_NULL_AXIS (> 0, *rest is set) if the rest is a point and angular momentum about it is left,
-   which a point cannot carry; omega then stays the whole's. The errors are VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive, and VM_BAD_INERTIA if an
-   inertia, that of the rest included, is negative. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the balance
+   leaves it angular momentum about itself, which it cannot have. Its omega is then that of the whole. The errors are
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the rest) is not positive, and
+   VM_BAD_INERTIA if an inertia (or that of the rest) is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
     return vmi_jump2(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. body and
-   added move as given just before the impact. The impulse, if there is one, acts during the impact. The whole has
-   the angle of body. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
-   place, and omega stays that of body. */
+/* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. `body` and
+   `added` have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has
+   the angle of `body`. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
+   position, and omega remains that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {

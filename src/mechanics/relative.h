@@ -1,6 +1,6 @@
 /* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
    This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
-   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). They are needed where only the
+   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). They are needed if only the
    velocity of a part relative to the whole is known.
 
        vm_body part = whole, rest; // whole is a vm_body
@@ -21,7 +21,7 @@
 #include "jumps2.h"
 #include "vectors.h"
 
-/* Velocity at the point r of the frame that moves rigidly with a body: the dragging velocity of (25) */
+/* Velocity at the point r of the frame that moves rigidly with a body. In (25) it is the dragging velocity. */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
@@ -61,12 +61,13 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
     return VM_OK;
 }
 
-/* Motion of a body relative to the frame that moves rigidly with the body `to`. Position r, velocity v and spin omega
-   are those of the body, r_S, v_S and Omega those of `to`; v and omega of *relative become
+/* Motion of a body relative to the frame that moves rigidly with the body `to`. The body has position r, velocity v and
+   angular velocity omega; `to` has r_S, v_S and Omega. v and omega of *relative become
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
-   and all else is copied. Axes and origin stay the inertial ones. The pointer relative may be equal to absolute.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of *absolute, the motion of `to` or the
-   result is not finite, and VM_OK otherwise. Masses and inertias are not checked further. */
+   and all other fields are copied. The vectors remain along the inertial axes, and r remains the position from the
+   inertial origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer,
+   VM_NOT_FINITE if a number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses
+   and inertias are not checked further. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -86,7 +87,7 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
 }
 
 /* Motion in the plane relative to the frame that moves rigidly with the body `to`. vx, vy and omega change as in
-   vm_to_relative, and all else is copied. The statuses are those of vm_to_relative. */
+   vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
@@ -109,8 +110,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump in motions relative to the first body. This body is at rest in them, and the law has the same form
-   in the frame of the body as in an inertial one. */
+/* Computes a jump from motions relative to the first body. In its own frame this body is at rest, and the equations of
+   a jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -133,15 +134,17 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
 }
 
 /* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of *rest are
-   relative to the whole. v and omega of *whole are not read. All else, statuses included, is as in vm_separate. */
+   relative to the whole. v and omega of *whole are not read. Everything else, the statuses included, is as in
+   vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of
-   *whole are relative to body. v and omega of *body are not read. All else, statuses included, is as in vm_attach. */
+/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of *whole
+   are relative to `body`. v and omega of *body are not read. Everything else, the statuses included, is as in
+   vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
@@ -149,16 +152,17 @@ VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const v
 }
 
 /* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of *rest are
-   relative to the whole. vx, vy and omega of *whole are not read. All else, statuses included, is as in vm_separate2.
-   */
+   relative to the whole. vx, vy and omega of *whole are not read. Everything else, the statuses included, is as in
+   vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole
-   are relative to body. vx, vy and omega of *body are not read. All else, statuses included, is as in vm_attach2. */
+/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole are
+   relative to `body`. vx, vy and omega of *body are not read. Everything else, the statuses included, is as in
+   vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {

@@ -23,19 +23,19 @@
 #include "inertia.h"
 #include "vectors.h"
 
-/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body at which the
-   stream crosses the body's surface. */
+/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body's surface at which
+   the mass enters or leaves. */
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
     VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; velocity and spin of the stream
-                        are not read. There is no torque, but a force M' omega x d remains (M' the rate, d from the mass
-                        centre to the point, omega the body's spin), which (166) neglects */
+                        are not read. There is no torque, but a force M' omega x d remains, which (166) neglects (M' is
+                        the rate, d leads from the mass centre to the point, omega is the body's spin) */
     VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
 };
 
-/* The place in a body from which mass is taken, or into which it is put, if this is not the point at which its stream
-   crosses the surface */
+/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if the mass
+   does not lie at the point at which the stream enters or leaves the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -45,18 +45,19 @@ typedef struct VM_TAG(vm_store) {
 typedef struct VM_TAG(vm_stream) {
     vm_real rate;         /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
-    vm_vec3 at;           /* the point of crossing, from the body's reference point, m, body axes */
-    vm_vec3 velocity;     /* velocity of the mass when it crosses, m/s */
-    vm_vec3 spin;         /* angular velocity of the mass when it crosses, rad/s */
-    vm_inertia gyration;  /* inertia per unit mass of the crossing mass, about its own mass centre, m^2, body axes */
-    const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between store and point of
-                             crossing the mass flows in a straight line, and the momentum of this flow counts */
+    vm_vec3 at;           /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
+    vm_vec3 velocity;     /* velocity of the mass as it enters or leaves the body, m/s */
+    vm_vec3 spin;         /* angular velocity of the mass as it enters or leaves the body, rad/s */
+    vm_inertia gyration;  /* inertia per unit mass of this mass, about its own mass centre, m^2, body axes */
+    const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
+                             point `at` the mass flows in a straight line, and the body's momentum includes that of this
+                             flow */
 } vm_stream;
 
 /* The reactive loads at an instant, in inertial axes except inertia_rate. The body has the mass M, the inertia I, the
-   velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of the crossing mass,
-   omega2 its angular velocity and kappa its gyration, d leads from the body's mass centre to the point of crossing,
-   and P(d) = |d|^2 E - d d^T:
+   velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of its mass, omega2 the
+   angular velocity of its mass and kappa its gyration. The vector d leads from the body's mass centre to the point at
+   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
      torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
@@ -70,15 +71,15 @@ typedef struct VM_TAG(vm_reactive) {
     vm_vec3 moment;          /* reactive moment about the mass centre, N m */
     vm_vec3 torque;          /* reactive torque, N m */
     vm_vec3 drift;           /* velocity of the mass centre relative to the body's material, m/s */
-    vm_real mass_rate;       /* rate of the body's mass, the sum of M', kg/s */
+    vm_real mass_rate;       /* rate of the body's mass, the sum of M' over all streams, kg/s */
     vm_inertia inertia_rate; /* rate of the body's inertia, kg m^2/s, body axes */
 } vm_reactive;
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
 /* The velocity u of a stream's mass is, for every known motion, the sum of two terms: the velocity of the body's
-   point (or zero) and the velocity that the stream gives (or zero). The same holds for its spin. The next two
-   functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
+   point (or zero) and the velocity that the stream gives (or zero). Its spin is a sum of two such terms, too. The
+   next two functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
@@ -105,8 +106,8 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 }
 
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
-   stores and the points of crossing. A stream of rate M' with its store at s and its point of crossing at d makes a
-   straight flow, which has the momentum M' (s - d), whatever its speed is. */
+   stores and the surface. A stream of rate M' that flows in a straight line between its store at s and the surface at
+   d has the momentum M' (s - d), whatever its speed is. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -118,36 +119,36 @@ VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, 
     }
 }
 
-/* The motion of a body as its streams need it */
+/* The motion of a body, in the form that the sums over its streams need */
 typedef struct VM_TAG(vmi_stream_seen) {
     const vmi_mat3 *turn; /* the rotation from body axes to inertial ones */
     vm_vec3 v;            /* velocity, which is momentum/mass, inertial axes */
-    vm_vec3 slip;         /* velocity of the body's material at the mass centre, less v; body axes */
+    vm_vec3 slip;         /* velocity of the body's material at the mass centre minus v, body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
     vm_vec3 centre;       /* mass centre from the reference point, body axes */
-    int energy;           /* 1 if the sums `brought` and `lost` are wanted */
+    int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum are wanted */
 } vmi_stream_seen;
 
-/* The sums over the streams of a moving body, in body axes except `absolute`, with the letters of vm_reactive. The
-   velocity of mass that moves with the body is kept relative to the body, so that a high speed of the body costs
-   these sums no digits. */
+/* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
+   are explained at vm_reactive. For mass that moves with the body the sums use its velocity relative to the body, so
+   that they lose no digits if the body is fast. */
 typedef struct VM_TAG(vmi_stream_sum) {
-    vm_real rate;       /* sum of M' */
+    vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* sum of M' (u - v) of the streams whose velocity is relative to the body */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity is absolute, inertial axes */
     vm_vec3 moment;     /* sum of d x M' (u - v) of all streams */
     vm_vec3 own;        /* sum of M' kappa omega2 */
-    vm_vec3 crossing;   /* sum of M' d, with d to the point of crossing */
+    vm_vec3 crossing;   /* sum of M' d, with d to the point at which the mass enters or leaves */
     vm_vec3 stored;     /* sum of M' d_s, with d_s to the stream's store, or d_s = d without a store */
     vm_inertia inertia; /* I', the rate of the inertia */
     vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
-    vm_real lost;       /* sum like `brought` with velocities relative to the body: twice the power lost by mixing */
+    vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
 
-/* Adds one stream, whose `motion` exists, to the sums from which the force is made. Sets *push = M' (u - v), where u
-   is the velocity of its mass, and *spin to the angular velocity of its mass. `carried` is the velocity of the body's
-   point at which the mass crosses, minus v. All vectors are in body axes. */
+/* Adds one stream, whose `motion` is known, to the sums that make the force. Sets *push = M' (u - v), where M' is the
+   rate, u the velocity of the mass and v that of the body, and *spin to the angular velocity of the mass. `carried`
+   is the velocity of the body's point at which the mass enters or leaves, minus v. All vectors are in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -171,7 +172,8 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     }
 }
 
-/* Adds the share of a stream to sum->brought and sum->lost. push and spin are those that vmi_stream_motion sets. */
+/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and
+   carried is its argument. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
@@ -184,7 +186,7 @@ VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, c
     sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
 }
 
-/* Computes the sums over n streams. Returns 0 if the motion of a stream does not exist, else 1. */
+/* Computes the sums over n streams. Returns 0 if the `motion` of a stream is unknown, else 1. */
 VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
     const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
@@ -214,8 +216,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
     return 1;
 }
 
-/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality is required of the body
-   only: for motion in a plane a gyration with zz alone is enough, as long as the body itself is not that flat. */
+/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality, such as zz <= xx + yy,
+   is required of the body only. Therefore a gyration may have zz alone, which is enough for motion in a plane. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -223,7 +225,7 @@ VM_API int vmi_check_gyration(const vm_inertia *i)
     return VM_OK;
 }
 
-/* Returns VM_OK if the motion exists, all numbers are finite and the gyrations are possible, else the first error. */
+/* Returns VM_OK if `motion` is known, all numbers are finite and the gyrations are possible, else the first error. */
 VM_API int vmi_check_stream(const vm_stream *s)
 {
     int status;
@@ -254,8 +256,8 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
 }
 
 /* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
-   from its reference point, in body axes (m). The loads of the streams add; vm_reactive has their formulas. Returns
-   VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_NOT_FINITE, VM_BAD_MASS,
+   from its reference point, in body axes (m). Each load is a sum over all streams; the formulas stand at vm_reactive.
+   Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE, VM_BAD_MASS,
    VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)

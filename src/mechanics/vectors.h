@@ -69,13 +69,13 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
 
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
-/* The product m a of a matrix and a vector */
+/* The product m a of the matrix m and the vector a */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-/* The product m^T a. For a rotation matrix m it turns a vector back by that rotation. */
+/* The product of the transposed matrix m^T and the vector a. For a rotation matrix m it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
@@ -137,14 +137,14 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
     return vmi_quat_over(q, largest);
 }
 
-/* The quaternion of length 1 that turns as q does. Four zeros give the identity. */
+/* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
 VM_API vm_quat vmi_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of q. The parameter `square` is the square of q's length and must be a normal number. */
+/* The rotation matrix of q. `square` is the square of q's length: a normal number, not 0, subnormal or infinite. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -165,7 +165,7 @@ VM_API vmi_mat3 vmi_rotation(vm_quat q)
     return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
 
-/* Reads three numbers of a state y as a vector. vmi_set3 writes them. */
+/* Reads three numbers of a state as a vector. vmi_set3 writes a vector to a state. */
 VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 
 VM_API void vmi_set3(vm_real *y, vm_vec3 a)
@@ -175,7 +175,7 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Reads four numbers w, x, y, z of a state y as a quaternion */
+/* Reads the four numbers w, x, y, z of a quaternion from a state */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
 #endif

@@ -26,10 +26,10 @@
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period, where the wave moves as x = A c, x' = -V s. Each quarter of the
-   period is cut in two. Up to the cut, Gauss' rule takes 20 points in psi; for large alpha the velocity varies like
-   tanh psi there. From the cut to x = 0 the rule takes 20 points in the square root of the distance of psi from its
-   value at x = 0, because F may contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period, where the wave moves as x = A c, x' = -V s. Each quarter of the period
+   is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large alpha the velocity varies like
+   tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the distance of psi from its value
+   at x = 0, because F may contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -108,7 +108,7 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
 
 /* -- What averaging leaves out -- */
 
-/* Number of points of a period at which the exact rates are compared with their means */
+/* Number of phases in a period at which the exact rates of ln A and psi are compared with their means */
 enum { VMI_AVERAGING_POINTS = 64 };
 
 /* A time t between 0 and t_end, and the motion at t */
@@ -141,7 +141,7 @@ VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) {
         const vm_real way = 2 * p->ripple.pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
         vm_real ca, sa, F, time = at->t + side * (way - 2 * p->ripple.pi) / at->Om;
-        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* no force before the start */
+        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* there is no force before the start */
         if (VM_FABS(time) > VM_FABS(at->t_end)) time = at->t_end;
         if (frozen) time = at->t;
         vmi_osc_wave_at(&w, at->psi + way, &ca, &sa);
@@ -185,7 +185,7 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
-    const vm_real change = VM_C(0.02); /* the small change of ln A */
+    const vm_real change = VM_C(0.02); /* the change of ln A that is tried */
     const vm_real A = at->A * (1 + change), Om = at->Om * (1 + (w->alpha - 1) / 2 * change);
     const vmi_osc_wave exact = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     vm_real own_A, own_psi, exact_A, exact_psi, more_A, more_psi;
@@ -220,7 +220,7 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* factor of rate times ripple; Duffing's equation has 0.156 */
+    const vm_real second_order = VM_C(0.25); /* factor of rate times ripple; for Duffing's equation it is 0.156 */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -253,6 +253,7 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
    interval from 0 to t */
 enum { VMI_OSC_CHECKS = 8 };
 
+/* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
 VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 {
     if (i == VMI_OSC_CHECKS - 1) return t;
@@ -261,7 +262,7 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 
 /* Estimates the error at t of the averaged equations with a force, from the motions at the times of
    vmi_osc_check_time. Errors arise from the ripple at the start, which the equations take for a part of the mean, and
-   from the errors of the mean rates. These errors grow as small changes of the motion do, and an error of the
+   from errors of the mean rates. These errors grow as small changes of the motion do, and an error of the
    amplitude adds an error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not
    ca, and the effect of fast changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,

@@ -33,13 +33,13 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Whether the kind exists, and there may be `room` samples */
+/* Whether the kind of sample exists and `room` is not negative; for room > 0 samples must not be null. */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
 }
 
-/* A search for samples along a trajectory */
+/* A search for turning points or zero crossings along a trajectory */
 typedef struct VM_TAG(vmi_sample_search) {
     vm_motion_function motion;
     void *ctx;
@@ -62,7 +62,7 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
    written to samples, in the order in which they are met. Returns how many samples there are, which may be more than
    room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an unknown kind or a negative room, VM_NOT_FINITE for
    a step of 0, of the wrong sign or infinite, for more than 2e9 steps, or where the trajectory is not finite. Samples
-   found before such a place stay in samples. */
+   found before the error stay in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -119,7 +119,7 @@ VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
    those of vm_find_samples. Returns VM_BAD_ARGUMENT also for indices outside the state, and 0 before the first step. */
 VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *samples)
 {
-    const vm_real parts = 4; /* the step is searched for changes of sign in 4 equal parts */
+    const vm_real parts = 4; /* a change of sign is looked for in each of 4 equal parts of the step */
     vmi_step_motion m;
     vm_real length;
     if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;

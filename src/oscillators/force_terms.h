@@ -1,4 +1,4 @@
-/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
+/* oscillators/force_terms.h - terms of forces that both oscillators and scenes use
 
    Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
        vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
@@ -9,8 +9,8 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 
-/* x|x|^(alpha-1), alpha >= 0, computed by the power: the force of a spring over -k. The callers treat x = 0 and the
-   exponents that need no power. */
+/* x|x|^(alpha-1), alpha >= 0, by the power function: the force of a spring divided by -k. Callers treat x = 0 and
+   exponents that need no power function themselves. */
 VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
 {
     return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);

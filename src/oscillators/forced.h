@@ -46,7 +46,7 @@ typedef struct VM_TAG(vm_forced) {
     vm_law frequency;  /* frequency nu of the force, rad/s, > 0 */
     vm_law force;      /* amplitude F of the force, N, of either sign */
     vm_real pi;        /* Pi_alpha; vm_forced_init writes this field and those below */
-    vm_real Om1;       /* factor of the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
+    vm_real Om1;       /* the constant of the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
     vm_real G;         /* share of the force that acts on the mean motion */
     /* Fourier coefficients: ca is the sum of c[j] cos((2j+1) phi), sa the sum of s[j] sin((2j+1) phi). */
     vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS];
@@ -83,7 +83,7 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
     const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* number of points of the rule in an interval of t of length 1 */
-    const int n = 13 * steps / 4;                /* |t| is at most 3.25; beyond, the integral is below eps */
+    const int n = 13 * steps / 4;                /* |t| is at most 3.25; the rest of the integral is below eps */
     vm_real sum[VMI_FORCED_HARMONICS] = {0, 0, 0, 0, 0}, total = 0;
     int i, j;
     for (i = -n; i <= n; i++) {
@@ -244,7 +244,7 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     phi *= VM_PI / f->pi;
     A = exact;
     for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
+    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* then the motion is smaller than its ripple */
     y[0] = A;
     y[1] = phi - theta;
     y[2] = theta;

@@ -1,11 +1,10 @@
 /* oscillators/integration.h - integration of an oscillator to a tolerance, with an estimate of its error
 
-   Three systems of two equations describe the same oscillator: the averaged equations of amplitude and phase, the exact
-   equations of amplitude and phase ((314), (315) with the term of omega' that they lack), and the equation of motion.
-   A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the numbers that suit this pair;
-   oscillators/routes.h lists the methods that are used. vmi_osc_integrate runs a method twice, the second time with a
-   stricter tolerance, and estimates the error by the difference of the two runs. It repeats this with stricter
-   tolerances until the error is within the tolerance of the motion.
+   Two systems of two equations describe the oscillator: the averaged equations of amplitude and phase, and the equation
+   of motion. A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the numbers that suit
+   this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a method twice, the second time
+   with a stricter tolerance, and estimates the error from the difference of the two runs. It repeats both runs with
+   stricter tolerances until the estimated error is within the tolerance of the motion.
        vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
        vm_osc_motion motion;
        int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
@@ -34,16 +33,16 @@
 
 /* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
-    vm_real least;     /* least tolerance of a step that rounding errors within the step allow */
+    vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
     vm_real ratio;     /* tolerance of the loose run over that of the strict run */
     vm_real factor;    /* estimated error of the strict run over the difference of the two runs */
-    vm_real by_chance; /* least estimate of the error over the tolerance of the steps; a smaller one is chance */
+    vm_real by_chance; /* least ratio of estimated error to tolerance of the steps; less is taken for chance */
 } vmi_osc_tuning;
 
 /* How a route integrates */
 typedef struct VM_TAG(vmi_osc_method) {
-    ode_rhs rhs;  /* the right-hand side, one of the three vmi_osc_..._rhs; null where the route does not integrate */
-    int averaged; /* 1 where rhs is averaged, which adds an error of its own; else 0 */
+    ode_rhs rhs;  /* the right-hand side: vmi_osc_averaged_rhs or vmi_osc_direct_rhs */
+    int averaged; /* 1 where rhs is averaged, so that an error of averaging is added; else 0 */
     int direct;   /* 1 where the state of rhs is position and velocity, 0 where it is amplitude and phase */
     int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                 const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
@@ -51,10 +50,10 @@ typedef struct VM_TAG(vmi_osc_method) {
     vmi_osc_tuning tuning;                                           /* numbers for this pair */
 } vmi_osc_method;
 
-/* A method with rk45. rk45 keeps the length of its steps while their error stays within a factor of 3; ratio is
-   larger, so that the two runs take different steps. factor leaves room for errors that are not proportional to the
-   tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree well by chance; by_chance
-   allows for this. */
+/* A method with rk45. rk45 does not change the length of its steps while their error stays within a factor of 3.
+   `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves room for errors that
+   are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree
+   well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -70,7 +69,7 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
     return method;
 }
 
-/* A method with rk87, which keeps the length of its steps while their error stays within a factor of 7.5 */
+/* A method with rk87, which does not change the length of its steps while their error stays within a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -83,8 +82,8 @@ VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
     return method;
 }
 
-/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the other two
-   systems */
+/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the averaged
+   equations */
 enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_STATES = 2 };
 
 /* The longest step of the first loose run, in periods */
@@ -100,7 +99,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int status;       /* status of a law of m or k that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, as a part of the interval up to the next stop */
-    vm_real law_step; /* longest step, s, that skips no change of a user's law; it is halved whenever longest is */
+    vm_real law_step; /* longest step, s, that skips no change of a user's law; it is reduced as `longest` is */
     long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
@@ -125,7 +124,7 @@ VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return 0;
 }
 
-/* (m/m0)^reactive: the reactive force alone would divide the velocity by this number */
+/* (m/m0)^reactive: a body on which only the reactive force acts has a velocity proportional to the inverse of this. */
 VM_API vm_real vmi_osc_reactive_weight(const vm_osc_problem *o, vm_real mass_ratio)
 {
     if (o->reactive == 1) return mass_ratio;
@@ -172,8 +171,7 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
     return 2 * p->ripple.pi / (p->Om * vmi_exp(ln_Om, 0));
 }
 
-/* The time at which the run stops next on its way to t: the next point of a table, or 64 periods later if that is
-   earlier */
+/* The time at which the run stops next on its way to t: the next point of a table, but at most 64 periods later */
 VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period)
 {
     const vm_osc_problem *o = &c->plan->problem;
@@ -249,7 +247,7 @@ VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
     return VM_IS_FINITE(motion->amplitude) ? VM_OK : VM_NOT_FINITE;
 }
 
-/* Computes the motion at the VMI_OSC_CHECKS times of vmi_osc_check_time, by one run to t. */
+/* Makes one run from 0 to t, and writes the motions at the VMI_OSC_CHECKS times of vmi_osc_check_time. */
 VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_plan *p = c->plan;
@@ -324,8 +322,8 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     return VM_OK;
 }
 
-/* Makes a loose run, and a strict run with half the longest step. If a law of m or k stopped one of them, c->status
-   says so. */
+/* Makes a loose run, and a strict run with half the longest step. If a law of mass or stiffness stopped one of the
+   runs, c->status is the law's status. */
 VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, vm_real longest, vm_osc_motion *loose,
                             vm_osc_motion *strict)
 {

@@ -54,7 +54,7 @@ typedef struct VM_TAG(vm_jeffcott) {
     vm_jeffcott_force force; /* external force F_z, or null; it must be small where equations are averaged */
     void *force_ctx;         /* the user's pointer, handed to force */
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
-    vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where with the disc's own velocity */
+    vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
     int nodes;               /* number of phases in a mean over a period; 0 means 32 */
 } vm_jeffcott;
@@ -257,7 +257,7 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
 /* Number of phases of a period that enter a mean value */
 VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
-    const int usual = 32; /* then the mean is exact for polynomials of degree 15 in z and z' */
+    const int usual = 32; /* exact means for forces that are polynomials in z and z' of degree <= 15 */
     if (r->nodes > 0) return r->nodes;
     return usual;
 }
@@ -395,16 +395,16 @@ VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *d
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87. State, error and statuses are those of
-   vm_jeffcott_forward_whirl_rhs, but W < 0. */
+/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87. State, error and statuses are as in
+   vm_jeffcott_forward_whirl_rhs, except that the whirl's frequency W is negative. */
 VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* The search for the radius A of circular whirl after a change of the mass: A^4 (g^2 + m F_e'(A)) is an invariant,
-   which keeps its value */
+/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m F_e'(A)) is an invariant: it
+   keeps its value during the change. */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
@@ -430,9 +430,9 @@ typedef struct VM_TAG(vmi_jeffcott_bracket) {
     vm_real a, b, at_a, at_b;
 } vmi_jeffcott_bracket;
 
-/* Walks from x = 0, where vmi_jeffcott_invariant is b->at_a, until its sign changes, with steps that double. A step
-   to a place where it is NaN is halved, and from then on steps no longer double. Returns 0 where the walk ends at
-   such a place, and 1 where it finds a change of sign. */
+/* Searches from x = 0, where vmi_jeffcott_invariant is b->at_a, until the sign of this function changes, with steps
+   that double. A step to an x where the function is NaN is halved, and from then on steps no longer double. Returns 1
+   where a change of sign is found, and 0 where halved steps still lead to NaN. */
 VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
 {
     vm_real step = VM_C(0.0625); /* changes the radius by 6 % */
@@ -462,8 +462,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
      A^4 (g^2 + m F_e'(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius changes by vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
    error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, since the radius then depends on all
-   masses between; where no radius is found on the way from first_A; for null pointers, for a rotor without stiffness,
-   and for a radius or masses that are not positive and finite. */
+   masses in between; where no radius is found on the way from first_A; for null pointers, for a rotor without
+   stiffness, and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -476,7 +476,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
     o.r = r;
     o.first_A = first_A;
     o.mass = mass;
-    if (r->gyro == 0) { /* m^(2r-1) replaces m in the invariant */
+    if (r->gyro == 0) { /* for g = 0, m^(2r-1) replaces m in the invariant */
         o.mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
         first_mass = 1;
     }

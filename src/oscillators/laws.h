@@ -1,4 +1,4 @@
-/* oscillators/laws.h - laws of mass, stiffness and the like: numbers that depend on time
+/* oscillators/laws.h - laws of time for mass, stiffness and other numbers
 
    A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
    and the size (N) of a force on it (oscillators/forced.h). A constructor makes it: linear f0 + f1 t (346), quadratic,
@@ -6,9 +6,9 @@
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
-   Every kind of law has a section below, with the functions for this kind alone and the constructor that makes the
-   vm_law point to them. No code outside the section depends on the kind. The integral of 1/f from 0 to t is
-   vm_law_inverse_integral (oscillators/panels.h).
+   Each kind of law has a section below, with its own functions and the constructor that makes a vm_law point to them.
+   No code outside the section depends on the kind. vm_law_inverse_integral (oscillators/panels.h) integrates 1/f from
+   0 to t.
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
 #define VARMASS_OSCILLATORS_LAWS_H
@@ -39,7 +39,7 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0 if it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null if this is no law */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f at 0 and at t tells enough */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f(0), f(t) are enough */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
@@ -49,7 +49,7 @@ struct VM_TAG(vm_law) {
 /* The direction of an interval of time of this length: 1 forward, -1 backward */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
-/* How many numbers the function `derivatives` of a law writes: f and its first six derivatives; the index is the order */
+/* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
 /* Writes the value of a law at t and its derivatives to f[0], f[1] ... A constructor must have made the law. Where a
@@ -60,7 +60,7 @@ enum { VMI_LAW_ORDERS = 7 };
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
     int i, status;
-    vm_real sum = 0; /* of differences that are 0 or NaN */
+    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
     if (length > 0)
         for (i = 2; i < VMI_LAW_ORDERS; i++) f[i] = 0;
     status = law->derivatives(law, t, side, length, f);
@@ -136,7 +136,7 @@ VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
     return VM_OK;
 }
 
-/* A law without a kind; the constructors below complete it */
+/* A law with these numbers, but without the functions of its kind, which the constructors below add */
 VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law;
@@ -157,6 +157,8 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Linear laws -- */
+
+/* f and f' of a linear law; its higher derivatives are 0. */
 VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -186,6 +188,8 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 }
 
 /* -- Quadratic laws -- */
+
+/* f, f' and f'' of a quadratic law; its higher derivatives are 0. */
 VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -237,6 +241,8 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Exponential laws -- */
+
+/* f and its derivatives, each f1 times the one before */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -247,6 +253,7 @@ VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int sid
     return VM_OK;
 }
 
+/* The exponential form of an exponential law, with base = 0, so that u = t */
 VM_API int vmi_law_exponential_own_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = 0;
@@ -266,8 +273,8 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* Returns VM_BAD_MASS where 1 + f1 t is not positive; vmi_law_derivatives changes this status for laws of other
-   numbers than masses. */
+/* f and its derivatives. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers than masses
+   vmi_law_derivatives changes this status. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -346,8 +353,8 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
     return low;
 }
 
-/* Writes the derivatives of the cubic on the interval that contains t. The cubic has the values and slopes of the
-   interval's two points. */
+/* Writes f and its derivatives, for the cubic on the interval of the table that contains t. The cubic has the values
+   and slopes of the interval's two points. */
 VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     vm_real chord_time, u, chord, slope0, slope1, b, c;
@@ -399,7 +406,7 @@ VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
     return law;
 }
 
-/* The next point of a table after t on the way to t_end; t_end if there is none, or if the law is not a table */
+/* The next point of the law's table after t on the way to t_end, or t_end if there is none or the law is no table */
 VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 {
     const int side = t_end > t ? 1 : -1;
@@ -413,7 +420,7 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 
 /* -- Functions of the user -- */
 
-/* Writes the series of the rate f' between t and t + length. */
+/* Writes the Legendre series of the rate f' between t and t + length. */
 VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_real *series)
 {
     vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused;
@@ -455,7 +462,8 @@ VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm
     return status;
 }
 
-/* Writes f and f', which the user's function gives, and for length > 0 the derivatives of a series of f'. */
+/* Writes f and f' from the user's function. For length > 0 it also writes the higher derivatives, from a Legendre
+   series of f'. */
 VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     vm_real series[VMI_GAUSS], whole = (vm_real)side * length, scale = 1;
@@ -467,13 +475,12 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
     for (i = 2; i < VMI_LAW_ORDERS; i++) {
         vmi_legendre_derive(series);
         scale *= 2 / whole;
-        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* at -1, P_k is (-1)^k */
+        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* P_k(-1) = (-1)^k */
     }
     return VM_OK;
 }
 
-/* Checks that change_time is finite and not negative, and that at most 2^20 of it lie between 0 and t, so that every
-   call ends. */
+/* Checks that change_time is finite and not negative, and 0 or at least |t|/2^20, so that every call ends. */
 VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     const vm_real most_changes = VM_C(1048576.);
@@ -500,7 +507,8 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
     return law;
 }
 
-/* The longest panel of time, s, in which the law cannot hide a change between 0 and t; `whole` is |t| */
+/* The longest panel of time, s, for integrals along the law from 0 to t: short enough to notice the changes that
+   vm_law_user promises to find. `whole` is |t|. */
 VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 {
     const vm_real longest = whole / 32;

@@ -1,11 +1,10 @@
 /* oscillators/legendre.h - Gauss' rule of 20 points and series of Legendre polynomials on [-1, 1]
 
    A smooth function on [-1, 1] is represented by the series sum coefficient[k] P_k(x), k = 0 ... 19, with Legendre's
-   polynomials P_k.
-   vmi_legendre_fit finds the coefficients from the values at the points of Gauss' rule; the other functions
-   integrate and differentiate the series and measure its size. The integral of the function over [-1, 1] is
-   2 coefficient[0]. oscillators/averaging.h, panels.h and walk.h use this file, and tests/test_laws.c and test_routes.c
-   test it with them. */
+   polynomials P_k. Its integral over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds the coefficients from the
+   values at the points of Gauss' rule. The other functions evaluate, integrate and differentiate the series, and
+   measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use this one.
+   Tests: tests/test_laws.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_LEGENDRE_H
 #define VARMASS_OSCILLATORS_LEGENDRE_H
 
@@ -36,7 +35,7 @@ VM_API vm_real vmi_gauss_weight(int i)
     return VM_READ(weight[i / 2]);
 }
 
-/* Legendre's polynomial P_(k+1)(x) from now = P_k(x) and before = P_(k-1)(x) */
+/* Legendre's polynomial P_(k+1)(x), where now = P_k(x) and before = P_(k-1)(x) */
 VM_API vm_real vmi_legendre_next(int k, vm_real x, vm_real now, vm_real before)
 {
     return ((vm_real)(2 * k + 1) * x * now - (vm_real)k * before) / (vm_real)(k + 1);
@@ -100,7 +99,7 @@ VM_API vm_real vmi_legendre_integral(const vm_real *coefficient, vm_real x)
 /* Replaces the coefficients c_k of the series by those of its derivative, d_k = (2k+1) (c_(k+1) + c_(k+3) + ...). */
 VM_API void vmi_legendre_derive(vm_real *coefficient)
 {
-    vm_real sums[2] = {0, 0}; /* sums of coefficients with an index above k: even and odd indices */
+    vm_real sums[2] = {0, 0}; /* sums of the c_j with j > k, for even j and for odd j */
     int k;
     for (k = VMI_GAUSS - 1; k >= 0; k--) {
         const vm_real own = coefficient[k];

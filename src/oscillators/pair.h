@@ -45,8 +45,8 @@ enum {
     VMI_PAIR_MODES = 4
 };
 
-/* Writes the mass and its rate at time t, and checks them, the pair and the four numbers of a state. A right-hand
-   side gives no state to check: where a trial step of an integrator overflows, the integrator repeats the step. */
+/* Writes the mass and its rate at time t, and checks them, the pair and the four numbers of a state. Right-hand
+   sides pass NULL for the state: where a trial step of an integrator overflows, the integrator repeats the step. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
     const vm_real numbers[3] = {p->alpha, p->k, p->reactive};

@@ -1,8 +1,8 @@
 /* oscillators/panels.h - panels of time in which a law is smooth, and the integral of 1/f
 
-   Integrals along a law f(t) from 0 to t are sums over panels of time. Each panel is so short that a series of 20
-   Legendre polynomials represents the law on it. The lengths of panels adapt to the law: a panel that is too long for
-   its series is halved, and the panel after it is twice as long again. Panels end at the points of a table.
+   An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
+   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved; each
+   next panel is tried with twice the length of the one before. Panels end at the points of a table.
        vm_law mass = vm_law_linear(10, VM_C(-0.1));
        vm_real integral;
        int status = vm_law_inverse_integral(&mass, 20, &integral); // 10 ln(10/8) s/kg
@@ -29,7 +29,7 @@ typedef struct VM_TAG(vmi_panels) {
     vm_real side;           /* 1 forward, -1 backward in time */
     vm_real longest, least; /* bounds of a panel's length, s */
     vm_real size;           /* intended length of the present panel, s */
-    vm_real left, step;     /* time left to the end, and length of the present panel, at most this time, s */
+    vm_real left, step;     /* time left to the end, and length of the present panel, which is at most `left`, s */
     int halved;             /* how often panels were halved */
 } vmi_panels;
 
@@ -41,7 +41,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     p.end = end;
     p.side = VM_COPYSIGN(1, end - start);
     p.longest = vmi_smaller(longest, VM_FABS(end - start));
-    p.least = whole / VM_C(1099511627776.); /* 2^40; still shorter panels do not matter */
+    p.least = whole / VM_C(1099511627776.); /* 2^40; what a shorter panel adds does not matter */
     p.size = p.longest;
     p.left = 0;
     p.step = 0;
@@ -50,7 +50,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
 }
 
 /* Returns whether there is a panel at p->t, and sets its length p->step. If the time left is hardly longer than a
-   panel, it is one panel. */
+   panel, all of it becomes one panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -60,7 +60,7 @@ VM_API int vmi_panels_next(vmi_panels *p)
     return 1;
 }
 
-/* Halves the present panel, and returns whether that was possible */
+/* Halves the intended length of the present panel, and returns whether that was possible */
 VM_API int vmi_panels_halve(vmi_panels *p)
 {
     const int most = 4096; /* a bound for laws with noise, for which no length is short enough */
@@ -180,10 +180,10 @@ VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_r
     return status;
 }
 
-/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. Laws with a closed form use it, also next
-   to values where it becomes 0/0. Tables and functions use Gauss' rule; for functions the relative error is at most
-   1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for
-   a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
+/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. A closed form is used if the law has one; it
+   loses no digits where it tends to 0/0. Tables and functions use Gauss' rule; for functions the relative error is at
+   most 1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and
+   for a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
    anywhere between 0 and t, and VM_DOMAIN for t outside a table, for a table out of order, where the user's function
    fails, or where change_time is negative or less than |t|/2^20. An error leaves *integral untouched. */
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)

@@ -22,7 +22,7 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* -- Which route for what, and what the estimate of the error covers --
+/* -- What each route costs, which one is chosen, what its estimate covers, and how good the estimate is --
 
    Cost. Without a force F the first seven routes are averaged solutions in closed form: they need one or two
    evaluations of sa and ca and the integrals of the laws of mass and stiffness, whatever t and the tolerance are. The
@@ -33,14 +33,18 @@
    Choice. vm_osc_within takes the first of these seven solutions that is within the tolerance. Where none is, or where
    F is given, it integrates by collocation, and where amplitude and phase do not describe the motion by rk87.
 
-   What the estimate covers. For averaged solutions it covers what the solution leaves out, and the fastest changes of
-   mass and stiffness between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from
-   point to point. A change within a period makes the estimate large; vm_osc_within then integrates, in steps of at
-   most a quarter of the shortest panel. For averaged equations with F the estimate covers the error of their
-   integration, of averaging, and of cos and cn in place of the Ateb functions. Averaging leaves out the ripple within
-   a period, its effect on phase and amplitude at the start, its square, and a force that changes within a period, as
-   in a resonance. For this estimate F is called over a period at the start and at eight later times: it misses a
-   force that acts only for a short time between them.
+   What the estimate of an averaged solution covers:
+     - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
+     - fast changes of mass and stiffness between 0 and t. The walk along the laws looks for them panel by panel (for
+       laws by functions see vm_law_user), and in tables from one point to the next. A change within a period makes the
+       estimate large, so that vm_osc_within integrates. For a law by a function its steps are then limited by the
+       shortest panel, so that no step skips the change.
+   What the estimate of averaged equations with F covers:
+     - the error of their integration, and the error of cos and cn in place of ca;
+     - what averaging leaves out: the ripple within a period, its effect on phase and amplitude at the start, and terms
+       of second order in this ripple;
+     - a force that changes within a period, as in a resonance. For this the estimate calls F over a period at the start
+       and over periods at eight later times, so it misses a force that acts only for a short time between them.
 
    How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
    1/8 to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. In double its bounds are, for
@@ -53,11 +57,11 @@
 
 /* -- The table of routes -- */
 
-/* The solution at t of averaged equations without a force; *mean is the mean motion at t */
+/* A function that computes the motion at t from the mean motion *mean at t, for a problem without a force */
 typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion);
 
-/* A function that integrates from 0 to t to a tolerance */
+/* A function that computes the motion at t by integration from 0 to t, to a tolerance */
 typedef int (*vmi_osc_integration)(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                    vm_osc_motion *motion);
 
@@ -126,7 +130,7 @@ VM_API const char *vm_osc_route_name(int route) { return vmi_osc_route_of(route)
 
 /* -- One route -- */
 
-/* Checks the arguments that all calls share, apart from the problem. */
+/* Checks the arguments that all calls share, except for the problem or the plan. */
 VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, const vm_osc_motion *motion)
 {
     if (!motion || route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
@@ -146,8 +150,8 @@ VM_API int vmi_osc_check_call(const vm_osc_plan *p, int route, vm_real t, vm_rea
     return vmi_first_error(status, vmi_osc_check_laws(&p->problem, t));
 }
 
-/* The motion of a body at rest at x = 0: it stays at rest, unless a force starts a motion, which no route can
-   compute */
+/* Writes the motion of a body at rest at x = 0, which stays at rest. With a force it returns VM_NO_LAW, since no route
+   can compute the motion that the force starts. */
 VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motion)
 {
     if (p->problem.force) return VM_NO_LAW;
@@ -161,11 +165,10 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. route is one of VM_ROUTE_....
-   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
-   it that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). The comment at
-   the top of this file says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but
-   the error of integration is larger than the tolerance.
-   An error leaves *motion untouched; it returns
+   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of it
+   that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment at the
+   start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
+   computed but the error of integration is larger than the tolerance. An error leaves *motion untouched; it returns
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -194,7 +197,7 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* Writes the motion at t by the averaged solution of the lowest order whose error is estimated to be within the
+/* Writes the motion at t by the first of cos, cn, ca and the orders 2 to 5 whose error is estimated to be within the
    tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
@@ -204,7 +207,7 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     int route, order, status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     first = vmi_osc_first_error(p, &mean);
-    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB, whose wave has no error */
+    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB: ca has no error */
         w = vmi_osc_wave_of(p, route);
         if (first + vmi_osc_wave_error(&w, p->ripple.mean2) <= tolerance)
             return vmi_osc_first_order(p, route, &w, &mean, motion);
@@ -249,7 +252,7 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 /* -- Without a plan -- */
 
 /* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
-   many calls. `complete` asks for the polynomials that orders 3 to 5 need. */
+   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;

@@ -50,7 +50,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 of each method. For cn (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
+/* Writes the mean values a1, a2, a3 for the oscillator's method. With cn, a1 of (411) is simplified by
+   (1 - m) + m C4 = 2 a2. */
 VM_API void vmi_vdp_means(vm_vdp *v)
 {
     v->a1 = 1;
@@ -93,7 +94,7 @@ VM_API int vm_vdp_init(vm_vdp *v)
     return VM_OK;
 }
 
-/* The drive 2 feed - (2r - 1) m', N s/m, which on average feeds a small vibration */
+/* The drive 2 feed - (2r - 1) m', N s/m, which on average feeds energy to a small vibration */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
@@ -106,7 +107,7 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
-/* Whether the closed forms hold: they know the terms feed and c, of an oscillator that is prepared */
+/* Whether the closed forms below may be used: whether vm_vdp_init has prepared the oscillator */
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.

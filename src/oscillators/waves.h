@@ -30,7 +30,7 @@ struct VM_TAG(vmi_osc_wave) {
     void (*at)(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s);
     /* estimates the error of the wave, where mean_ca2 is the mean of ca^2; null for ca, which has no error */
     vm_real (*error)(const vmi_osc_wave *w, vm_real mean_ca2);
-    vm_real alpha;
+    vm_real alpha;              /* exponent of the spring */
     vm_real turn;               /* the wave's own angle is turn psi */
     vm_real speed;              /* the velocity is x' = -speed vmax(A) s */
     vm_real gain_A, gain_theta; /* factors of the means of the force in the averaged equations */
@@ -39,6 +39,7 @@ struct VM_TAG(vmi_osc_wave) {
     const ateb_plan *ateb;      /* plan of ca, or null */
 };
 
+/* Writes the waves c of the position and s of the velocity at the Ateb phase psi. */
 VM_API void vmi_osc_wave_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s) { w->at(w, psi, c, s); }
 
 /* -- ca: exact -- */

@@ -1,9 +1,9 @@
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates, together with the motion of its bodies, what comes in from outside: the
-   impulse and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of
-   the bodies must equal those at the start plus what came in. The difference, the defect, shows the error of a run and
-   the reactions of constraints.
+   A scene that keeps a budget integrates its supply from outside together with the motion of its bodies: the impulse
+   and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of the
+   bodies must equal those at the start plus this supply. The difference is called the defect. It shows the error of a
+   run and the reactions of constraints.
 
        vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
@@ -30,7 +30,7 @@
 #include "start.h"
 #include "state.h"
 
-/* Places of the sums in the VM_BUDGET_STATES numbers of the state */
+/* Indices of the sums of the budget among its VM_BUDGET_STATES numbers of the state */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -66,8 +66,8 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds the contribution of a body to the rates of the budget's sums. The term M'(v) v' of the mass rate can be computed
-   only now, since the acceleration v' is known. */
+/* Adds the contribution of a body to the rates of the budget's sums. For a mass law M(v) the term dM/dv v' of the
+   mass rate is added only here, because the acceleration v' is not known before. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -81,7 +81,7 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
     vmi_scene_enter_loads(b, y, rates);
 }
 
-/* Computes the rates of the budget's sums after an evaluation */
+/* Computes the rates of the budget's sums after an evaluation of the loads */
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
@@ -127,9 +127,9 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 }
 
 /* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
-   none. To be called before vm_scene_start; the state then has VM_BUDGET_STATES further numbers. *budget_or_NULL must
-   stay where it is; the scene stores in it the values at the start. Between two runs a scene may end its budget, but
-   not begin one. */
+   none. Call this function before vm_scene_start. The state then has VM_BUDGET_STATES further numbers.
+   *budget_or_NULL must stay where it is; the scene stores in it its momentum and energy at the start. Between two
+   runs a scene may end its budget, but not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -141,10 +141,11 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t: what the bodies have, what came in since the start, and the defects.
-   Defects come from rounding, from the errors of the integrator, and from constraints: a line, an axle and the plane
-   hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative,
-   VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite, and else VM_OK. */
+/* The budget of a scene in the state y at time t. It has the momentum and energy of the bodies, the supply from
+   outside since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
+   constraints: a line, an axle and the plane hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget,
+   a pointer is NULL or a count is negative, VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite,
+   and else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;

@@ -4,9 +4,10 @@
    inertia of the bare drum. The band comes or goes at the radius
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (by_layer),
-   and the inertia grows by rho b h radius^3 per radian: R is the radius of the drum, h the thickness of the band, b its
-   width and rho its density. In layers, the torque has a kink at each complete turn. vm_band_at computes what is wound
-   up at any angle; vm_effect_band is the mass law of the drum in a scene.
+   and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b
+   its width and rho its density. If the band lies in layers, its rate jumps at each complete turn, and with it the
+   reactive torque. vm_band_at computes the part that is wound up at any angle; vm_effect_band is the mass law of the
+   drum in a scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
@@ -36,15 +37,15 @@ typedef struct VM_TAG(vm_band) {
 /* The part of a band that is wound up at an angle */
 typedef struct VM_TAG(vm_band_now) {
     vm_real radius;  /* m: radius at which the band comes or goes */
-    vm_real rate;    /* kg/rad: mass mu that comes per radian at this radius (181) */
+    vm_real rate;    /* kg/rad: mass mu per radian that is wound up at this radius (181) */
     vm_real mass;    /* kg: mass of the part that is wound up */
     vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
 } vm_band_now;
 
-/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass and
-   inertia are line times the integrals of the radius and of its cube over phi; over n complete layers these are 2 pi
-   times the sums of R + i h and of its cube for i = 0 ... n - 1. The sums of i, i^2 and i^3 are sum1, sum2 and
-   sum1^2. */
+/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass
+   and inertia are line times the integrals of the radius and of its cube over phi; over n complete layers these
+   integrals are 2 pi times the sums of R + i h and of (R + i h)^3 for i = 0 ... n - 1. The sums of i, i^2 and i^3 are
+   sum1, sum2 and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -63,8 +64,8 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-/* The result for a drum without a band: its radius is `radius`, and all other numbers are `others`. If a result does
-   not exist, both arguments are NaN, else `others` is 0. */
+/* A result whose radius is `radius` and whose other numbers are `others`. For a bare drum `others` is 0; for a result
+   that does not exist both arguments are NaN. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -93,7 +94,7 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     return now;
 }
 
-/* Places of the parameters of the effect; its variant is by_layer */
+/* Indices of the parameters of the effect; its variant is by_layer */
 enum {
     VMI_BAND_RADIUS,
     VMI_BAND_THICKNESS,
@@ -116,8 +117,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the angular
-   velocity about the axle at which the band arrives. */
+/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the speed of
+   the band divided by its radius, an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);

@@ -19,7 +19,7 @@
 
 /* The part of a scene that is wrong */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect", "event", or "scene" for its arrays and if nothing is wrong */
+    const char *kind; /* "body", "effect" or "event"; "scene" for a fault of its arrays and if nothing is wrong */
     int index;        /* index of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
@@ -28,7 +28,7 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_is_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
-    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* `mass` is the inertia on an axle */
+    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* on an axle `mass` is the inertia */
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->check) return (b->check)(&b->start);
     return VM_OK;
@@ -44,8 +44,9 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
     return VM_OK;
 }
 
-/* Checks the place of an effect among the effects on a body: a mass law stands first and a link last, and there is at
-   most one of each. b->listed_orders has a bit for each order that stands on the body so far. */
+/* Checks where an effect stands in the list, among the effects on a body: a mass law stands first and a link last,
+   and there is at most one of each. b->listed_orders has a bit for the order of each effect on the body that stands
+   before. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
@@ -95,14 +96,14 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     return status;
 }
 
-/* Whether a body of one motion can take up or give off a body of another motion. On a line or an axle both must have
-   the same motion. In the plane or in space one of them may be a point, since a point has no rotation. */
+/* Whether a body of one motion can take up or give off a body of another motion. Both must have the same motion,
+   except that a body in the plane or in space can also take up or give off a point, which has no rotation. */
 VM_API int vmi_scene_can_jump(int motion, int other)
 {
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Checks a jump. The part that separates must be a possible body for the motion of the body that it becomes. */
+/* Checks a jump. A part that separates must be possible as the body of the scene that it becomes. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -154,9 +155,9 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
     fault_or_NULL->index = index;
 }
 
-/* The first thing that is wrong with a scene, or VM_OK. Returns the status of this fault, and writes to *fault_or_NULL
-   in which body, effect or event it is. The time is proportional to the number of bodies, effects and events. The
-   statuses are those in the comments of the constructors, and
+/* The first thing that is wrong with a scene, or VM_OK. Returns the status of this fault, and writes to
+   *fault_or_NULL in which body, effect or event it is. The time of this check is proportional to the number of
+   bodies, effects and events. The statuses are those in the comments of the constructors, and
      VM_BAD_ARGUMENT        if a pointer is NULL, a count is negative, or a body or a function is missing;
      VM_NOT_FINITE          if a parameter, a time or a number of a body is infinite or NaN;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;

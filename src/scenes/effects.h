@@ -28,7 +28,7 @@
 #include "scene.h"
 
 /* To add an effect, write one block like that of the spring (vm_effect_spring), and nothing else in the headers:
-     an enum          names the places of the parameters in p[6];
+     an enum          names the indices of the parameters in p[6];
      vmi_apply_NAME   adds the force to the loads, at each evaluation;
      vmi_NAME_check   returns a status, if not all finite parameters are allowed;
      vm_effect_NAME   is the constructor: it calls vmi_effect and sets the parameters and all that differs from the
@@ -228,9 +228,9 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle).
-   x and v are position and velocity relative to other_coordinate of the body `other`, which takes the reaction.
-   vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
+/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an
+   angle). x and v are position and velocity of the coordinate, relative to other_coordinate of the body `other`,
+   which takes the reaction. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -248,14 +248,19 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
     return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
-/* An effect that the caller's function applies. It may depend on the whole state. apply adds to
-   effect->load->force[coordinate]; if the mass is a state, also to effect->load->mass_rate; if the mass is neither a
-   state nor given by a law, also to effect->load->mass. apply may read effect->load->mass; y[effect->x] and
-   y[effect->v], position and velocity of coordinate 0; the state of body i from y[scene->bodies[i].at] on; effect->p
-   and effect->ctx; and effect->load->force, the sum of the effects that stand before it in the list. So a stop that is
-   listed last can take away the force that presses on it. other is another body, or VM_GROUND. The effect acts only
-   while both bodies are present; effect->other_load, effect->other_x and effect->other_v belong to the body `other`.
-   vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
+/* An effect that the caller's function applies. It may depend on the whole state. The function `apply` adds to
+     effect->load->force[coordinate]   the force;
+     effect->load->mass_rate           the rate of the mass, only if the mass is a state;
+     effect->load->mass                further mass, only if the mass is neither a state nor given by a law.
+   It may read
+     y[effect->x], y[effect->v]        position and velocity of coordinate 0;
+     y[scene->bodies[i].at], ...       the state of body i;
+     effect->load->mass                the present mass;
+     effect->load->force               the sum of the forces of the effects that stand before it in the list;
+     effect->p, effect->ctx            parameters, and a pointer of the caller.
+   Therefore a stop that is listed last can take away the force that presses on it. other is another body, or
+   VM_GROUND. The effect acts only while both bodies are present; effect->other_load, effect->other_x and
+   effect->other_v belong to the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -302,9 +307,9 @@ VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y,
     e->load->force[1] += fy;
 }
 
-/* A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance is the mass m times its
-   eccentricity e in kg m, frequency the angular velocity Omega in rad/s, and phase is in rad. The effect acts on
-   coordinates 0 and 1 of a body in the plane or of a point. */
+/* A rotating unbalance, the force m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase. unbalance is the mass
+   m times its eccentricity e in kg m, frequency the angular velocity Omega in rad/s, and phase is in rad. The effect
+   acts on coordinates 0 and 1 of a body in the plane or of a point. */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_unbalance);
@@ -327,9 +332,9 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation has
-   the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the plane or
-   of a point. It does no work. */
+/* A gyroscopic force normal to the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation
+   has the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the
+   plane or of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);

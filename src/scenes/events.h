@@ -1,8 +1,8 @@
 /* scenes/events.h - when an event happens, and what it does
 
    An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what happens then. An event
-   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often it
-   has happened and event.time when it last happened, and the motion is the same as without the event.
+   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often
+   it has happened and event.time when it last happened, and the motion is the same as without the event.
 
        vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
                             vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
@@ -13,12 +13,12 @@
        scene.located = located;
        scene.n_events = 2;
 
-   An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if this is
-   0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only motion crosses a
-   value: an event that moves a coordinate beyond the value causes no crossing, and neither does a body that is not
-   present. Events at one instant happen in the order of the list; if a jump and a crossing are within rounding of each
-   other, either of the two may be the first. To get the times (or states) of all events of one run, set
-   scene.located[i].times (or .states) and .room after the start.
+   An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
+   event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
+   motion causes a crossing: there is none if an event moves a coordinate beyond the value, or while the body is not
+   present. Events at one instant happen in the order of the list; if the times of a jump and of a crossing differ
+   only by rounding errors, either of the two may happen first. To get the times (or states) of all events of one run,
+   set scene.located[i].times (or .states) and .room after the start.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
@@ -139,10 +139,11 @@ VM_API void vmi_scene_note_masses(vm_scene *s)
     for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
-/* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass law,
-   would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find by how
-   much the masses of the laws differ from the stored ones, then again with the corrected masses. A body uses only one
-   of the fields `mass` and `law_offset`, the latter if it has a mass law, so that both may be corrected. */
+/* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass
+   law, would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find
+   by how much the masses of the laws differ from the stored ones, then again with the corrected masses. A body with a
+   mass law uses the field `law_offset`, any other body the field `mass`. Both fields are corrected, because the
+   unused one has no effect. */
 VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;

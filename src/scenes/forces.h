@@ -1,9 +1,9 @@
 /* scenes/forces.h - the forces of effects, as functions of numbers
 
-   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
-   return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v its
-   rate (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6 VM_EPSILON times the sum
-   of the absolute values of the terms, if the angle of a sine or cosine is exact.
+   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well.
+   They return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v
+   the rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6
+   VM_EPSILON times the sum of the absolute values of the terms, if the angle of a sine or cosine is exact.
 
        vm_real x = VM_C(0.1), v = 2, mass = 3;
        vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
@@ -75,9 +75,9 @@ VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm
     *fy = f * y;
 }
 
-/* The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase). unbalance is the mass m times its
-   eccentricity e in kg m, and frequency is the angular velocity Omega in rad/s. The components are written to *fx and
-   *fy; if one of these pointers is NULL, nothing is written. */
+/* The force of a rotating unbalance, m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase. unbalance is the
+   mass m times its eccentricity e in kg m, and frequency is the angular velocity Omega in rad/s. The components are
+   written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
 {
@@ -89,9 +89,9 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
-   equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are written to
-   *fx and *fy; if one of these pointers is NULL, nothing is written. */
+/* The gyroscopic force normal to a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor,
+   whose equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are
+   written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;

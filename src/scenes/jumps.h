@@ -1,7 +1,8 @@
 /* scenes/jumps.h - separation and attachment as events of a scene
 
    An event can separate a part from a body, or attach one body to another, by the laws of mechanics/jumps.h. A part
-   that separates becomes another body of the scene, which must be absent before; an attached body is absent afterwards.
+   that separates becomes another body of the scene, which must be absent before; an attached body is absent
+   afterwards.
 
        vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
        vm_body part;
@@ -10,19 +11,22 @@
        part.v.x = 2;    // m/s faster than the body
        vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);
 
-   A part is described by its motion just after the jump: in inertial axes, or, if relative is 1, in the axes of the
-   body, with r from the mass centre of the body, and q, v and omega relative to the motion of the body at this point.
-   In the plane and on an axle the new body has the angle of the body from which it separates, plus the angle with which
-   it was made. event.external is an impulse that acts from outside during the jump.
+   The caller gives the motion of a part just after the jump. If relative is 0, it is given in inertial axes. If
+   relative is 1, it is given in the axes of the body: r leads from the mass centre of the body to the part, and q, v
+   and omega are relative to the motion of the body at this point. In the plane and on an axle the new body has the
+   angle of the body from which it separates, plus the angle with which it was made. event.external is an impulse that
+   acts from outside during the jump.
 
-   Two bodies can jump together if they have the same motion, or if one of them is a point and the other is in the plane
-   or free. The functions whose names end in _on_line and _in_plane are vm_then_separate and vm_then_attach for these
-   motions alone, and link less code (docs/scene-sizes.md). A point that takes up a body at another place loses the
-   angular momentum of the two about their mass centre; angular_defect of the budget shows this.
+   Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
+   give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as
+   vm_then_separate and vm_then_attach for these motions only, and link less code (docs/scene-sizes.md). A point that
+   takes up a body at another place loses the angular momentum of the two about their mass centre; angular_defect of
+   the budget shows this.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
    jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
-   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a body.
+   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a
+   body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
@@ -44,8 +48,9 @@
 
 /* Computes the jump on a line and on an axle. With sign = -1 for a part that separates and 1 for a body that is
    attached, the velocity becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and the mass centre moves by the
-   fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v belong to the body, m and v2 to
-   the part. Line and axle use the same formulas: the numbers that a motion does not need are 0. */
+   fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v belong to the body, m and v2
+   to the part; on an axle M and m are moments of inertia. Line and axle use the same formulas: the numbers that a
+   motion does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
@@ -85,8 +90,8 @@ VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
     return j;
 }
 
-/* Computes the jump in the plane. Returns VM_BAD_INERTIA if the rest has no inertia: it is then a point, which cannot
-   be a body in the plane. */
+/* Computes the jump in the plane. Returns VM_BAD_INERTIA if the remaining body has no inertia, because it is then a
+   point and cannot be a body in the plane. */
 VM_API int vmi_event_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_impulse2 external = vmi_event_impulse2(&e->external);
@@ -119,15 +124,16 @@ VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *o
     return vm_attach(body, other, &e->external, b);
 }
 
-/* The angle of a body in the plane or on an axle, complete turns included. For all other bodies it is a number that put
-   ignores. */
+/* The angle of a body in the plane or on an axle, complete turns included. For all other bodies the result is a
+   number that the function `put` of the body ignores. */
 VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* Changes the place of the mass centre in a growing body after a jump, which has moved the mass centre to r */
+/* Updates the position of the mass centre in body axes after a jump, which has moved the mass centre of a growing
+   body to r */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -139,7 +145,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Then corrects the masses of the mass laws, which the jump does not change. */
+   NULL if the body `other` was attached. Then adjusts the masses of bodies with a mass law, because the laws do not
+   know of the jump. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;

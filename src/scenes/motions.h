@@ -132,8 +132,8 @@ VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
-/* Reads a body in the plane. As in a lamina, the moments of inertia about x and y, which no motion in the plane needs,
-   have the sum zz, so that such a body is possible. */
+/* Reads a body in the plane. Motion in the plane does not depend on the moments of inertia about x and y. They get
+   the sum zz, as in a lamina, so that a body with this inertia is possible. */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
@@ -217,8 +217,8 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
 /* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
-   includes the dummy moments of b->invertible; therefore the spin of a rod about its own axis stays, since no load
-   turns a rod about it. */
+   includes the dummy moments of b->invertible; therefore the equations can be solved for a rod, too. The spin of a
+   rod about its own axis stays constant, since no load turns the rod about this axis. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -282,8 +282,8 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* A body that moves and turns freely in space. *start is its motion at the start. It may be a rod, whose spin about its
-   own axis then stays. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
+/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod, whose spin
+   about its own axis then stays constant. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
@@ -314,15 +314,15 @@ VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
     return body;
 }
 
-/* The number of coordinates along which the mass moves; on an axle 1, the coordinate about which the inertia turns */
+/* The number of coordinates on which the mass, or on an axle the moment of inertia, resists acceleration */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;
     return motion == VM_PLANE ? 2 : 3;
 }
 
-/* The vector, in inertial axes, of the numbers in a, one for each coordinate, that belong to the motion of the mass
-   centre */
+/* The array a has a number for each coordinate. Returns the vector of those for the motion of the mass centre, in
+   inertial axes. */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -331,8 +331,8 @@ VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
     return vmi_get3(a);
 }
 
-/* The vector of the numbers in a, one for each coordinate, that belong to the rotation of the body, in the axes of
-   these numbers */
+/* The array a has a number for each coordinate. Returns the vector of those for the rotation of the body, in the axes
+   in which the array has them. */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
@@ -351,8 +351,8 @@ VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
     return vmi_times(&axes, omega);
 }
 
-/* Adds two vectors to the numbers in a, one for each coordinate: `moving` to those of the mass centre, `turning` to
-   those of the rotation. So it is the inverse of vmi_scene_moving and vmi_scene_turning. */
+/* The array a has a number for each coordinate. Adds the vector `moving` to those for the motion of the mass centre
+   and the vector `turning` to those for the rotation. vmi_scene_moving and vmi_scene_turning read these numbers. */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {

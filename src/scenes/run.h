@@ -24,14 +24,15 @@
 /* How quickly events follow each other in a run */
 typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
-    vm_real gap;   /* s: the shortest time between a crossing at this instant and the one before; VM_MAX if none */
-    int crowded;   /* number of successive instants with a gap that the time hardly resolves */
+    vm_real gap;   /* s: of all crossings at this instant, the shortest time since the last crossing by the same event;
+                      VM_MAX if none */
+    int crowded;   /* number of successive instants whose gap is too short for the precision of the time */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* events at one instant; if there are more, they cause each other without end */
-    VMI_SCENE_MOST_CROWDED = 3,    /* successive instants with a gap that the time hardly resolves */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, to see the next one even if gaps shrink */
+    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more would cause each other without end */
+    VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants with a gap too short for the precision of time */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, so that the next is seen even if gaps shrink */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
@@ -47,8 +48,9 @@ VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
     return *times > 0;
 }
 
-/* Applies to y, in the order of the list, each event that is due at the time t. Returns VM_OK, or the first status that
-   is not VM_OK, or an error of a later event. */
+/* Applies to y, in the order of the list, each event that is due at the time t. Returns the first status other than
+   VM_OK, or VM_OK if there is none. An error (a negative status) of an event ends the loop, and is returned even if
+   an earlier event has stopped the run. */
 VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
@@ -73,8 +75,9 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
 }
 
 /* Applies all events of an instant, including those that an event causes at the same instant. Events may follow each
-   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the time no longer
-   resolves them; until then the step after such an event is made so short that the next event is seen. */
+   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the precision of the
+   time no longer separates them. Until then the step after such an event is made so short that the next event is
+   seen. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
     const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap has fewer than two digits */
@@ -111,7 +114,7 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return VM_OK;
 }
 
-/* The next time at which an event or an output is due, or t_end if that is earlier */
+/* The next time for which an event or an output is set, or t_end if that is earlier */
 VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 {
     vm_real due = t_end;
@@ -127,8 +130,8 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 /* Finds the reason why a run ends: whether a mass or an inertia would soon reach 0 if the state continued at its
    present rates. It tries longer and longer steps, up to 1e-6 of the time (float: 1e-3). The first failure becomes
    s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that no step
-   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is over,
-   so that its work has room for a state and its rates. */
+   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is
+   over, so that parts of the integrator's work space are free for a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -144,7 +147,7 @@ VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
     }
 }
 
-/* The status of a scene for an error of the integrator */
+/* The status of a scene that reports an error of the integrator */
 VM_API int vmi_scene_status_of_ode(int ode_status)
 {
     switch (ode_status) {
@@ -157,8 +160,8 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
     }
 }
 
-/* Makes one step, at most to the next time at which something is due. If the integrator fails, returns the reason why a
-   body cannot be accelerated rather than the status of the integrator. */
+/* Makes one step, at most to the next time for which an event or an output is set. If the integrator fails, returns
+   the reason why a body cannot be accelerated rather than the status of the integrator. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
     const int ode_status = vmi_rk45_run(r, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
@@ -205,9 +208,9 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
 }
 
 /* Run of a scene from *t to t_end, with its events and its output. The integrator is rk45. The scene must have been
-   started, and t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of
-   rk45, without events. *t and y become the time and the state at which the run ended. Returns VM_OK at t_end,
-   VM_STOPPED if an event or the output ended the run, or
+   started, and t_end must not be before *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The
+   options are those of rk45, without events. *t and y become the time and the state at the end of the run. Returns
+   VM_OK at t_end, VM_STOPPED if an event or the output ended the run, or
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
                            if a mass or an inertia ran out, even if the steps became too short just before that;

@@ -23,7 +23,11 @@ enum { VM_BUDGET_STATES = 15 }; /* number of elements that a budget adds to the 
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
 /* Whether a list can have n elements: n is not negative, and list is not NULL unless n is 0 */
-VM_INLINE int vmi_scene_is_list(int n, const void *list) { return n == 0 || (n > 0 && list); }
+VM_INLINE int vmi_scene_is_list(int n, const void *list)
+{
+    if (n > 0) return list != NULL;
+    return n == 0;
+}
 
 /* Whether the lists of bodies and effects, which an evaluation reads, have possible lengths and are not NULL */
 VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
@@ -79,8 +83,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Makes effects idle whose body, or whose body that takes the reaction, is not present, and makes all other effects
-   active unless they are switched off */
+/* Updates the field `idle` of all effects. An effect is idle if its body, or the body that takes the reaction, is not
+   present, or if the effect is switched off. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;

@@ -38,9 +38,10 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 }
 
 /* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
-   negative for mass that leaves; the velocity of the mass is u + (1 - reactive) v, as in vm_effect_mass_law. The
-   inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a
-   state. */
+   negative for mass that leaves. If reactive is 1, u is the absolute velocity of the mass; if reactive is 0, u is
+   relative to the body. In general the velocity of the mass is u + (1 - reactive) v, where v is the velocity of the
+   body. The inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body
+   is not a state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -53,8 +54,8 @@ VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real rea
     return e;
 }
 
-/* A stream at a point of a growing body: the motion of the body, as vmi_stream_sums needs it, and the sums of this
-   function */
+/* A stream at a point of a growing body: the motion of the body, as vmi_stream_sums needs it, and the sums that this
+   function computes */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
@@ -79,9 +80,9 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT;
 }
 
-/* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget. What the mass of the
-   stream brings is entered in the budget with the mass (vmi_apply_stream_mass); the power of force and torque is
-   subtracted from `mixing`. */
+/* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget.
+   vmi_apply_stream_mass enters in the budget the energy of the mass, and its momentum as if it had the velocity of
+   the body. This function adds force and torque to the momentum brought, and subtracts their power from `mixing`. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -138,8 +139,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene does not account for mass on
-   the way to or from a store */
+/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene neglects the momentum of mass
+   that flows between a store and the surface */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
@@ -157,11 +158,11 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes it,
-   the run continues with the change. stream->at is in body axes, from the place of the mass centre at the start.
-   `mixing` of the budget is right if the effects for mass, force, moment and torque of the stream are all listed.
-   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown, VM_STORED_STREAM if it has a
-   store, and VM_DOES_NOT_GROW if the body is not a growing body. */
+/* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes
+   it, the run continues with the change. stream->at is in body axes, from the position of the mass centre at the
+   start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
+   stream are all listed. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown,
+   VM_STORED_STREAM if it has a store, and VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
