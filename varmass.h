@@ -1,7 +1,7 @@
 /* varmass.h - dynamics of bodies whose mass varies
 
    Part of varmass (MIT licence): copy varmass.h, ateb.h, jacobi.h and integrators.h side by side, include varmass.h,
-   link with -lm. No allocation, no state, no other library.
+   link with -lm. varmass.h allocates no memory, keeps no state and needs no other library.
 
        #include <stdio.h>
        #include "varmass.h"
@@ -19,10 +19,11 @@
 
    CHAPTERS
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
-     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how
-                    a part must leave; energy of a jump; a rotor that breaks; Lagrange's equations across a jump and
-                    with variable mass; a pendulum that is cut; torque-free rotation; streams of mass: reactive force
-                    and torque; rockets; a band that winds up on a drum
+     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
+                    part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
+                    Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
+                    rotation; streams of mass with their reactive force and torque; rockets; a band that winds up on a
+                    drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping; Van
                     der Pol's oscillator, Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation,
                     resonance, turning points
@@ -37,24 +38,24 @@
      Axes         r, v and omega are in inertial axes. The inertia tensor is about the body's own mass centre, in body
                   axes; its entries xy, xz, yz are those of the tensor, minus the integral of x y dm and so on. v is
                   momentum/mass.
-     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1; all zero means
-                  identity.
+     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1. A q of four zeros
+                  means that body axes and inertial axes coincide.
      Arguments    Functions of numbers take the variable first, then the parameters, results last. Functions of an
                   object take the object first, then the variable. A parameter that may be NULL is called ..._or_NULL.
      Laws         A mass, stiffness or damping that depends on time is a vm_law.
      Damping      damping > 0 takes energy out.
-     Streams      reactive = 1: mass that joins or leaves has an absolute velocity of its own (at rest if it is 0),
-                  and the full reactive force acts; reactive = 0: it has the body's velocity, and there is no reactive
-                  force.
+     Streams      reactive = 1: mass that joins or leaves has an absolute velocity of its own (0 means at rest), and
+                  the full reactive force acts. reactive = 0: this mass has the body's velocity, and no reactive
+                  force acts.
      Names        X_to_Y and X_from_Y convert. X_rhs is the right-hand side of the differential equations of X,
-                  X_averaged_rhs that of the averaged ones. A suffix 2 means the plane, 1 means one dimension. Names
-                  that begin with vmi_ or VMI_ are internal.
+                  X_averaged_rhs that of the averaged equations. A suffix 2 means the plane, 1 means one dimension.
+                  Names that begin with vmi_ or VMI_ are internal.
 
    ERRORS
      Functions that can fail return a status: 0 (VM_OK), a positive number (done, with a remark) or a negative one
-     (outputs are untouched). vm_strerror() explains it. The same mistake has the same status in every function;
-     base/status lists them. Functions that return a number return NaN outside their domain, for infinite arguments
-     too. Outputs may be the inputs.
+     (the outputs are untouched). vm_strerror() explains a status. The same mistake has the same status in every
+     function; base/status lists all statuses. Functions that return a number return NaN outside their domain and for
+     infinite arguments. Outputs may be the inputs.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -63,30 +64,30 @@
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where nothing is promised
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although no result is promised to be right then
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
 
-   ACCURACY, as promised and tested (make test); docs/measurements.md has what was measured
+   ACCURACY, as promised and tested (make test); docs/measurements.md has the measured errors
      Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
-                  sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that moves on as before leaves omega as
-                  it was.
+                  sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
+                  body does not change omega.
      Rotation     torque-free: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs taken as
                   exact.
      Streams      closed forms within a few eps; a body and everything it has shed keep momentum, angular momentum and
                   energy to the integrator's tolerance.
      Lambert's W  within 1 ulp. The drum on a rigid shaft: within 4 ulp.
-     Oscillators  every route returns an estimate of its whole error in the field error, or infinity where it knows
-                  nothing.
+     Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
+                  estimate is possible.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation.
-     Others stand where they are used.
+     Other sources are named in the chapters that use them.
 
    INDEX
      base/status: the statuses that functions return, and what each of them means
@@ -180,7 +181,7 @@
        vm_lagrange_impact             Velocities after an impact that changes no mass
 
      mechanics/pendulum: a pendulum from which a part is cut
-       vm_pendulum_separate           Motion of a pendulum and of the part that is cut off it, (119)-(132)
+       vm_pendulum_separate           Motion of a pendulum and of the part that is cut off from it, (119)-(132)
 
      mechanics/torque_free: exact rotation of a body on which no torque acts
        vm_torque_free_init            Preparation of the exact torque-free motion of a body
@@ -201,7 +202,7 @@
        vm_flow_start                  Initial state y of a body with streams
        vm_flow_body                   The body that n states y describe, with a quaternion of length 1
        vm_flow_mass_left              Mass minus flow.least_mass, kg
-       vm_flow_inertia_left           Least pivot of the inertia minus flow.least_inertia, kg m^2
+       vm_flow_inertia_left           Smallest pivot of the inertia minus flow.least_inertia, kg m^2
 
      mechanics/flow2: a body in a plane with streams of mass
        vm_flow2_rhs                   Right-hand side of a body in the plane with streams of mass, (151), (152)
@@ -211,7 +212,7 @@
        vm_flow1_rhs                   Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176)
 
      mechanics/rocket: closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
-       vm_velocity_by_momentum        Velocity after the mass changes from m0 to m by mass of the absolute velocity u (151), (171)
+       vm_velocity_by_momentum        Velocity after the mass changes from m0 to m by mass with the absolute velocity u (151), (171)
        vm_tsiolkovsky                 Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m
        vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate
        vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
@@ -239,8 +240,8 @@
 
      mechanics/euler_angles: Euler's angles
        vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
-       vm_euler_313_axes              Axes about which Euler's angles turn the body, in inertial axes
-       vm_euler_313_body_axes         Axes about which Euler's angles turn the body, in body axes
+       vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
+       vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
        vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      oscillators/constant_mass: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
@@ -257,7 +258,7 @@
        vm_osc_jacobi                  Approximation x0 cn(Omega_1 t | m) (297) and its velocity (302), from rest at x0
        vm_osc_approximation_errors    Errors of the approximations by cos and cn, as the fields of vm_osc_errors
 
-     oscillators/laws: laws of mass, stiffness and the like: numbers that depend on time
+     oscillators/laws: laws of time for mass, stiffness and other numbers
        vm_law_at                      Value f and rate df/dt of a law at time t (s), which may be negative
        vm_law_linear                  Linear law f = f0 + f1 t (346); a constant where f1 = 0
        vm_law_quadratic               Quadratic law f = f0 + f1 t + f2 t^2
@@ -266,7 +267,7 @@
        vm_law_table                   Table of n >= 2 points (time[i], value[i]), joined by monotone cubics
        vm_law_user                    Law by a user's function, which must be smooth
 
-     oscillators/plan: the plan of an oscillator: what has to be computed only once for a motion
+     oscillators/plan: the plan of an oscillator: what is computed once and then used for many times of its motion
        vm_osc_plan_init               Plan for many values of one problem's motion
 
      oscillators/panels: panels of time in which a law is smooth, and the integral of 1/f
@@ -356,8 +357,8 @@
        vm_force_stream                The reactive force of a stream, rate (u - reactive v)
        vm_force_gravity               The weight of a mass, mass g
        vm_force_shaft                 The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y)
-       vm_force_unbalance             The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase)
-       vm_force_gyroscopic            The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx)
+       vm_force_unbalance             The force of a rotating unbalance, m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase
+       vm_force_gyroscopic            The gyroscopic force normal to a velocity in the plane, 2 gyro (-vy, vx)
 
      scenes/effects: springs, dampers, motors and other forces on a coordinate
        vm_effect_gravity              Gravity along a coordinate, the force M g
@@ -372,8 +373,8 @@
        vm_effect_force                A force that the caller's function returns
        vm_effect_custom               An effect that the caller's function applies
        vm_effect_shaft                An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y)
-       vm_effect_unbalance            A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase)
-       vm_effect_gyroscopic           A gyroscopic force across the velocity, 2 gyro (-vy, vx)
+       vm_effect_unbalance            A rotating unbalance, the force m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase
+       vm_effect_gyroscopic           A gyroscopic force normal to the velocity, 2 gyro (-vy, vx)
 
      scenes/mass: mass that follows a law, and its reactive force
        vm_effect_mass_law             A mass law M(t, x, v) that the caller's function returns
@@ -467,23 +468,23 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body without inertia about an axis (a rod, a point) keeps its spin about
-                                    this axis, and the angular momentum that was left for it is lost */
+    VM_NULL_AXIS = 1,            /* done, but a body (a rod, a point) has no inertia about an axis: it keeps its spin
+                                    about this axis, and the angular momentum that the spin should take up is lost */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
-    VM_NOT_FINITE = -2,          /* a number that was given, or that arises, is infinite or NaN */
-    VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the mass of the rest */
-    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation it may be that of the rest */
+    VM_NOT_FINITE = -2,          /* an argument, or a number computed from the arguments, is infinite or NaN */
+    VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the remaining body's mass */
+    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation this may be the remaining body's */
     VM_SINGULAR = -5,            /* a system of linear equations has no unique solution */
     VM_DOMAIN = -6,              /* a parameter lies outside its domain */
-    VM_NO_LAW = -7,              /* no such route or closed form exists for this problem */
+    VM_NO_LAW = -7,              /* this problem has no such route (method of solution) or closed form */
     VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator did not reach the end */
-    VM_BAD_MOTION = -9,          /* scenes: a motion that does not exist, or on which an effect or event cannot act */
+    VM_BAD_MOTION = -9,          /* scenes: a kind of motion does not exist, or no such effect or event can act on it */
     VM_NO_SUCH_BODY = -10,       /* scenes: no body has this index */
     VM_NO_SUCH_COORDINATE = -11, /* scenes: the body has no such coordinate */
     VM_NO_SUCH_EFFECT = -12,     /* scenes: no effect has this index */
-    VM_TWO_MASS_LAWS = -13,      /* scenes: a mass has two laws, or has a law and is a state as well */
+    VM_TWO_MASS_LAWS = -13,      /* scenes: a mass has two laws, or it has a law and is a component of the state too */
     VM_BAD_ORDER = -14,          /* scenes: the law of a body's mass stands after another effect on this body */
     VM_MASS_IS_NO_STATE = -15,   /* scenes: a stream acts on a body whose mass is not a state */
     VM_TOO_MANY_EVENTS = -16,    /* scenes: events follow each other without end */
@@ -500,7 +501,7 @@ enum {
     VM_LINK_NOT_LAST = -27,      /* scenes: another effect on the body stands after its link */
     VM_STORED_STREAM = -28,      /* scenes and reactive loads: a stream comes from a store, which cannot be used here */
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
-    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: M + M'(v) (reactive v - u) is not positive for a mass law M(v) */
+    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) makes the effective mass M + M'(v) (reactive v - u) <= 0 */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
     VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
 };
@@ -508,8 +509,8 @@ enum {
 /* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
 #define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
-/* The meaning of a status as a line of text. For an error it also says, where it can, what to do. The status may be
-   any number. */
+/* The meaning of a status as a line of text. For an error the text also says, where possible, what to do. The status
+   may be any number. */
 VM_API const char *vm_strerror(int status)
 {
     switch (status) {
@@ -554,15 +555,15 @@ VM_API const char *vm_strerror(int status)
     }
 }
 
-/* Where an error stands in the order at the top of this file: a smaller number comes first. Errors that are not there
-   have the order of their numbers. */
+/* Returns the rank of an error: the error with the smaller rank is reported. The ranks follow the order at the top of
+   this file; errors that are not named there follow in the order of their numbers. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
     return 2 * -status;
 }
 
-/* Of two statuses, VM_OK or errors, the one that is returned if both apply */
+/* Returns the one of two statuses, VM_OK or errors, that a function returns if both apply. */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;
@@ -590,7 +591,7 @@ VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 #ifndef VARMASS_BASE_LINEAR_H
 #define VARMASS_BASE_LINEAR_H
 
-/* Eliminates the entries of column k below the diagonal from a x = b. */
+/* Eliminates the unknown x[k] from the equations k + 1 to n - 1 of the system a x = b. */
 VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
 {
     int i, j;
@@ -670,9 +671,9 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #ifndef VARMASS_BASE_ZERO_H
 #define VARMASS_BASE_ZERO_H
 
-/* Returns the zero of f between a and b, as exact as x can be, where fa = f(a) and fb = f(b) have opposite signs.
-   Method (Illinois): the next x lies on the secant through the ends of the interval; when one end has stayed for two
-   steps, the value there is halved. Every fourth step bisects the interval if the last four have not made it eight
+/* Returns a zero of f between a and b, as accurate as the type allows, where fa = f(a) and fb = f(b) have opposite
+   signs. Method (Illinois): the next x lies on the secant through the ends of the interval; when one end has stayed for
+   two steps, its value of f is halved. Every fourth step bisects the interval if the last four have not made it eight
    times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
@@ -803,9 +804,9 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 #ifndef VARMASS_BASE_POLYNOMIAL_H
 #define VARMASS_BASE_POLYNOMIAL_H
 
-/* Returns the correction of the approximate root i. It is Newton's step for the polynomial divided by the factors
-   z - z_j of all other approximate roots z_j; this division keeps two approximations from meeting. The correction is
-   0 where the polynomial is 0 within its rounding errors. */
+/* Returns the correction of the approximate root i. It is Newton's step for the polynomial divided by z - z_j for each
+   other approximate root z_j; this division keeps two approximations from converging to the same root. The correction
+   is 0 where the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -856,11 +857,11 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
 }
 
 /* Sorts the roots: first the real roots from the largest to the smallest, then the conjugate pairs by rising |im|, in
-   each pair the root with im > 0 first. Imaginary parts that only rounding has left become 0, and the two roots of a
+   each pair the root with im > 0 first. Imaginary parts that are only rounding errors become 0, and the two roots of a
    pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* the distance by which rounding splits a double root */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this distance */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -893,7 +894,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* a start symmetric about the real axis would stay symmetric */
+    for (i = 0; i < m; i++) /* the start is not symmetric about the real axis: symmetry would persist */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
@@ -1003,8 +1004,8 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 /* base/lambert.h - Lambert's function W
 
    w = W(x) solves w e^w = x. The equation has one solution for x >= 0 and two for -1/e <= x < 0: the branch W_0 >= -1
-   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The forms that take the logarithm of the argument work
-   where the argument itself would overflow or underflow.
+   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The functions that take the logarithm of the argument
+   work where the argument itself would overflow or underflow.
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
@@ -1034,8 +1035,8 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x
-   close to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. An s between
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
+   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
    -eps/2 and 0 is caused by rounding and means x = -1/e. The start for W_-1 is by Barry, Culligan-Hensley and Barry
    (ACM TOMS 21, 1995); the start for W_0 is a series in sqrt(2s), which is good for s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
@@ -1109,13 +1110,13 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
     return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_minus(ln)), 1);
 }
 
-#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* where ln|x| is less than this, W_0(x) = x */
+#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* if ln|x| is less than this number, W_0(x) rounds to x */
 
 /* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
    overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
-    const vm_real direct_from = 40; /* from l = 40 on ln(1 + e^l) rounds to l */
+    const vm_real direct_from = 40; /* for l >= 40, ln(1 + e^l) rounds to l */
     vm_real start;
     if (!VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
@@ -1213,13 +1214,13 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
 
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
-/* The product m a of a matrix and a vector */
+/* The product m a of the matrix m and the vector a */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-/* The product m^T a. For a rotation matrix m it turns a vector back by that rotation. */
+/* The product of the transposed matrix m^T and the vector a. For a rotation matrix m it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
@@ -1281,14 +1282,14 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
     return vmi_quat_over(q, largest);
 }
 
-/* The quaternion of length 1 that turns as q does. Four zeros give the identity. */
+/* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
 VM_API vm_quat vmi_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of q. The parameter `square` is the square of q's length and must be a normal number. */
+/* The rotation matrix of q. `square` is the square of q's length: a normal number, not 0, subnormal or infinite. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -1309,7 +1310,7 @@ VM_API vmi_mat3 vmi_rotation(vm_quat q)
     return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
 
-/* Reads three numbers of a state y as a vector. vmi_set3 writes them. */
+/* Reads three numbers of a state as a vector. vmi_set3 writes a vector to a state. */
 VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 
 VM_API void vmi_set3(vm_real *y, vm_vec3 a)
@@ -1319,7 +1320,7 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Reads four numbers w, x, y, z of a state y as a quaternion */
+/* Reads the four numbers w, x, y, z of a quaternion from a state */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
 #endif
@@ -1336,7 +1337,7 @@ VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y
 #ifndef VARMASS_MECHANICS_INERTIA_H
 #define VARMASS_MECHANICS_INERTIA_H
 
-/* A tensor of inertia by its entries, in kg m^2. The products of inertia have the sign of the tensor's entries:
+/* A tensor of inertia, given by its entries, in kg m^2. The products of inertia have the sign of the tensor's entries:
    xy = -integral of x y dm. */
 typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
@@ -1366,7 +1367,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T, with the unit matrix E: the inertia about the origin of a unit mass at d */
+/* P(d) = |d|^2 E - d d^T, with the unit matrix E. It is the inertia of a unit mass at d about the origin. */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -1379,8 +1380,8 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-/* The tensor m^T i m, which has the entries of i along the axes in the columns of m */
-VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
+/* The tensor m^T i m: the entries of the tensor i along new axes, which are the columns of the matrix m */
+VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
     vm_inertia t;
@@ -1393,8 +1394,9 @@ VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
     return t;
 }
 
-/* The sizes of the terms whose sums are the entries of m^T i m. An entry's rounding error is some eps of its terms. */
-VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
+/* For each entry of the tensor m^T i m, the sum of the absolute values of its terms. The rounding error of the entry is
+   a few eps times this sum. */
+VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
     vmi_mat3 b;
@@ -1413,7 +1415,7 @@ VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 /* The sum |xx| + |yy| + |zz|, which is the trace if i is the inertia of a body */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Reads six numbers of a state y as an inertia. vmi_set_inertia writes them. */
+/* Reads six numbers of a state as an inertia tensor. vmi_set_inertia writes a tensor to a state. */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -1436,16 +1438,17 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* The error (kg m^2) that roundings may make in an inertia whose entries are sums of terms of the size of i */
+/* The tolerance, in kg m^2, for the rounding errors of an inertia tensor. `i` is this tensor itself, or has as entries
+   the sizes of the terms that were added up to this tensor. */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
-/* Returns 1 if a body can have the inertia i to within slack (kg m^2). The second moments tr(i)/2 E - i, which are
-   the integral of r r^T dm, must have no negative eigenvalue. Elimination tests this after slack, which exceeds the
-   rounding errors, has been added to the trace. */
+/* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). The matrix tr(i)/2 E - i, with the
+   unit matrix E, is the integral of r r^T dm and must have no negative eigenvalue. The function adds slack, which
+   exceeds the rounding errors, to the trace tr(i). Then Gaussian elimination must give positive pivots only. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
-    vm_real x, y, z, yz; /* x, y, z: the pivots; yz: the entry beside the last two pivots */
+    vm_real x, y, z, yz; /* the pivots x, y, z; yz is minus the off-diagonal entry that remains */
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -1456,17 +1459,17 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Test whether a body can have this inertia. Returns 1 if it can, and 0 if it cannot, for NaN, and for a null
-   pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two.
-   Violations up to 32 eps of the trace count as rounding errors. Rods and points are bodies. */
+/* Test whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
+   null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
+   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points are bodies, too. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
-/* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own
-   (kg m^2) is the inertia about the mass centre, P(d) = |d|^2 E - d d^T, and d is in m. A call with -mass goes back
-   to the mass centre. Returns NaN for a null pointer and where the arguments are NaN. */
+/* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
+   is the inertia about the mass centre, P(d) = |d|^2 E - d d^T, and d is in m. A call with -mass undoes the shift.
+   Returns NaN for a null pointer, and in every entry that depends on a NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1481,8 +1484,9 @@ typedef struct VM_TAG(vmi_principal) {
     vm_vec3 axis[3];
 } vmi_principal;
 
-/* Applies one of Jacobi's rotations in the plane of the axes p and q: a[p][q] becomes 0, and the columns of v turn
-   with the axes. t, c, s are the tangent, cosine and sine of the smaller of the two possible angles. */
+/* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
+   The columns of v are the axes and turn as well. t, c, s are the tangent, cosine and sine of the rotation angle, which
+   is the smaller of the two possible ones. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -1503,10 +1507,10 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes of i by Jacobi's rotations, which converge quadratically */
+/* Principal moments and axes of the tensor i, found by Jacobi rotations, which converge quadratically */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
-    const int most_sweeps = 12; /* more than quadratic convergence needs */
+    const int most_sweeps = 12; /* quadratic convergence needs fewer sweeps */
     vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     vmi_principal result;
     int sweep, p, q;
@@ -1544,27 +1548,27 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have these moments: none is larger than the sum of the other two, to within slack (kg m^2).
-   No moment is then below -slack. */
+/* Returns 1 if a body can have these principal moments: none is larger than the sum of the other two plus slack, in kg
+   m^2. It follows that no moment is below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A moment that is below this share of the terms whose sum it is consists of their rounding errors. */
+/* A principal moment is a sum. If it is smaller than this share of its terms, it is only their rounding error. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
-/* Returns 1 if a moment about an axis is lost in the rounding errors of a tensor, whose entries are sums of terms
-   of the given sizes. Returns 1 also for a negative moment and for NaN. */
+/* Returns 1 if a moment about an axis is smaller than the rounding errors of its tensor, and also if it is negative or
+   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sizes of these terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
     return !(moment > VMI_LOST_SHARE * vmi_dot(e, vmi_inertia_times(sizes, e)));
 }
 
-/* Changes moments that are possible to within roundings into moments that a body can have exactly. A moment that is
-   lost in rounding errors becomes 0, and a moment larger than the sum of the other two becomes that sum. Returns 1
+/* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
+   smaller than its rounding error becomes 0. A moment larger than the sum of the other two becomes that sum. Returns 1
    if a moment changed. */
 VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
 {
@@ -1583,7 +1587,7 @@ VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
     return changed;
 }
 
-/* The angular velocity for the angular momentum h. Parts of h along axes without moment are left out. */
+/* The angular velocity for the angular momentum h. Components of h along axes with a zero moment are ignored. */
 VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
@@ -1593,9 +1597,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     return omega;
 }
 
-/* Sets *omega to the solution of i omega = h, with one step of refinement. About an axis without moment (of a rod
-   or a point) the spin stays as in `before`. Returns 1 if the angular momentum about such an axis, which the body
-   cannot carry, is larger than noise; else 0. */
+/* Solves i omega = h, with inertia i and angular momentum h, for the angular velocity *omega, with one refinement.
+   About an axis with zero moment (of a rod or a point) the angular velocity keeps its value in `before`. Returns 1 if h
+   has a component larger than noise along such an axis, which the body cannot carry. Returns 0 otherwise. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -1613,12 +1617,13 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 
 /* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
 
-/* The factors of a tensor L D L^T: the entries xy, xz, yz of L, and the entries x, y, z of 1/D */
+/* The factors of an inertia tensor L D L^T with a unit triangular matrix L and a diagonal matrix D: the entries xy, xz,
+   yz of L, and the diagonal entries x, y, z of the inverse of D */
 typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
-/* Computes the factors f of i. Returns 0 if a pivot is not positive or is lost in its rounding errors, else 1. */
+/* Computes the factors f of the tensor i. Returns 0 if a pivot is not positive or is only a rounding error, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -1634,7 +1639,7 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* The vector i^-1 h, from the factors f of the tensor i */
+/* The solution w of i w = h, computed from the factors f of the tensor i */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -1646,17 +1651,17 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 }
 
 /* Decides for thin bodies what vmi_running_inertia_is_possible returns. For a flat body one moment equals the sum of
-   the other two, except for the roundings of all steps. The slack of sqrt(eps) leaves room for some 1/sqrt(eps) of
-   them. */
+   the other two, except for the rounding errors of all integration steps so far. The tolerance, sqrt(eps) of the trace,
+   allows for about 1/sqrt(eps) such errors. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
     return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 
-/* Returns 1 if a body can have the inertia i, whose moments are positive, during an integration. A cheap test is
-   enough for most bodies: tr(i)/2 E - i, with the unit matrix E, is positive definite if each of its diagonal
-   entries is larger than the sizes of the three products of inertia together. */
+/* Returns 1 if a body can have the inertia i. The principal moments of i must be positive. This test is for use in
+   every step of an integration. A cheap criterion is enough for most bodies: tr(i)/2 E - i, with the unit matrix E, is
+   positive definite if each of its diagonal entries is larger than the sum of the absolute products of inertia. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -1664,7 +1669,7 @@ VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
     return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
 }
 
-/* Computes the factors of i as vmi_inertia_factor does, but returns 0 also if no body can have the inertia i */
+/* Computes the factors of i as vmi_inertia_factor does, but also returns 0 if no body can have the inertia i */
 VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
@@ -1687,16 +1692,16 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 typedef struct VM_TAG(vm_body) {
     vm_real mass;       /* mass > 0, kg */
     vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
-    vm_quat q;          /* attitude: turns body axes into inertial ones; of any length; four zeros: the identity */
+    vm_quat q;          /* attitude: turns body axes into inertial ones; any length; four zeros mean the identity */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
-    vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
+    vm_vec3 v;          /* velocity, defined as momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
-/* An impulse that acts on a body during an instant; inertial axes */
+/* An impulse that acts on a body at an instant. All vectors are along inertial axes. */
 typedef struct VM_TAG(vm_impulse) {
     vm_vec3 linear; /* the impulse of forces, N s */
-    vm_vec3 couple; /* an impulsive moment in addition to the moment of `linear`, N m s */
+    vm_vec3 couple; /* an impulsive couple in addition to the moment of `linear`, N m s */
     vm_vec3 at;     /* the point at which `linear` acts, m */
 } vm_impulse;
 
@@ -1710,22 +1715,23 @@ typedef struct VM_TAG(vm_body2) {
     vm_real omega;   /* angular velocity, rad/s, anticlockwise */
 } vm_body2;
 
-/* An impulse that acts on a body of the plane during an instant */
+/* An impulse that acts at an instant on a body that moves in the plane */
 typedef struct VM_TAG(vm_impulse2) {
     vm_real jx, jy; /* the impulse of forces, N s */
-    vm_real couple; /* an impulsive moment in addition to the moment of jx, jy, N m s, anticlockwise */
+    vm_real couple; /* an impulsive couple in addition to the moment of jx, jy, N m s, anticlockwise */
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* Balance across an instant: what some bodies have after it less what they had before it. The two momenta are also
-   less what an impulse gave the bodies. */
+/* Balance across an instant: the momentum, angular momentum and energy of some bodies after it less those before it.
+   The impulse that acted on the bodies is subtracted from the two momenta. They are then zero except for rounding
+   errors if the bodies obey the laws of mechanics. */
 typedef struct VM_TAG(vm_balance) {
-    vm_vec3 momentum;               /* momentum, N s: (6) with (20), (21); zero except for rounding errors */
-    vm_vec3 angular_momentum;       /* angular momentum about a point, N m s: (12), (17) with (22); likewise zero */
-    vm_real momentum_scale;         /* sum of mass times speed of all bodies, plus the size of the impulse, N s */
+    vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
+    vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
+    vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
     /* The sum over all bodies of tr(I) |omega| + (|r| + |r - about|) M |v|, with inertia I, mass M and the point
-       `about`, plus the share of the impulse, N m s. It contains |r|, because the rounding error eps |r| of a
-       position changes the angular momentum about any point by eps |r| M |v|. */
+       `about`, plus a term for the impulse, N m s. |r| is in it because the rounding error eps |r| of a position
+       changes the angular momentum about any point by eps |r| M |v|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -1766,8 +1772,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- the plane as a part of space ---- */
 
-/* Converts a body of the plane to a body of space. Of its inertia only zz is set, which is all that motion in the
-   plane needs. */
+/* Converts a body of the plane to a body of space. Only the entry zz of its inertia is set, because motion in the plane
+   needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -1779,7 +1785,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* The body of the plane that has the mass, position and motion of b, its inertia.zz, and the given angle */
+/* Converts a body of space to a body of the plane: its mass, position, motion, inertia.zz, and the given angle */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -1830,7 +1836,7 @@ VM_API int vmi_check_body2(const vm_body2 *b)
     return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* An array of n bodies, either of space or of the plane. The pointer for the other kind of body is NULL. */
+/* An array of n bodies, either of space or of the plane. One of the two pointers is NULL. */
 typedef struct VM_TAG(vmi_bodies) {
     int n;
     const vm_body *in_space;
@@ -1862,8 +1868,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* Returns VM_OK if all bodies are valid, else that error of a body which comes first in the order of
-   vmi_first_error. Returns VM_BAD_ARGUMENT for n < 0 and for n > 0 without an array. */
+/* Returns VM_OK if all bodies are valid. Else returns the error of a body. If there are several errors, vmi_first_error
+   selects one. Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -1912,11 +1918,11 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
-/* Balance of momentum, angular momentum and energy across an instant. *balance is what the n_after bodies have less
-   what the n_before bodies had, and less the impulse, where one acted, (4)-(6), (10)-(12). If nothing was lost, the
-   changes of momentum and of angular momentum about any point are zero except for some eps of their scales. Either
-   side may have any number of bodies, or none. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null
-   pointer or a negative number of bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
+/* Balance of momentum, angular momentum and energy across an instant. *balance has the sums over the n_after bodies
+   less those over the n_before bodies, less the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
+   momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
+   bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
+   bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {
@@ -1975,46 +1981,50 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 
 #endif
 /* mechanics/jumps.h - parts separate from a body or are attached to it, in space
-   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, while its
-   attitude stays: (13)-(15), (24), (33), (34), (40). An impulse may act at the same instant. Any number of parts may
+   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, by (13)-(15),
+   (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of parts may
    separate or be attached at once.
 
        vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
        int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: how the rest moves on
 
-   Jumps in the plane are in jumps2.h, in relative motions in relative.h; the inverse question (how must a part leave?)
-   is in inverse.h, the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c, tests/test_jump_equations.c. */
+   Jumps in the plane are in jumps2.h, and jumps that are given by relative motions in relative.h. The inverse question
+   (how must a part leave?) is in inverse.h, and the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c,
+   tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS_H
 #define VARMASS_MECHANICS_JUMPS_H
 
-/* How a jump is computed. A body (mass M, velocity v, inertia I, angular velocity omega, mass centre S at r) becomes
-   a body (M1 = M + sign m, v1, I1, omega1, S1 at r1) when another body (m, v2, I2, omega2, S2) is attached (sign = 1)
-   or separates (sign = -1). With the vector d from S to S2, P(d) = |d|^2 E - d d^T, every inertia about the body's
-   own mass centre, the impulse `linear` and its moment `moment` about S1:
+/* How a jump is computed. A body has the mass M, velocity v, inertia I, angular velocity omega, and its mass centre S
+   is at r. Another body (m, v2, I2, omega2, S2) is attached to it (sign = 1) or separates from it (sign = -1). After
+   this the first body has the mass M1 = M + sign m, v1, I1, omega1, and its mass centre S1 is at r1. Every inertia is
+   about its body's own mass centre. The vector d leads from S to S2, and P(d) = |d|^2 E - d d^T with the unit matrix E.
+   An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
-   A separation is therefore an attachment of negative mass and inertia. The law has the same form in a frame that
-   moves and turns with any angular velocity Omega, if all omegas and v2 - v are taken relative to this frame, (42) in
-   space. The frame is chosen so that the terms that cancel are small and few digits are lost: it moves with the
-   heaviest body, and at a separation it turns with the whole. */
-enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of the parameters `sign` */
+   A separation is therefore an attachment of negative mass and inertia.
+
+   The equations keep this form in a frame that moves and that turns with any angular velocity Omega, if all omegas and
+   v2 - v are taken relative to this frame: (42) in space. The computation uses a frame in which the terms that cancel
+   are small, so that few digits are lost. This frame moves with the heaviest body, and at a separation it turns with
+   the whole. */
+enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters named `sign` */
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
     vm_quat q;           /* attitude of the first body; inertias are added along its axes */
     vmi_mat3 turn;       /* the rotation matrix of q */
-    vm_vec3 r, v, omega; /* place, velocity and angular velocity of the frame */
+    vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;
 
-/* The mass, motion and inertia that a body, or several joined bodies, bring into a jump (as a lumped mass) */
+/* A lump: the mass, motion and inertia of a body, or of several bodies joined, relative to the frame of a jump */
 typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
-    vm_vec3 r, v;       /* position of the mass centre and its velocity, less r and v of the frame */
-    vm_vec3 h;          /* angular momentum relative to the frame, I (omega - Omega), inertial axes */
-    vm_inertia inertia; /* inertia about the lump's mass centre, along the axes of the frame's q */
-    vm_inertia sizes;   /* the sizes of the terms whose sums are the entries of inertia */
-    vm_real noise;      /* the size of the terms that cancel in h: the error of h is some eps of noise */
+    vm_vec3 r, v;       /* position and velocity of the mass centre, less r and v of the frame */
+    vm_vec3 h;          /* angular momentum about the mass centre, relative to the frame; inertial axes */
+    vm_inertia inertia; /* inertia about the lump's mass centre, along the axes given by the frame's q */
+    vm_inertia sizes;   /* the sizes of the terms of which the entries of inertia are sums */
+    vm_real noise;      /* the sum of the sizes of the terms of h; the rounding error of h is a few eps of it */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
@@ -2022,9 +2032,9 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     const vmi_mat3 own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
     const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
-    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* columns: the frame's axes in body axes */
+    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
-    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* else turn is exact */
+    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes turn is exactly the identity */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
         turn.z = vmi_times_transposed(&own, frame->turn.z);
@@ -2039,8 +2049,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* P(d) along the frame's axes. Sets *sizes to the sizes of its terms, given that d has the rounding errors of
-   positions of the size of reach. */
+/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets *sizes to the sizes of the terms of its entries. d is a
+   difference of positions of the size `reach`, and has the rounding errors of these positions. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -2050,7 +2060,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* less reach^2 this is d^2 + 2 d reach */
+    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* d^2 + 2 d reach + reach^2; the next line removes reach^2 */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -2058,8 +2068,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* The noise that joining b to a adds: the noise of b, and that of the term reduced d x slip, where d has the rounding
-   errors of positions of the size of reach */
+/* Returns how much the noise of a grows when b is joined to it: by the noise of b, and by that of the product of
+   `reduced` and d x slip. The vector d leads from a to b and is a difference of positions of the size `reach`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2070,13 +2080,13 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
            moved * vmi_norm1(reach) * (distance * vmi_norm1(frame->omega) + vmi_norm1(slip));
 }
 
-/* Attaches b to a (sign = 1) or separates b from a (sign = -1). Returns VM_BAD_MASS if no mass is left, else VM_OK. */
+/* Attaches b to a (sign 1) or separates b from a (sign -1). Returns VM_BAD_MASS if no mass is left, else VM_OK. */
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
-    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* sign m/M1, sign m M/M1 */
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* mass share of b; reduced mass */
     const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
-    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* v2 - v relative to the frame */
+    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
     const vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
     vm_inertia sizes, moved = vmi_moved_inertia(frame, d, reach, &sizes);
@@ -2085,7 +2095,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
     a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
-    if (b->mass > a->mass) { /* start from the heavier body, so that a light one costs no digits */
+    if (b->mass > a->mass) { /* correct the values of the heavier body, which loses no digits */
         a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
         a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
     } else {
@@ -2105,8 +2115,8 @@ VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impu
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
-/* The frame of a jump. It moves with the heaviest of all bodies. It turns with the first body at a separation, and
-   where only an impulse acts; at an attachment it does not turn. */
+/* The frame of a jump. It moves with the heaviest of all bodies. At a separation, or if only an impulse acts, it turns
+   with the first body. At an attachment it does not turn. */
 VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_real sign)
 {
     vm_real mass = body->mass;
@@ -2129,7 +2139,7 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     return frame;
 }
 
-/* Returns VM_OK if the bodies are valid and the impulse is finite, else the error that vmi_first_error prefers. */
+/* Returns VM_OK if the bodies are valid and the impulse is finite, else the error that vmi_first_error selects. */
 VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
@@ -2137,9 +2147,9 @@ VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const v
     return vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* Sets *total to the first body after the jump: with the other bodies attached (sign = 1) or separated (sign = -1),
-   and after the impulse. The other bodies are first joined to each other. Returns VM_BAD_MASS if no mass is left,
-   else VM_OK. */
+/* Sets *total to the first body as it is after the jump and the impulse. The other bodies are first joined to each
+   other. Then they are attached to the first body (sign = 1) or separate from it (sign = -1). Returns VM_BAD_MASS if no
+   mass is left, else VM_OK. */
 VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
                           const vm_impulse *external_or_NULL, vmi_lump *total)
 {
@@ -2158,7 +2168,7 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
 }
 
 /* Finds the principal axes of a lump and changes its moments to moments that a body can have exactly. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA if the moments are impossible beyond rounding errors, and VM_OK otherwise. */
+   VM_NOT_FINITE, VM_BAD_INERTIA if the moments violate the rules by more than rounding errors, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -2169,8 +2179,8 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 }
 
 /* Sets *omega to the angular velocity, relative to the frame and in inertial axes, of a lump with principal axes p.
-   `before` is this angular velocity before the jump. Returns 1 if angular momentum is left about an axis without
-   moment, which the lump cannot carry, else 0. */
+   `before` is its value before the jump. Returns 1 if the lump has angular momentum about an axis with zero moment of
+   inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
@@ -2182,8 +2192,8 @@ VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi
     return left;
 }
 
-/* Sets *result to a body after n others are attached to it (sign = 1) or separate from it (sign = -1), while an
-   impulse acts */
+/* Sets *result to a body after n others are attached to it (sign = 1) or separate from it (sign = -1), while an impulse
+   acts. The statuses are those of vm_separate. */
 VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign,
                     const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2212,31 +2222,31 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains of the whole. *part has left the whole and moves as given.
-   *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity (34), and
-   the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space: momentum
-   and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be
-   equal to whole or to part.
+/* Separation of a part from a body: *rest is what remains of the whole. *part is the part with its motion after the
+   separation. *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity
+   (34), and the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space:
+   momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
+   be equal to whole or to part.
 
-   If the part moves on as before the separation, the motion of the rest stays what it was, however little of the
-   inertia is left. Only motions relative to the whole are added, so that neither high speed nor a place far from the
-   origin costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia,
-   and far from the origin what an eps of the positions changes. A moment that is smaller than this error becomes 0.
+   If the part moves on as before the separation, the rest keeps its motion, even if only little inertia is left. The
+   computation adds only motions relative to the whole. Neither high speed nor a position far from the origin therefore
+   costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia, plus the
+   effect of a change of the positions by eps of their size. A moment that is smaller than this error becomes 0.
 
-   Returns VM_OK, or VM_NULL_AXIS (> 0, *rest is set) if the rest is a rod or a point and angular momentum is left
-   about its null axis, which cannot carry it; the spin about this axis then stays the whole's. The errors are
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not
-   positive, and VM_BAD_INERTIA for an inertia that no body has, such as that of a rest if the part cannot have been
-   in the whole. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
+   balance leaves it angular momentum about its null axis, which it cannot have. Its spin about this axis is then that
+   of the whole. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the
+   rest) is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia if the part
+   cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). body and added
-   move as given just before the impact. The impulse, if there is one, acts during the impact. The whole has the
-   attitude of body. The statuses are those of vm_separate. With VM_NULL_AXIS the whole is a rod or a point, and the
-   spin about its null axis stays that of body. */
+/* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). `body` and `added`
+   have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has the
+   attitude of `body`. The statuses are those of vm_separate. With VM_NULL_AXIS the whole is a rod or a point, and the
+   spin about its null axis remains that of `body`. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
@@ -2272,7 +2282,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Computes inertia and mass centre by a jump of two bodies at rest, the first at the origin and the second at d */
+/* Computes an inertia and a mass centre by a jump of two bodies at rest, the first at the origin, the second at d */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -2289,10 +2299,10 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along
-   one set of axes, each about its body's own mass centre. d (m) leads from the mass centre of a to that of b, and
-   *centre (m) from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
-   VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
+/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along one
+   set of axes, each about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The result
+   *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
+   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
 {
@@ -2300,8 +2310,8 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
 }
 
 /* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40). It undoes
-   vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part, and *centre (m) from the
-   mass centre of the whole to that of the rest. The statuses are those of vm_combine_inertia. */
+   vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The result *centre (m) leads
+   from the mass centre of the whole to that of the rest. The statuses are those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
                             vm_vec3 d, vm_inertia *rest, vm_vec3 *centre)
 {
@@ -2330,8 +2340,8 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
     return lifted;
 }
 
-/* Changes the moment of a lump of the plane to one that a body can have exactly: a moment that is lost in rounding
-   errors becomes 0. Returns VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
+/* Changes the moment of inertia of a lump of the plane to one that a body can have exactly: a moment that is smaller
+   than its rounding errors becomes 0. Returns VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -2340,8 +2350,8 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity of a lump relative to the frame, (44), or to `before`, its value before the
-   jump, if the lump has no inertia. Returns 1 if angular momentum is left that a lump without inertia cannot carry,
+/* Sets *omega to the angular velocity of a lump relative to the frame, (44). If the lump has no inertia, *omega becomes
+   `before`, the value before the jump. Returns 1 if a lump without inertia has angular momentum, which is impossible,
    else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
@@ -2363,7 +2373,7 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
     return vmi_impulse_is_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* Does in the plane what vmi_jump_total does in space, and clamps the moment of the total */
+/* Does in the plane what vmi_jump_total does in space, and calls vmi_lump_clamp_moments2 */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
@@ -2407,25 +2417,25 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part has left the
-   whole and moves as given. The impulse, if there is one, acts during the separation. Momentum and angular momentum
-   of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or to
-   part. The accuracy is that of vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part is the part with
+   its motion after the separation. The impulse, if there is one, acts during the separation. Momentum and angular
+   momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or
+   to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, or VM_NULL_AXIS (> 0, *rest is set) if the rest is a point and angular momentum about it is left,
-   which a point cannot carry; omega then stays the whole's. The errors are VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive, and VM_BAD_INERTIA if an
-   inertia, that of the rest included, is negative. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the balance
+   leaves it angular momentum about itself, which it cannot have. Its omega is then that of the whole. The errors are
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the rest) is not positive, and
+   VM_BAD_INERTIA if an inertia (or that of the rest) is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
     return vmi_jump2(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. body and
-   added move as given just before the impact. The impulse, if there is one, acts during the impact. The whole has
-   the angle of body. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
-   place, and omega stays that of body. */
+/* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. `body` and
+   `added` have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has
+   the angle of `body`. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
+   position, and omega remains that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
@@ -2453,7 +2463,7 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 #endif
 /* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
    This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
-   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). They are needed where only the
+   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). They are needed if only the
    velocity of a part relative to the whole is known.
 
        vm_body part = whole, rest; // whole is a vm_body
@@ -2467,7 +2477,7 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 #ifndef VARMASS_MECHANICS_RELATIVE_H
 #define VARMASS_MECHANICS_RELATIVE_H
 
-/* Velocity at the point r of the frame that moves rigidly with a body: the dragging velocity of (25) */
+/* Velocity at the point r of the frame that moves rigidly with a body. In (25) it is the dragging velocity. */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
@@ -2507,12 +2517,13 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
     return VM_OK;
 }
 
-/* Motion of a body relative to the frame that moves rigidly with the body `to`. Position r, velocity v and spin omega
-   are those of the body, r_S, v_S and Omega those of `to`; v and omega of *relative become
+/* Motion of a body relative to the frame that moves rigidly with the body `to`. The body has position r, velocity v and
+   angular velocity omega; `to` has r_S, v_S and Omega. v and omega of *relative become
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
-   and all else is copied. Axes and origin stay the inertial ones. The pointer relative may be equal to absolute.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of *absolute, the motion of `to` or the
-   result is not finite, and VM_OK otherwise. Masses and inertias are not checked further. */
+   and all other fields are copied. The vectors remain along the inertial axes, and r remains the position from the
+   inertial origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer,
+   VM_NOT_FINITE if a number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses
+   and inertias are not checked further. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -2532,7 +2543,7 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
 }
 
 /* Motion in the plane relative to the frame that moves rigidly with the body `to`. vx, vy and omega change as in
-   vm_to_relative, and all else is copied. The statuses are those of vm_to_relative. */
+   vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
@@ -2555,8 +2566,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump in motions relative to the first body. This body is at rest in them, and the law has the same form
-   in the frame of the body as in an inertial one. */
+/* Computes a jump from motions relative to the first body. In its own frame this body is at rest, and the equations of
+   a jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2579,15 +2590,17 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
 }
 
 /* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of *rest are
-   relative to the whole. v and omega of *whole are not read. All else, statuses included, is as in vm_separate. */
+   relative to the whole. v and omega of *whole are not read. Everything else, the statuses included, is as in
+   vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of
-   *whole are relative to body. v and omega of *body are not read. All else, statuses included, is as in vm_attach. */
+/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of *whole
+   are relative to `body`. v and omega of *body are not read. Everything else, the statuses included, is as in
+   vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
@@ -2595,16 +2608,17 @@ VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const v
 }
 
 /* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of *rest are
-   relative to the whole. vx, vy and omega of *whole are not read. All else, statuses included, is as in vm_separate2.
-   */
+   relative to the whole. vx, vy and omega of *whole are not read. Everything else, the statuses included, is as in
+   vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole
-   are relative to body. vx, vy and omega of *body are not read. All else, statuses included, is as in vm_attach2. */
+/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole are
+   relative to `body`. vx, vy and omega of *body are not read. Everything else, the statuses included, is as in
+   vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
@@ -2613,8 +2627,8 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 
 #endif
 /* mechanics/inverse.h - how a part must leave, so that the rest moves as wanted
-   This chapter inverts a separation. Tables 2 to 4 of [1], the dissertation, ask with which motion a part must leave
-   so that the rest does not turn, is at rest, or moves on as the whole did.
+   This chapter inverts a separation. It answers the questions of Tables 2 to 4 of the dissertation [1]: with which
+   motion must a part leave so that the rest does not turn, is at rest, or moves on as the whole did?
 
        vm_vec3 none = {0, 0, 0};
        vm_body moving; // whole and part are vm_bodies
@@ -2625,8 +2639,9 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 #ifndef VARMASS_MECHANICS_INVERSE_H
 #define VARMASS_MECHANICS_INVERSE_H
 
-/* The velocity v2 of the part that gives the rest the velocity v1 = rest_v: v2 = v + (linear - M1 (v1 - v))/m by
-   (24), with the velocity v of the whole, the impulse `linear`, and the masses M1 of the rest and m of the part */
+/* The velocity v2 with which the part must leave so that the rest gets the velocity v1 = rest_v. By (24) it is
+   v2 = v + (linear - M1 (v1 - v))/m, with the velocity v of the whole, the impulse `linear`, the mass M1 of the rest
+   and the mass m of the part. */
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                  vm_vec3 rest_v)
 {
@@ -2635,17 +2650,17 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
     return vmi_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* Angular momentum that the part must have relative to the whole so that the rest turns with rest_omega: h - I1
-   (rest_omega - Omega), where Omega is the spin of the whole, I1 the inertia of the rest, and h the angular momentum
-   that the rest has if the part turns as the whole does */
+/* The angular momentum that the part must have relative to the whole so that the rest turns with rest_omega. It is
+   h - I1 (rest_omega - Omega), where Omega is the angular velocity of the whole and I1 the inertia of the rest. h is
+   the angular momentum that the rest has if the part turns with Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
     const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
     return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
-/* Sets *rest to what would remain if the part left with its velocity but turned as the whole does. The bodies have
-   been checked, except for an infinite velocity of the part. */
+/* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
+   The caller has checked the bodies. Only the velocity of the part may be infinite or NaN. */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
@@ -2660,11 +2675,11 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* Gives the part the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part
-   would have to spin about an axis without inertia. */
+/* Gives the part the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part would
+   need angular momentum about an axis with zero moment of inertia. */
 VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
-    vmi_frame own = *frame; /* the frame with the part's axes */
+    vmi_frame own = *frame; /* the frame of the jump, with the axes of the part */
     vmi_lump lump;
     vmi_principal p;
     vm_vec3 spin;
@@ -2683,12 +2698,14 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 
 /* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving is the part with the
    velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and with the angular velocity that gives the rest
-   *rest_omega_or_NULL (rad/s). Where a pointer is NULL, the part keeps its own velocity or angular velocity. If
-   *rest_omega is 0, the rest does not turn (Table 2, 5 and 7; Table 4, 2). If *rest_v is 0 too, the rest is at rest
-   (Table 3, 6 and 8). With the whole's velocities it moves on as the whole did (Table 3, 7).
+   *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part keeps its own velocity. If rest_omega_or_NULL is
+   NULL, it keeps its own angular velocity.
+     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, 5 and 7; Table 4, 2).
+     - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, 6 and 8).
+     - If both have the values of the whole, the rest moves on as the whole did (Table 3, 7).
 
-   Returns VM_NULL_AXIS (> 0, done as far as possible) if the part would have to spin about an axis without inertia.
-   The other statuses are those of vm_separate. */
+   Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. *moving
+   then meets the wish as far as possible. The other statuses are those of vm_separate. */
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
@@ -2760,8 +2777,9 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
 
 /* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving is the
    part with the velocity that gives the rest the velocity rest_v_or_NULL[0], rest_v_or_NULL[1] (m/s, along x and y),
-   and with the angular velocity that gives the rest *rest_omega_or_NULL (rad/s). Where a pointer is NULL, the part
-   keeps its own velocity or angular velocity. The statuses are those of vm_separation_for_rest. */
+   and with the angular velocity that gives the rest *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part
+   keeps its own velocity. If rest_omega_or_NULL is NULL, it keeps its own angular velocity. The statuses are those of
+   vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)
@@ -2787,11 +2805,11 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of a part that leaves the rest with a wanted spin, in the plane, (Table 3, 7). The rest turns with
-   rest_omega (rad/s), and the part keeps its own spin. Many velocities do this. *moving has the one with the least
-   velocity v_r relative to the whole, which is orthogonal to SS2, the line between the mass centres S of the whole
-   and S2 of the part; any velocity along SS2 may be added. The velocity in *part is not read. Returns VM_SINGULAR if
-   S and S2 are one point, so that no velocity turns the rest. The other statuses are those of vm_separate2. */
+/* Velocity of a part that leaves the rest with a wanted spin, in the plane, (Table 3, 7). The rest then turns with
+   rest_omega (rad/s), while the part keeps its own spin. S and S2 are the mass centres of whole and part. *moving has
+   the smallest velocity v_r relative to the whole that does this. It is orthogonal to the line SS2; any velocity along
+   SS2 may be added to it. The velocity in *part is not read. Returns VM_SINGULAR if S and S2 are one point, so that no
+   velocity turns the rest. The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -2813,8 +2831,9 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
-    /* The angular momentum h that the spins of part and rest leave must be m M/M1 SS2 x v_r, that of v_r = c k x SS2.
-       M, m, M1 are the masses of whole, part and rest, and k is the unit vector of z. */
+    /* The velocity v_r = c k x SS2 must supply the angular momentum h that the spins of part and rest do not account
+       for. It supplies m M/M1 SS2 x v_r. M, m, M1 are the masses of whole, part and rest; k is the unit vector along
+       z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
     b.vx -= c * dy;
@@ -2837,8 +2856,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #ifndef VARMASS_MECHANICS_JUMP_ENERGY_H
 #define VARMASS_MECHANICS_JUMP_ENERGY_H
 
-/* Kinetic energy of the motions of n bodies and one more relative to the whole. Returns NaN for a null pointer or
-   n < 0. */
+/* The sum of the kinetic energies of n bodies and one more, each in its motion relative to the whole. Returns NaN for a
+   null pointer or n < 0. */
 VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
@@ -2853,7 +2872,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     return sum + vm_kinetic_energy(&b);
 }
 
-/* Work of an impulse on a body, J: v.linear + omega.moment about the mass centre. Returns 0 without impulse or body. */
+/* Work of an impulse on a body, J: v.linear + omega.moment, with the moment about the mass centre. Returns 0 for a null
+   pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -2862,19 +2882,20 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
-/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113),
-   (118). It is computed as the kinetic energy of their motions relative to the whole plus the work of the impulse on
-   the whole, which is exact in space and at high speed keeps digits that the difference of the energies loses. whole
-   moves as before the separation, parts and rest as after it. Returns NaN for a null pointer or n < 0. */
+/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113), (118).
+   It is computed as the kinetic energy of their motions relative to the whole, plus the work of the impulse on the
+   whole. This is exact in space. At high speed it keeps digits that the difference of the energies loses. `whole` is
+   the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
     return vmi_relative_energy(whole, n, parts, rest) + vmi_impulse_work(whole, external_or_NULL);
 }
 
-/* Energy lost at an attachment, J: the kinetic energy of body and the n added less that of the whole, Carnot's loss.
-   It is computed as the kinetic energy of their motions relative to the whole less the work of the impulse on the
-   whole. body and added move as before the attachment, whole as after it. Returns NaN for a null pointer or n < 0. */
+/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` less that of the whole
+   (Carnot's loss). It is computed as the kinetic energy of their motions relative to the whole, less the work of the
+   impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it. Returns
+   NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                               const vm_body *whole)
 {
@@ -2884,11 +2905,11 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 #endif
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
-   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is
-   damped viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the
-   distance s from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form
-   (75), and the break (52)-(64), in corrected form. The motion of the rotor is in mechanics/broken_rotor_motion.h,
-   the stability of the remainder's steady motion in mechanics/broken_rotor_stability.h.
+   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is damped
+   viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the distance s
+   from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form (75), and the
+   break (52)-(64), corrected as in docs/errata.md. The motion of the rotor is in mechanics/broken_rotor_motion.h, and
+   the stability of the remainder's steady motion is in mechanics/broken_rotor_stability.h.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
@@ -2902,8 +2923,8 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 
 #include <string.h>
 
-/* The rotor. (67) writes omega^2 for stiffness/mass, p^2 for mass/inertia, k* for damping/inertia and M* for
-   torque/inertia. */
+/* The rotor. The formulas use the abbreviations (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
+   k* = damping/inertia, M* = torque/inertia. */
 typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* mass M > 0, kg */
     vm_real inertia;   /* inertia I > 0 about the rotor's own mass centre, kg m^2 */
@@ -2913,16 +2934,17 @@ typedef struct VM_TAG(vm_broken_rotor) {
     vm_real s;         /* distance from the mass centre to the shaft, in the direction of the angle psi, m */
 } vm_broken_rotor;
 
-/* Where the states of a rotor stand in y, and how many there are */
+/* Indices of the states of a rotor in the array y, and the number of states */
 enum {
-    VM_BROKEN_ROTOR_X = 0,     /* mass centre from the rest position of the shaft, 2 numbers x, y, m */
+    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, from the rest position of the shaft, m */
     VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, rad */
-    VM_BROKEN_ROTOR_V = 3,     /* velocity of the mass centre, 2 numbers, m/s */
+    VM_BROKEN_ROTOR_V = 3,     /* velocity x', y' of the mass centre, m/s */
     VM_BROKEN_ROTOR_OMEGA = 5, /* angular velocity psi', rad/s */
     VM_BROKEN_ROTOR_STATES = 6
 };
 
-/* Where the states in polar form stand. The angle psi and its rate stand at VM_BROKEN_ROTOR_ANGLE and _OMEGA. */
+/* Indices of the states in polar form. The angle psi and its rate have the indices VM_BROKEN_ROTOR_ANGLE and
+   VM_BROKEN_ROTOR_OMEGA. */
 enum {
     VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 of the mass centre from the rest position of the shaft, m */
     VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the direction to the mass centre, rad */
@@ -2933,37 +2955,40 @@ enum {
 /* The piece that breaks off. S is the mass centre of the whole, S2 that of the piece, and A the point at which the
    whole touches the stator. */
 typedef struct VM_TAG(vm_broken_rotor_piece) {
-    vm_real mass;     /* mass m of the piece, kg, 0 < m < M with the mass M of the whole */
+    vm_real mass;     /* mass m of the piece, kg; 0 < m < M, where M is the mass of the whole */
     vm_real inertia;  /* inertia I_S2 >= 0 of the piece about its mass centre S2, kg m^2 */
-    vm_real distance; /* distance SS2 of the mass centres, m */
-    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17: S2 at -alpha from SA) */
-    vm_real radius;   /* distance SA of the point of contact, called R in the formulas, m */
+    vm_real distance; /* distance SS2 between the mass centres S and S2, m */
+    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17) */
+    vm_real radius;   /* distance SA of the point of contact A, called R in the formulas, m */
     vm_real contact;  /* direction angle of SA in inertial axes, rad */
 } vm_broken_rotor_piece;
 
-/* The break, (52)-(64) corrected, in the letters of vm_broken_rotor_piece. The touched point A of the piece keeps its
-   velocity, and S2 loses its velocity across S2A (57). This is an assumption of [1]; all else follows from momentum
-   and angular momentum. */
+/* The break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of vm_broken_rotor_piece, and S1 is
+   the mass centre of the remainder. [1] assumes in (57): the point A of the piece keeps its velocity, and the component
+   of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
-    vm_broken_rotor rest; /* the remainder: its mass, inertia and s = m SS2/(M - m); stiffness, damping and torque are
-                             those of the whole */
+    vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
+                             and torque are those of the whole */
     /* The state of the remainder. Its angle psi is the direction from its mass centre S1 to the shaft, which is the
-       direction of SS2. Its angular velocity is Omega_b, that of the whole, plus Omega_r1 [(59), (64) corrected] */
+       direction of SS2. Its angular velocity is that of the whole, Omega_b, plus spin_rest [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
-    vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its psi is that of the rest */
+    vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
     vm_real dragging;                      /* speed v_S2d of S2 before the break (52), (61), m/s */
-    vm_real gamma;                         /* angle of S2's velocity from SA (52), (60), rad; also if S moves */
-    vm_real beta;                          /* angle of S2A from SA, rad [(56) corrected]:
+    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; it is
+                                              right also if S moves */
+    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
     vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
-    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity across S2A,
-                                              counterclockwise, m/s [(55) with the opposite sign] */
-    vm_real spin_piece;                    /* the piece's spin relative to the whole, rad/s:
+    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity before the break,
+                                              perpendicular to S2A, m/s; T > 0 is counterclockwise, unlike (55) */
+    vm_real spin_piece;                    /* Omega_r, the angular velocity of the piece relative to the whole, rad/s:
                                               Omega_r = T/AS2 (57), (63) */
-    vm_real spin_rest;                     /* Omega_r1, the rest's spin relative to the whole, rad/s [(58) corrected]:
-                                              I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T, v_T: velocity T */
-    vm_real stop_inertia;                  /* the I_S2 with which the rest would not turn, kg m^2, if there is one; it
-                                              is I_S (R - SS2)/R for alpha = 0 [after (64), corrected] */
+    vm_real spin_rest;                     /* Omega_r1, angular velocity of the remainder relative to the whole, rad/s:
+                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where the
+                                              vector v_T has the component T [(58) corrected] */
+    vm_real stop_inertia;                  /* the I_S2 for which the remainder would not turn, kg m^2. If it is < 0 or
+                                              not finite, there is none. For alpha = 0 it is I_S (R - SS2)/R
+                                              [after (64), corrected] */
 } vm_broken_rotor_break;
 
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
@@ -3028,8 +3053,8 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
 }
 
 /* Polar states {r, phi, psi, r', phi', psi'} of a rotor from its states in x and y.
-   polar may be y. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and VM_OK
-   otherwise. */
+   The array polar may be y itself. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and
+   VM_OK otherwise. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
     vm_real p[VM_BROKEN_ROTOR_STATES], x0, y0, vx, vy, radius, c, s;
@@ -3053,11 +3078,11 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 }
 
 /* States {x, y, psi, x', y', psi'} of a rotor from its polar states.
-   y may be polar. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is not positive, and
-   VM_OK otherwise. */
+   The array y may be polar itself. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is not
+   positive, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
-    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: velocity r', r phi' */
+    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* velocities: along = r', across = r phi' */
     if (!y || !polar) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, polar)) return VM_NOT_FINITE;
     radius = polar[VM_BROKEN_ROTOR_RADIUS];
@@ -3107,8 +3132,8 @@ VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cos
     return b;
 }
 
-/* Sets the state of a body with the angle psi, whose mass centre is at (dx, dy) from S and which moves relative to
-   the whole with the velocity (ux, uy) and the given spin. `before` is the state of the whole. */
+/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S.
+   Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose state is `before`. */
 VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                                    vm_real spin, vm_real *state)
 {
@@ -3121,8 +3146,8 @@ VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real d
     state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
 }
 
-/* Sets mass, inertia and eccentricity s of the rest. Returns VM_BAD_INERTIA if the inertia is negative or lost in
-   rounding errors, else VM_OK. */
+/* Sets mass, inertia and eccentricity s of the remainder. Returns VM_BAD_INERTIA if its inertia is negative or not
+   larger than rounding errors, else VM_OK. */
 VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
@@ -3135,7 +3160,8 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
 }
 
 /* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
-   distance AS2. Vectors are in axes along SA and counterclockwise across it: d = SS2, and v is the velocity of S. */
+   distance AS2. d is the vector SS2, and v is the velocity of S before the break. The x axis of all vectors is along
+   SA, and the y axis is 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
@@ -3143,7 +3169,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
     const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
     const vm_real reduced = p->mass / b->rest.mass * whole->mass;
     const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T, where v_T is the velocity T across S2A */
+    vm_real moment; /* SS2 x v_T, with the velocity v_T of size T perpendicular to S2A */
     e->x = reach_x / reach;
     e->y = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);
@@ -3162,8 +3188,8 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole at the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
    VM_BAD_MASS if the mass of the piece is not between 0 and M, VM_BAD_STIFFNESS for a negative stiffness,
-   VM_BAD_INERTIA if the inertia of the rest is negative or lost in rounding errors, VM_DOMAIN for a whole with s != 0
-   and for a piece whose mass centre S2 is at A, and VM_OK otherwise. */
+   VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN if the whole
+   has s != 0 or if the mass centre S2 of the piece is at A, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {
@@ -3203,16 +3229,16 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 #endif
 /* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
 
-   This chapter computes the motion at any time without an integrator. Before the break, where the shaft passes through
-   the mass centre, the solution is exact (46)-(51). After the break the linearised equations (69) hold for short times,
-   as long as the angle psi of the remainder is small. They are solved as a whole, and in the form (70)-(72) of the
-   dissertation, which leaves out a term. For long times integrate vm_broken_rotor_rhs.
+   This chapter computes the motion at any time without an integrator. Before the break the shaft passes through the
+   mass centre, and the solution (46)-(51) is exact. After the break the linearised equations (69) hold for short times,
+   while the angle psi of the remainder is small. One function solves them completely. Another one has the solution
+   (70)-(72) of the dissertation, which leaves out a term. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
        int status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
-   The linearised equations are, with s, psi and omega, p, k*, M* of vm_broken_rotor:
+   The linearised equations are, with omega, p, k*, M*, s and psi as explained at vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
@@ -3223,10 +3249,10 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 /* The coefficients (67) of the linearised equations */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real omega, k, torque, s; /* omega, k*, M* and s of (67) */
-    vm_real coupling;            /* the factor s p^2 omega^2 of (69), or 0 where its term is left out */
+    vm_real coupling;            /* the factor s p^2 omega^2 of y in (69); 0 if this term is left out */
 } vmi_broken_rotor_linear;
 
-/* Where y, psi and their rates stand in z, the array of coupled states */
+/* Indices of y, psi and their rates in z, the array of the coupled states */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -3247,15 +3273,16 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
     return a;
 }
 
-/* An upper bound of the rates at which solutions change, per second */
+/* An upper bound of the rates at which solutions of the linearised equations change, per second */
 VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
-/* Sets `change` to the change of z within the time h by the Taylor series in h, for |h| times
-   vmi_broken_rotor_rate <= 1. The n-th terms of y and of s psi are then below 1/n! of the first ones, so that the
-   number of terms is enough. y0, y1, y2 are three successive terms of y, and psi0, psi1, psi2 those of psi. */
+/* Sets `change` to the change of the states z within the time h, by the Taylor series in h. The time must be short: |h|
+   times the rate vmi_broken_rotor_rate is at most 1. Then the n-th terms of y and of s psi are at most 1/n! times the
+   first terms, and the number of terms is enough. y0, y1, y2 are three successive terms of y; psi0, psi1, psi2 are
+   three successive terms of psi. */
 VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -3283,9 +3310,10 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* Doubles the time to which the matrix m belongs: (m + E)^2 - E = 2 m + m m, with the unit matrix E. It is computed
-   in this form because in m + E the digits of m would be lost. m[j] is the change from the unit state j, and the last
-   row is the change that the torque makes from the state 0. */
+/* With the unit matrix E, the matrix m + E advances the states by some time. This function replaces m by the matrix for
+   twice this time, which is (m + E)^2 - E = 2 m + m m. E is left out of m because digits of m would be lost in m + E.
+   Row m[j] is the change that the states undergo if they start from the unit state j without torque. The last row is
+   the change that the torque causes if the states start from 0. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -3298,8 +3326,8 @@ VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_
         }
 }
 
-/* Advances z by the time t, for any coefficients: by the series for the time t/2^n, where it converges fast, then by
-   n doublings */
+/* Advances the states z by the time t, for any coefficients. The Taylor series gives the matrix for the time t/2^n, for
+   which it converges fast. Then n doublings of the time follow. */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
@@ -3350,7 +3378,7 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the free swing at the time t with the angular frequency w, which may be 0 */
+/* Functions of the time t that describe a free oscillation with the angular frequency w, which may be 0 */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c;    /* cos(w t) */
     vm_real c1;   /* 1 - cos(w t) */
@@ -3376,10 +3404,11 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Advances z by the time t by (71), (72), without coupling and with M* instead of k* Omega.
-   It is used where |t| times the rate exceeds 1. psi = psi0 + psi0' E1 + M* E2 with E1 = (1 - e^(-kt))/k, E2 = (t -
-   E1)/k, and y responds to -s psi: g0, g1, g2 are the solutions of g'' + w^2 g = w^2 E1', w^2 E1, w^2 E2 that start
-   from rest, so that g2' = g1 and g1' = g0. */
+/* Advances the states z by the time t by (71), (72), without the coupling term and with M* instead of k* Omega. It is
+   used if |t| times the rate vmi_broken_rotor_rate exceeds 1. With w = omega and k = k*, psi = psi0 + psi0' E1 + M* E2,
+   where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The motion of y is driven by -s psi. The functions g0, g1, g2 start
+   from rest and solve g'' + w^2 g = F, where F is w^2 E1' for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1
+   and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -3407,7 +3436,8 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the three public motions: with all of (69) if coupled = 1, without its last term if coupled = 0. */
+/* Computes the three public motions. If coupled = 1, it solves all of (69). If coupled = 0, it leaves out the last term
+   of (69). */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -3436,42 +3466,42 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 }
 
 /* State of the remainder t seconds after start, by the complete linearised equations (69).
-   It holds for short times, |psi| << 1, and for any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES
-   numbers, and end may be start. damping, stiffness and s may be 0. The error is at most twice the change that
-   rounding every input, t included, would make. Solutions of (69) grow exponentially. Returns VM_BAD_ARGUMENT for a
-   null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
-   VM_BAD_INERTIA, and VM_OK otherwise. */
+   The result holds for short times, while |psi| << 1. t may have any sign. The arrays start and end have
+   VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields damping, stiffness and s may be 0. The error is at
+   most twice the change that rounding every input, t included, would make. Solutions of (69) grow exponentially.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS
+   for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
-   The dissertation leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. The function is
-   for comparison with vm_broken_rotor_linear. The error is at most the change that rounding every input would make.
-   Arguments and statuses are those of vm_broken_rotor_linear. */
+   The dissertation leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
+   serves to compare the dissertation with vm_broken_rotor_linear. The error is at most the change that rounding every
+   input would make. Arguments and statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
-   t may have any sign. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may be start. damping and
-   stiffness may be 0. The error is at most the change that rounding every input, t included, would make. Returns
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
+   t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields
+   damping and stiffness may be 0. The error is at most the change that rounding every input, t included, would make.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
    VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
     if (status) return status;
     if (rotor->s != 0) return VM_DOMAIN;
-    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 these equations are (46) itself */
+    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are (46) */
 }
 
-/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers.
-   The orbit is x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must
-   not be 0. Its half axes are | |A0 + i B0| +- |C0 + i D0| |. The speed at the time t, which [1] prints wrongly after
-   (52), is
+/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers. The orbit is
+   x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must not be 0. Its
+   half axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed at the time t, which [1]
+   prints wrongly after (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS if the stiffness is not
    positive, VM_BAD_INERTIA, and VM_OK otherwise. */
@@ -3500,11 +3530,12 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
 /* mechanics/broken_rotor_stability.h - steady motion of the broken rotor, its stability, growth at resonance
 
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
-   circle (76), (77). This chapter computes the radius of this circle, the characteristic polynomial (81) of small
-   motions about it, the roots of the polynomial and Routh's column, and decides the stability (82): the steady motion
-   is stable below resonance only. Above resonance the orbit of a rotor that starts from rest grows, as
-   vm_broken_rotor_resonance_radius tells. The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* =
-   damping/inertia.
+   circle (76), (77). This chapter computes
+     - the radius of this circle,
+     - the characteristic polynomial (81) of small motions about the steady motion, its roots, and Routh's column,
+     - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
+     - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
+   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
 
        vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
@@ -3516,8 +3547,8 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
 
 #include <string.h>
 
-/* The detuning (omega^2 - Omega^2) mass. It is computed in two words, so that its sign is right however close to
-   resonance the rotor turns. */
+/* The detuning (omega^2 - Omega^2) mass. It is computed in two words, so that its sign is right even if the rotor turns
+   very close to resonance. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
@@ -3526,18 +3557,18 @@ VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega
 }
 
 /* Radius of the mass centre's circle in steady motion at psi' = Omega, m: s omega^2/(omega^2 - Omega^2), (76), (77).
-   Omega is in rad/s, and the motion needs torque = damping Omega (47). For Omega^2 < omega^2 the radius is positive
-   and the direction of the mass centre is phi = psi + pi, as in (77). For Omega^2 > omega^2 the radius is negative
-   and phi = psi, as in (76). The error is within 3 eps, however close to resonance. Returns infinity at resonance
-   (NaN for s = 0), and NaN for a null pointer and for a rotor whose fields have not the signs that vm_broken_rotor
-   states. */
+   Omega is in rad/s, and the motion needs torque = damping Omega (47). For Omega^2 < omega^2 the radius is positive and
+   the direction of the mass centre is phi = psi + pi, as in (77). For Omega^2 > omega^2 the radius is negative and
+   phi = psi, as in (76). The relative error is within 3 eps, even very close to resonance. Returns infinity at
+   resonance (NaN for s = 0), and NaN for a null pointer or for a rotor with a value that vm_broken_rotor does not
+   allow. */
 VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real detuning, share;
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
     detuning = vmi_broken_rotor_detuning(rotor, Omega);
     if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
-    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; mass Omega^2 overflows */
+    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; here mass Omega^2 overflows */
     return -rotor->s * (share / (1 - share));
 }
 
@@ -3546,7 +3577,8 @@ typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
 
-/* Sets *a. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, the statuses of a bad rotor, VM_DOMAIN at resonance, or VM_OK. */
+/* Sets *a for the steady motion at psi' = Omega. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, a status of
+   vmi_check_broken_rotor, VM_DOMAIN at resonance, or VM_OK. */
 VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega, vmi_broken_rotor_steady *a)
 {
     int status;
@@ -3571,10 +3603,10 @@ enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ }
    Small motions about the steady motion at psi' = Omega (rad/s) are sums of exp(l t), where l is a root of the
    polynomial. c is an array of VM_BROKEN_ROTOR_ROOTS + 1 coefficients, highest power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
-   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. (81) is l times this polynomial, and its last term
-   lacks l^2. Its root l = 0 belongs to the free choice of the phase. Returns VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and
-   VM_OK otherwise. */
+   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. Equation (81) is l times this polynomial, except that
+   its last printed term lacks the factor l^2. The additional root l = 0 of (81) exists because the phase of the steady
+   motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a
+   negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -3592,9 +3624,9 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, c);
 }
 
-/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2.
-   column is an array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all are
-   positive. The errors are those of vm_broken_rotor_characteristic, which has the letters, too. */
+/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. column is an
+   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all these numbers are
+   positive. k*, G, D are as in the comment of vm_broken_rotor_characteristic, and the statuses are the same. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -3613,8 +3645,9 @@ VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm
 }
 
 /* Whether the steady motion at psi' = Omega is asymptotically stable (82).
-   Returns 1 for Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0, which together make it stable, else 0. (With
-   damping, s or Omega = 0 some motions neither grow nor fade.) Returns 0 also for a null pointer and a bad rotor. */
+   Returns 1 if Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0, which together are the condition for stability.
+   Returns 0 otherwise, and also for a null pointer and an invalid rotor. (If damping, s or Omega is 0, some motions
+   neither grow nor decay.) */
 VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega)
 {
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
@@ -3622,10 +3655,10 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 }
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
-   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by rising |imaginary part|; of a pair,
-   the root with im > 0 is first. The error of each root is at most twice what an eps of every coefficient would make,
-   also for the smallest root, which near resonance is many orders below the largest. The errors are those of
-   vm_broken_rotor_characteristic. */
+   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|; of a conjugate pair,
+   the root with im > 0 is first. The error of each root is at most twice the change that relative changes of all
+   coefficients by eps would cause. This holds for the smallest root, too, which near resonance is many orders of
+   magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
@@ -3635,7 +3668,7 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
-    /* compute the roots in units of `size`, so that no coefficient is above 10 */
+    /* The roots are computed in units of `size`, so that no coefficient is larger than 10. */
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
     power = 1 / size;
     for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
@@ -3654,9 +3687,9 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* The value ln(1 + x) - x + x^2/2 for x >= 0. For x <= 1, where digits would cancel, this is x^3/3 - x^4/4 + ...,
-   summed as a series in w = x/(2 + x) <= 1/3, whose terms are all positive: the sum is multiplied by 2, and the
-   coefficient of w^n is n - 2, plus 1/n for odd n. */
+/* The value ln(1 + x) - x + x^2/2 for x >= 0. For x <= 1 digits would cancel in this form. Then the value
+   x^3/3 - x^4/4 + ... is summed as a series in w = x/(2 + x) <= 1/3 with positive terms only. It is twice the sum over
+   n >= 3 of c_n w^n, where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21;
@@ -3672,8 +3705,8 @@ VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
     return 2 * w * w * w * sum;
 }
 
-/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method therefore falls to the root
-   from the start (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. */
+/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method starts from
+   x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root, and therefore decreases x until it reaches the root. */
 VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -3688,15 +3721,15 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 }
 
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
-   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' is caught at omega, and the
-   rest of the torque goes into the orbit: r = |s|/4 + R, where R(0) = 0 and R R' = k* (Omega - omega)/(2 p^2 omega) +
-   k* |s|/(4 p^2 R). Hence
+   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' is captured at omega, and the
+   surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where R(0) = 0 and R R' = k*
+   (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the next order of the expansion. Terms of s^2/r and the time of the capture are neglected: for the rotor
-   of Fig. 18 (s = 0.5 m, omega = 1 rad/s) at t = 400 s, this radius differs by less than 0.002 m from that of the
-   integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN below resonance, for t < 0, damping < 0, omega =
-   0, a null pointer and a bad rotor. The solution of R R' = A + B/R is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A
-   R/B. */
+   |s|/4 is the term of next order in the expansion. Terms of order s^2/r and the time until the capture are neglected.
+   The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) at t = 400 s, this radius differs
+   by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN below
+   resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of R R' = A + B/R is
+   t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
@@ -3709,7 +3742,7 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
     B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
     R = vmi_pow_checked(3 * B * t, VM_C(1.) / 3);
     if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
-    z = A * R / B; /* below eps the term A is negligible, beyond 1/eps (and for B = 0) the term B/R */
+    z = A * R / B; /* for z < eps the term A is negligible, for z > 1/eps or B = 0 the term B/R */
     if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t);
     else if (z > VM_EPSILON) R = vmi_broken_rotor_growth_root(z * z * z / 3) * B / A;
     return VM_FABS(rotor->s) / 4 + R;
@@ -3730,12 +3763,14 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
-/* Add the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235).
-   dr[i] and domega[i] are these derivatives, by the coordinate q_i and its rate q'_i, of the place r at which the
-   force acts and of the angular velocity omega. For outer loads give their resultant and moment. For a stream of rate
-   M' give the force M' u at the point where the mass crosses with the velocity u, and the moment M' kappa omega2,
-   with the gyration kappa and the spin omega2 of the mass. dr, domega and Q are arrays of n. Without dr or domega its
-   term is left out. Without Q nothing is done. */
+/* Add the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235). dr_or_NULL[i]
+   is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
+   domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
+   These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
+
+   External loads are given by their resultant and their moment. A stream with the mass rate M' is given by the force
+   M' u at the point where the mass enters or leaves with the velocity u, and by the moment M' kappa omega2. kappa is
+   the inertia of this mass per unit mass, and omega2 is its angular velocity. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
@@ -3752,18 +3787,18 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 #endif
 /* mechanics/lagrange_jump.h - Lagrange's equations across a jump
 
-   This chapter computes generalized velocities qdot after a part separates from a system, or is attached to it, in an
-   instant (96), and after an impact. A mass matrix is an array of n n numbers, row after row; velocities, momenta and
-   impulses are arrays of n. The matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i and
-   turn[i] = domega/dqdot_i, with the velocity v of the mass centre and the angular velocity omega, in inertial axes,
-   (87)-(90).
+   This chapter computes generalized velocities qdot after a part separates from a system or is attached to it in an
+   instant (96), and after an impact. A mass matrix is an array of n n numbers, row after row. Velocities, momenta and
+   impulses are arrays of n numbers. The matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i and
+   turn[i] = domega/dqdot_i, (87)-(90). Here v is the velocity of the mass centre and omega the angular velocity, both
+   along inertial axes.
 
        vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
        vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // the part's momenta, and the velocities
        vm_real work[VM_LAGRANGE_WORK(2)];
        int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
-   Quasi-coordinates are allowed, too: velocities qdot_i that are not derivatives, such as spins about body axes.
+   The velocities qdot_i need not be derivatives of coordinates. They may be spins about body axes (quasi-coordinates).
    Tests: tests/test_lagrange_jump.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_JUMP_H
 #define VARMASS_MECHANICS_LAGRANGE_JUMP_H
@@ -3774,7 +3809,7 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
 /* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
-   dr and turn are arrays of n. Without one of them its term is left out. Without body or matrix nothing is done. */
+   dr and turn are arrays of n. A NULL array means that its term is 0. If body or matrix is NULL, nothing is done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -3797,7 +3832,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
 }
 
 /* Add the generalized momentum of a body's motion to p.
-   dr, turn and p are arrays of n. Without dr or turn its term is left out. Without body or p nothing is done. */
+   dr, turn and p are arrays of n. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -3806,8 +3841,8 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 }
 
 /* Add the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
-   r is in m, in inertial axes. The moment of the impulse is taken about r, which (23a) does not say. dr, turn and p
-   are arrays of n. Without dr or turn its term is left out. Without impulse or p nothing is done. */
+   r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. dr,
+   turn and p are arrays of n. If dr or turn is NULL, its term is 0. If impulse or p is NULL, nothing is done. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -3816,8 +3851,8 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
-/* Solves matrix (qdot_after - qdot) = b. The array work holds room for a copy of the matrix, then b, then room for n
-   numbers. */
+/* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: space for a copy of the matrix, then b, which the
+   caller has set, then space for n more numbers. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
 VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
                                    vm_real *work)
 {
@@ -3830,8 +3865,9 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
     return vmi_copy_if_finite(n, b, qdot_after);
 }
 
-/* Solves after (qdot_after - qdot) = (before - after) qdot + sign part + impulse. The unknown is the change of qdot,
-   so that a part of little mass changes qdot by little, with an error that is small against this change. */
+/* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign part + impulse, where `before` and `after` are mass
+   matrices. The unknown is the change of qdot. A part of little mass changes qdot little, and the error is small
+   compared with this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
@@ -3848,15 +3884,15 @@ VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after,
     return vmi_lagrange_jump_solve(n, after, qdot, qdot_after, work);
 }
 
-/* Velocities after a part separates: after qdot_after = before qdot - part + impulse (96).
-   (96) is d(T2 - T1)/dqdot = impulse, with the kinetic energies T1 before and T2 after the separation. The velocity
-   of the part relative to the body is held constant in the derivative, so that the part's share is its generalized
-   momentum `part`. `before` and `after` are the mass matrices with and without the part. Without part or impulse its
-   term is 0. qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot by
+/* Velocities after a part separates: after*qdot_after = before*qdot - part + impulse (96).
+   (96) is d(T2 - T1)/dqdot = impulse, with the kinetic energies T1 before and T2 after the separation. The velocity of
+   the part relative to the body is constant in the derivative. The term of the part is therefore its generalized
+   momentum `part`. `before` and `after` are the mass matrices with and without the part. If part or impulse is NULL,
+   its term is 0. qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot
    little, and this change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0,
-   VM_NOT_FINITE, VM_SINGULAR if a coordinate, or several together, move no mass or a negative one, and VM_OK
-   otherwise. The matrix counts as singular if an entry on the diagonal of `after` is not positive, or if a pivot is
-   below 4 n eps after the diagonal has been scaled to 1. */
+   VM_NOT_FINITE, VM_SINGULAR if a coordinate, or several together, move no mass or a negative one, and VM_OK otherwise.
+   The matrix counts as singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps
+   after the diagonal has been scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -3864,8 +3900,9 @@ VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *aft
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, -1, impulse_or_NULL, qdot_after, work);
 }
 
-/* Velocities after a part is attached: after qdot_after = before qdot + part + impulse (96).
-   `part` is the generalized momentum of the part before it is attached. All else is as for vm_lagrange_separate. */
+/* Velocities after a part is attached: after*qdot_after = before*qdot + part + impulse (96).
+   `part` is the generalized momentum of the part before it is attached. Everything else is as for
+   vm_lagrange_separate. */
 VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                               const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                               vm_real *work)
@@ -3873,10 +3910,10 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, 1, impulse_or_NULL, qdot_after, work);
 }
 
-/* Velocities after an impact that changes no mass: matrix (qdot_after - qdot) = impulse.
-   This function also computes a separation accurately where the part is nearly the whole body. Then `matrix` is that
-   of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. Arrays,
-   errors and work are as for vm_lagrange_separate, but impulse must not be NULL. */
+/* Velocities after an impact that changes no mass: matrix*(qdot_after - qdot) = impulse.
+   This function also computes a separation accurately if the part is nearly the whole body. Then `matrix` is the mass
+   matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body.
+   Arrays, errors and work are as for vm_lagrange_separate, but impulse must not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {
@@ -3887,9 +3924,10 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
 #endif
 /* mechanics/pendulum.h - a pendulum from which a part is cut
 
-   This is the example (119)-(132) in corrected form. A uniform rod of mass M and length L swings about its end O. Its
-   outer length l, with the mass m = M l/L, is cut off and leaves with a given velocity and angular velocity relative
-   to the rod. The result is the motion of both, their energies and momenta, and the impulse of the pivot.
+   This is the example (119)-(132), corrected as in docs/errata.md. A uniform rod of mass M and length L swings about
+   its end O. A part at its free end, of length l and mass m = M l/L, is cut off. It leaves with a given velocity and
+   angular velocity relative to the rod. The results are the motions, energies and momenta of the part and of the
+   remaining rod, and the impulse of the pivot.
 
        vm_pendulum rod = {3, 1, VM_C(0.5), 2, VM_AXES_COS_SIN}; // 3 kg, 1 m, 0.5 rad, 2 rad/s
        vm_pendulum_cut cut;
@@ -3915,20 +3953,21 @@ typedef struct VM_TAG(vm_pendulum) {
     int axes;       /* VM_AXES_COS_SIN or VM_AXES_SIN_COS */
 } vm_pendulum;
 
-/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the rest and of the part. */
+/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the remaining rod (the rest) and of the
+   part. */
 typedef struct VM_TAG(vm_pendulum_cut) {
-    vm_pendulum rest; /* the rest of the rod; rest.rate is phi1' in (125) */
+    vm_pendulum rest; /* the remaining rod; rest.rate is its angular velocity phi1' after the cut (125) */
     vm_real mass;     /* mass m of the part, kg */
     vm_real x, y;     /* position of S2 (123), m */
     vm_real vx, vy;   /* velocity of S2 (121), m/s */
-    vm_real rate;     /* angular velocity phi' + Omega of the part, in the sense of phi, rad/s */
-    vm_real T1;       /* kinetic energy before the cut (119), J */
-    vm_real T_S1;     /* kinetic energy of the rest (124), J */
-    vm_real T_S2;     /* kinetic energy of the part (122), corrected, J */
-    vm_real L1;       /* angular momentum of the rest about O (130), kg m^2/s */
-    vm_real L2;       /* angular momentum of the part about O (128), corrected, kg m^2/s */
-    vm_real pivot_x;  /* impulse of the pivot on the rest during the cut along x, N s */
-    vm_real pivot_y;  /* impulse of the pivot on the rest during the cut along y, N s */
+    vm_real rate;     /* angular velocity phi' + Omega of the part, positive for growing phi, rad/s */
+    vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
+    vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
+    vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
+    vm_real L1;       /* angular momentum of the remaining rod about O after the cut (130), kg m^2/s */
+    vm_real L2;       /* angular momentum of the part about O after the cut, kg m^2/s [(128) corrected] */
+    vm_real pivot_x;  /* impulse of the pivot on the remaining rod during the cut, along x, N s */
+    vm_real pivot_y;  /* impulse of the pivot on the remaining rod during the cut, along y, N s */
 } vm_pendulum_cut;
 
 VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
@@ -3964,14 +4003,14 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
            VM_IS_FINITE(c->pivot_x) && VM_IS_FINITE(c->pivot_y);
 }
 
-/* Motion of a pendulum and of the part that is cut off it, (119)-(132).
-   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod, in
-   the sense of the pendulum's angle phi. (ux, uy) (m/s) is the velocity of the part's mass centre (x, y) relative to
-   the rod, in the axes of the pendulum. The rest then turns with
+/* Motion of a pendulum and of the part that is cut off from it, (119)-(132).
+   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod,
+   positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's mass
+   centre (x, y) relative to the rod, along the axes x, y of the pendulum. The remaining rod then turns with
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos).
    This is (125), (132) corrected and simplified by hand, so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
-   pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L,
-   and VM_OK otherwise. */
+   pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
+   otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -3986,7 +4025,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     rho = pendulum->length - part / 2; /* distance from O to S2 */
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
-    across = ux * fx + uy * fy; /* rho across = s (x u_y - y u_x) */
+    across = ux * fx + uy * fy; /* velocity across the rod; rho * across is s (x u_y - y u_x) */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
@@ -4004,7 +4043,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after minus momentum before */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* all momentum after the cut minus before */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
@@ -4014,12 +4053,14 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
 #endif
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
    This is the first step of exact torque-free rotation. It finds the principal moments J_a >= J_b >= J_c, the
-   principal axes a, b, c and the components w_a, w_b, w_c of omega, all in two words, because the rates that follow
-   from them are multiplied by long times. Then it names the axes 1, 2, 3: axis 2 has the middle moment, and omega
-   circles axis 3. Which of the outer axes is axis 3 depends on the sign of
+   principal axes a, b, c and the components w_a, w_b, w_c of omega. All are in two words, because the rates that
+   follow from them are multiplied by long times.
+   Then it names the axes 1, 2, 3. Axis 2 has the middle moment, and omega moves around axis 3. Axis 3 is a or c; this
+   depends on the sign of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
-   where T is the kinetic energy and L the size of the angular momentum. Axis 3 is c, the axis of the smallest moment,
-   if this is positive (or 0, on the separatrix), and else a. All functions of this chapter are internal:
+   where T is the kinetic energy and L the size of the angular momentum. If this number is positive, or 0 (on the
+   separatrix), axis 3 is c, the axis of the smallest moment; else axis 3 is a. All functions of this chapter are
+   internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
@@ -4038,7 +4079,7 @@ typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
 
-/* The power of two p with p <= x < 2p, or VM_MIN for an x that is 0 or subnormal */
+/* The largest power of two that is at most x, or VM_MIN if x is 0 or subnormal */
 VM_API vm_real vmi_power_of_two(vm_real x)
 {
     const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
@@ -4074,8 +4115,8 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
     return c;
 }
 
-/* The vector that the rotation by q turns into a: a + 2 (v x (v x a) - w v x a)/|q|^2, where q = (w, v) may have any
-   length except 0 */
+/* The vector that the rotation by q turns into a. It is a + 2 (v x (v x a) - w v x a)/|q|^2 for q = (w, v) of any
+   length except 0. */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 xyz = vmi_quat_vector(q);
@@ -4097,8 +4138,8 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 
 /* ---- principal moments and axes ---- */
 
-/* A body by its principal moments, divided by a power of two, its principal axes in body axes, and omega along them,
-   divided by another power of two */
+/* The rotation of a body in its principal axes: the principal moments divided by a power of two, the principal axes
+   in body axes, and the components of omega along them, divided by another power of two */
 typedef struct VM_TAG(vmi_torque_free_body) {
     vm_two moment[3];
     vmi_vec3_two axis[3], omega;
@@ -4112,8 +4153,8 @@ VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
     *y = vmi_two_plus(vmi_two_times(s, x0), vmi_two_times(c, y0));
 }
 
-/* Does in two words what vmi_jacobi_rotation does, for a tensor a that is scaled to about 1: a[p][q] becomes 0, and
-   the axes p and q turn. An entry below eps^3 is only set to 0. */
+/* Makes one rotation of Jacobi's eigenvalue method in two words: turns the axes p and q so that a[p][q] becomes 0.
+   The tensor a is scaled to about 1. An entry below eps^3 is set to 0 without a rotation. */
 VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, int p, int q)
 {
     const vm_two one = vmi_two(1, 0), entry = a[p][q];
@@ -4137,11 +4178,11 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
     for (k = 0; k < 3; k++) vmi_two_turn(c, s, &axis[p].x[k], &axis[q].x[k]);
 }
 
-/* Principal moments, divided by the power of two of the trace, and principal axes. Sets omega to 0. For a tensor
-   without products of inertia the moments are its entries and the axes are the body axes, exactly. */
+/* Computes the principal axes, and the principal moments divided by vmi_power_of_two(trace). Sets omega to 0. For a
+   tensor without products of inertia the moments are its entries and the axes are the body axes, exactly. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
-    const int most_sweeps = 12; /* more than the rotations, which converge quadratically, need */
+    const int most_sweeps = 12; /* more than enough, since the rotations converge quadratically */
     const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
     vm_two a[3][3];
     int sweep, p, q, k;
@@ -4161,7 +4202,7 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
     for (k = 0; k < 3; k++) b->moment[k] = a[k][k];
 }
 
-/* Sets a moment that is lost in the rounding errors of the tensor i to 0. The body is then a rod, and the other two
+/* Sets a moment to 0 if it is lost in the rounding errors of the tensor i. The body is then a rod, and the other two
    moments become equal. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
@@ -4179,8 +4220,8 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 
 /* ---- the order of the axes ---- */
 
-/* Returns 1 if two moments that come from a tensor in two words cannot be told apart. Moments that are stored numbers
-   differ by more than this, or are equal. */
+/* Returns 1 if the difference of two moments is within the errors of their computation from a tensor in two words.
+   Moments that were given as numbers are equal or differ by more. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
@@ -4192,15 +4233,15 @@ typedef struct VM_TAG(vmi_torque_free_axes) {
     vm_two I1, I2, I3;    /* the principal moments */
     vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
     vm_two w1, w2, w3;    /* the components of omega */
-    vm_two S;             /* |2T I2 - L^2| with the letters of the banner, which is 0 on the separatrix */
+    vm_two S;             /* |2T I2 - L^2|, T kinetic energy, L angular momentum; 0 on the separatrix */
     vm_real sigma;        /* the sign of I1 - I3 */
     vm_real s;            /* the sign of w3 */
     int symmetric;        /* 1 if I1 = I2 */
     vmi_mat3 matrix;      /* columns: the axes 1, 2, 3 in body axes */
 } vmi_torque_free_axes;
 
-/* The product J d w^2 in three words, so that no digit of stored numbers is lost when the difference of two such
-   products cancels */
+/* The product J d w^2 of a moment J, a difference d of moments and the square of a component w of omega. It is in
+   three words, so that the difference of two such products is right even if they cancel. */
 VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
 {
     const vmi_three J3 = vmi_three_words(J.hi, J.lo, 0), d3 = vmi_three_words(d.hi, d.lo, 0);
@@ -4208,8 +4249,8 @@ VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
     return vmi_three_times(vmi_three_times(J3, d3), vmi_three_times(w3, w3));
 }
 
-/* The value J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2 of the banner, for the axes a, b,
-   c = order[0], order[1], order[2] by falling moments */
+/* The value J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2, whose sign decides which axis is axis 3.
+   The axes a, b, c are order[0], order[1], order[2], by falling moments. */
 VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, const int *order)
 {
     const int a = order[0], b = order[1], c = order[2];
@@ -4217,7 +4258,8 @@ VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, co
     return vmi_three_plus(of_smallest, vmi_torque_free_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
 }
 
-/* Sets order[] to the axes by falling moments. Returns 1 if it is an even permutation of 0, 1, 2, else 0. */
+/* Sets order[] to the indices of the axes by falling moments. Returns 1 if order[] is an even permutation of 0, 1, 2,
+   else 0. */
 VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
 {
     int k, even = 1;
@@ -4232,8 +4274,8 @@ VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
     return even;
 }
 
-/* Returns 1 if axis 3 is the last one of order, that of the smallest moment, and 0 if it is the first. If two moments
-   are equal, axis 3 is that of the third moment. */
+/* Returns 1 if axis 3 is order[2], the axis of the smallest moment, and 0 if it is order[0], the axis of the largest.
+   If two moments are equal, axis 3 is the axis of the third moment. */
 VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, vmi_three separation)
 {
     if (vmi_torque_free_are_equal(J[order[0]], J[order[1]])) return 1;
@@ -4292,17 +4334,17 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 #endif
 /* mechanics/torque_free.h - exact rotation of a body on which no torque acts
    The rotation of a free body, for example after a jump, has a closed form: the angular velocity omega follows from
-   the Jacobi functions sn, cn, dn of the time, and the attitude from one theta function and a steady turn (Jacobi
-   1850). Nothing is integrated, so that every time costs the same and errors do not grow with time. The mass centre
-   moves on a straight line.
+   the Jacobi functions sn, cn, dn of the time, and the attitude follows from one theta function and a rotation at a
+   constant rate (Jacobi 1850). Nothing is integrated, so that an evaluation costs the same at any time and errors do
+   not grow with time. The mass centre moves on a straight line.
 
        vm_torque_free motion;
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   The functions serve all bodies, triaxial, symmetric and spherical ones, rods and points (whose spin about a null axis
-   stays constant), and all rotations, also those about the middle axis and on the separatrix, which tend to the middle
-   axis. No threshold has to be chosen.
+   The functions serve all bodies: triaxial, symmetric and spherical ones, and rods and points, whose spin about an
+   axis without moment of inertia stays constant. They serve all rotations, also those about the middle axis, and
+   those on the separatrix, which tend to a rotation about the middle axis. No threshold has to be chosen.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
@@ -4312,50 +4354,53 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 /* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
 
    Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
-   |omega|, also next to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
+   |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
    equal moments and with products of inertia. An error of eps in an input changes the attitude by eps times the angle
-   turned, and by more next to the separatrix, because every turn-over then moves. For tensors with products of
-   inertia the principal moments are known to two words only, which limits the accuracy after many turns next to the
-   separatrix. Components of omega below 2^-505 (float 2^-57) of the largest count as 0. */
+   turned. Close to the separatrix it changes the attitude by more, because it changes the time of every flip of the
+   body. For tensors with products of inertia the principal moments are known to two words only, which limits the
+   accuracy after many turns close to the separatrix. Components of omega below 2^-505 (float 2^-57) times the largest
+   are taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
     vm_real t0;                  /* the time at which the motion was given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
-    vm_quat start;               /* turns axes in which angular momentum is along 3, or -3, into inertial ones */
-    vm_real spin[3];             /* omega is spin[0] cn, spin[1] sn, spin[2] dn along 1, 2, 3, rad/s */
-    vm_real lean[3];             /* y, x, w - 1 of the quaternion M below are lean[0] cn, lean[1] sn, lean[2] dn */
+    vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum (or
+                                    opposite, s = -1) */
+    vm_real spin[3];             /* omega along axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
+    vm_real lean[3];             /* y, x, w - 1 of M = (w, x, y, 0)/sqrt(2 w): lean[0] cn, lean[1] sn, lean[2] dn */
     vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
     vm_two phase_rate;           /* rate of the phase, per second */
     vm_two K;                    /* quarter period of sn in u; 0 on the separatrix */
-    vm_two turn_rate;            /* mean rate kappa of h, half the angle about the angular momentum, turns/s */
+    vm_two turn_rate;            /* mean rate kappa of h in (B), half the angle about the angular momentum, turns/s */
     vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
-    vmi_doubled_theta theta;     /* the theta function whose argument is the deviation of h from its mean */
+    vmi_doubled_theta theta;     /* the theta function of (B); arg theta is the deviation of h from its mean growth */
 } vm_torque_free;
 
-/* The solution. Let 1, 2, 3 be the principal axes, where 2 has the middle moment and omega circles 3
-   (torque_free_axes.h), I1, I2, I3 the moments, T the kinetic energy and L the size of the angular momentum. With d12
-   = |I1 - I2|, d23 and d13 alike, sigma = sign(I1 - I3) and s = sign(w3), omega = (w1, w2, w3) along these axes is
+/* The solution. Let 1, 2, 3 be the principal axes, where axis 2 has the middle moment and omega moves around axis 3
+   (torque_free_axes.h), I1, I2, I3 the moments, T the kinetic energy and L the size of the angular momentum. Let
+   d12 = |I1 - I2|, d23 = |I2 - I3|, d13 = |I1 - I3|, sigma = sign(I1 - I3) and s = sign(w3). Then
+   omega = (w1, w2, w3) along these axes is
      w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u,  u = u0 + wp t,                                     (A)
      a1^2 = w1^2 + I2 d23/(I1 d13) w2^2,  a2^2 = a1^2 I1 d13/(I2 d23),  a3^2 = w3^2 + I2 d12/(I3 d13) w2^2,
      wp^2 = a3^2 d13 d23/(I1 I2),  m = I1 d12 a1^2/(I3 d23 a3^2),  1 - m = |2T I2 - L^2|/(I3 d23 a3^2),
-   where w1, w2, w3 on the right are those at t0, and t is the time since t0. With the tensor of inertia J, so that
-   L = |J omega|, the unit vector l = J omega/L and the unit vector e3 of axis 3 the attitude is
+   where w1, w2, w3 on the right-hand sides are the values at t0, and t is the time since t0. With the tensor of
+   inertia J, so that L = |J omega|, the unit vector l = J omega/L and the unit vector e3 of axis 3 the attitude is
      q(t) = start (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u),                                    (B)
      M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)).
    M is the shortest rotation that takes l to s e3, kappa is a constant that an integral of the third kind gives, and
-   theta is a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) is Jacobi's; van Zon and Schofield, J.
-   Comput. Phys. 225 (2007), have a theta series for 2h.
+   theta is a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) was found by Jacobi; van Zon and Schofield,
+   J. Comput. Phys. 225 (2007), give a theta series for 2h.
 
-   The steps are: axes, squares of the amplitudes and parameter, kappa, phase and rates, theta function, and at last
-   start, which makes q(t0) the given attitude. They are computed in two words, because the rates wp/(4K) and kappa
-   are multiplied by long times. At a given time only the products of rates and time are in two words. The units of
-   moments and omega are powers of two for which moments and omega are about 1. */
+   The preparation computes in this order: the axes; the squares of the amplitudes, and m; kappa; the phase and the
+   rates; the theta function; and `start`, which makes q(t0) the given attitude. It computes in two words, because the
+   rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time has only the products of rates
+   and time in two words. Moments and omega are divided by powers of two, so that they are about 1. */
 
 /* ---- amplitudes and parameter ---- */
 
-/* The squares of a1, a2, a3, of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
-   difference in them is S of torque_free_axes.h, which is computed in three words. */
+/* The squares of a1, a2, a3 of (A), of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
+   subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -4384,15 +4429,15 @@ VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_
     return square;
 }
 
-/* Sets m1 = 1 - m, with the parameter m of sn, cn, dn */
+/* Stores m1 = 1 - m in the motion, with the parameter m of sn, cn, dn, and prepares these functions for it */
 VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
 {
     motion->m1 = m1.hi;
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the axes, and the amplitudes of omega and of the quaternion M. `sign` is the sign of cn on the separatrix, and
-   1 elsewhere. */
+/* Sets the axes, and the amplitudes of omega and of the quaternion M in (B). `sign` is the sign of cn on the
+   separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -4414,8 +4459,8 @@ VM_API vm_two vmi_torque_free_two_pi(void)
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* Returns 2 kappa by the integral Pi(-N | m) with N = I3 d12/(I1 d23), for m < 1 and I1 != I2. Sets *mean to agm(1,
-   k'), with k'^2 = 1 - m and the letters of (A). With c = I3 a3/L,
+/* Returns 2 kappa by the integral Pi(-N | m) with N = I3 d12/(I1 d23), for m < 1 and I1 != I2. Sets *mean to the
+   arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those of (A), and c = I3 a3/L:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
@@ -4438,7 +4483,7 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* Returns kappa, the mean rate of h in (B). Sets *mean to agm(1, k'), k'^2 = 1 - m, which is 0 on the separatrix. */
+/* Returns kappa, the mean rate of h in (B). Sets *mean to agm(1, k') with k'^2 = 1 - m; it is 0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
@@ -4455,8 +4500,9 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(twice, VM_C(0.5));
 }
 
-/* Returns the argument u of (A) at t0, divided by 4K where mean > 0, from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Sets
-   *sign to the sign of cn on the separatrix, where u does not contain it, else to 1. */
+/* Computes the argument u of (A) at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u on the
+   separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign; else
+   *sign is 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -4468,13 +4514,13 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     *sign = 1;
     if (mean.hi > 0) {
         F = vmi_two_over(vmi_two_times(F, mean), vmi_torque_free_two_pi());
-        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* u is 2K - F */
+        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* u/(4K) is 1/2 - F here */
     } else if (axes->w1.hi < 0) *sign = -1;
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K, the phase, and both rates, in the unit of the scaled omega. Returns the sign of cn on the separatrix, and 1
-   elsewhere. */
+/* Sets K, the phase, and phase_rate and turn_rate for the scaled omega. Returns the sign of cn on the separatrix, and
+   1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -4496,8 +4542,9 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
 
 /* ---- the theta function ---- */
 
-/* Returns the y of the theta function, cd(y | m1) = c = I3 a3/L, as an integral of the first kind:
-   R_F(N, N/c^2, N + 1) = y for N = I3 d12/(I1 d23) */
+/* Returns y of theta(u + i y) in (B), which solves cd(y | m1) = c with c = I3 a3/L. It is an elliptic integral of the
+   first kind, in Carlson's form with N = I3 d12/(I1 d23):
+   y = R_F(N, N/c^2, N + 1) */
 VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square)
 {
     const vm_two N = vmi_two_over(vmi_two_times(axes->I3, axes->d12), vmi_two_times(axes->I1, axes->d23));
@@ -4505,8 +4552,8 @@ VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const
     return vmi_carlson_rf(N, vmi_two_over(N, c_square), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* Sets the theta function, conjugated where sigma s < 0. For m = 0 it stays 1. It is summed directly for K <= 2K',
-   and by Jacobi's transformation for K > 2K', where K' (Kc in the code) is K of the parameter 1 - m. */
+/* Sets the theta function of (B), conjugated if sigma s < 0. For m = 0 it stays 1. It is summed directly for
+   K <= 2K', and by Jacobi's transformation for K > 2K', where K' (Kc in the code) is K of the parameter 1 - m. */
 VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square)
 {
@@ -4543,7 +4590,7 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
 /* Sets all fields that do not depend on the unit of time, except `start` */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
-    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of a negligible nutation of eps^2 */
+    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of eps^2, a negligible nutation angle */
     const vmi_torque_free_axes axes = vmi_torque_free_order(b);
     vmi_torque_free_squares square;
     int constant = vmi_torque_free_is_constant(&axes);
@@ -4562,8 +4609,8 @@ VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_fre
 
 /* ---- at a time ---- */
 
-/* The product rate t less the nearest number of whole turns, |result| <= 1. It has no meaning beyond 2^(2p - 4)
-   turns, where the type has p digits. */
+/* The product rate t, in turns, minus the nearest whole number of turns, |result| <= 1. Beyond 2^(2p - 4) turns the
+   result has no meaning; p is the number of binary digits of the type. */
 VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
@@ -4572,16 +4619,16 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* Computes sn, cn, dn at the time t after t0. Returns u/(4K) without half turns, |u/(4K)| <= 1/4, or u on the
+/* Computes sn, cn, dn at the time t after t0. Returns u/(4K) minus the nearest multiple of 1/2, or u on the
    separatrix. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
-    const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* sech of this is next to the smallest number */
+    const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* sech(longest) is close to the smallest number of the type */
     vmi_thetas theta;
     vm_real turns;
     int half_turns = 0, quarters = 0;
-    vm_two v; /* u without quarter periods */
+    vm_two v; /* u minus the nearest multiple of K */
     if (motion->K.hi > 0) {
         v = vmi_two_plus(vmi_torque_free_fraction(motion->phase_rate, t), motion->phase);
         half_turns = vmi_nearest(2 * v.hi);
@@ -4595,20 +4642,20 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
         turns = v.hi;
     }
     if (v.hi * v.hi > VMI_NEAR) theta = vmi_theta_far(&motion->far_form, 0, v);
-    else theta = vmi_theta_near(v.hi, motion->m1); /* also for NaN */
+    else theta = vmi_theta_near(v.hi, motion->m1); /* NaN comes here, too */
     theta = vmi_theta_shift(theta, motion->far_form.kp, (vmi_bits)((quarters + 2 * half_turns) & 3));
     vmi_theta_ratios(theta, motion->far_form.kp, sn, cn, dn);
     return turns;
 }
 
-/* Evaluates (A) and (B) at the time t after t0: omega in body axes, and the rotation (cos h + s e3 sin h) M */
+/* Evaluates (A) and (B) at the time t after t0: *omega in body axes, and the rotation *turn = (cos h + s e3 sin h) M */
 VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, w, x, y, over, c, s;
     const vm_real turns = vmi_torque_free_functions(motion, t, &sn, &cn, &dn);
     vmi_doubled_at(&motion->theta, turns, &re, &im);
     vmi_sincos_turns(vmi_torque_free_fraction(motion->turn_rate, t).hi + motion->theta.shift * turns, &sine, &cosine);
-    w = 1 + motion->lean[2] * dn; /* w, x, y: the quaternion M times sqrt(2 w) */
+    w = 1 + motion->lean[2] * dn; /* M is (w, x, y, 0)/sqrt(2 w) */
     x = motion->lean[1] * sn;
     y = motion->lean[0] * cn;
     over = 1 / VM_SQRT(2 * w * (re * re + im * im));
@@ -4620,13 +4667,14 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 
 /* ---- setting up ---- */
 
-/* Sets all that vm_torque_free_at needs, from the moments, the axes, and omega divided by the given power of two */
+/* Prepares all that vm_torque_free_at needs. *b has the moments, the axes, and omega divided by `power`, a power of
+   two. */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
     vm_quat q = motion->body.q, turn;
     vm_vec3 omega;
     int k;
-    vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0: sn = 0, cn = dn = 1 */
+    vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0 and u = 0: sn = 0, cn = dn = 1 */
     motion->theta.re[0] = 1;
     motion->lean[2] = 1;
     vmi_torque_free_prepare(motion, b);
@@ -4639,14 +4687,15 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
 }
 
-/* Returns x, or 0 where the square of x would underflow: for 2^-505 (float 2^-57) and less, if the largest component
-   is about 1. */
+/* Returns x, a component of the scaled omega, or 0 if its square would underflow, which is for |x| < 2^-505 (float
+   2^-57). */
 VM_API vm_two vmi_torque_free_squarable(vm_two x)
 {
     return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
 }
 
-/* Prepares the motion of a body whose omega is along its body axes (along_body = 1) or along the inertial axes (0) */
+/* Prepares the motion of a body whose omega is given in body axes (along_body = 1) or in inertial axes
+   (along_body = 0) */
 VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, int along_body, vm_real t0)
 {
     const vm_real power = vmi_power_of_two(vmi_norm_max(body->omega));
@@ -4671,8 +4720,8 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
 }
 
 /* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; vm_torque_free_at
-   then gives it at any time. The accuracy is described at vm_torque_free. Returns VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA, and leaves *motion unchanged then; VM_OK otherwise. */
+   then gives it at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
+   null pointer, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. After an error *motion is unchanged. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
     if (!motion || !body) return VM_BAD_ARGUMENT;
@@ -4700,8 +4749,8 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
 /* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega is
    along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1 if it was all zero). Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
-   is above 1e290 (float 1e30), and VM_OK otherwise. With an error *q and *omega stay unchanged. Beyond 1/eps^2 turns
-   the result is finite and has the right angular momentum, but no phase. */
+   is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
+   the result is finite and has the right angular momentum, but its phase has no meaning. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     const vm_real largest_factor = VM_MAX / VM_SPLIT; /* products in two words split their factors */
@@ -4723,7 +4772,7 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
 
 /* A torque-free body at the time t (s). t may be later or earlier than t0. Attitude and omega are those of
    vm_torque_free_attitude, but omega is along inertial axes. The mass centre is on its straight line. The statuses
-   are those of vm_torque_free_attitude; with an error *body stays unchanged. */
+   are those of vm_torque_free_attitude; after an error *body is unchanged. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -4742,7 +4791,7 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
 }
 
 /* A torque-free body a time t (s) later, in one call. It calls vm_torque_free_init, then vm_torque_free_at, and has
-   their statuses. later may be body. */
+   their statuses. The pointers later and body may be equal. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;
@@ -4773,19 +4822,19 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 #ifndef VARMASS_MECHANICS_STREAMS_H
 #define VARMASS_MECHANICS_STREAMS_H
 
-/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body at which the
-   stream crosses the body's surface. */
+/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body's surface at which
+   the mass enters or leaves. */
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
     VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; velocity and spin of the stream
-                        are not read. There is no torque, but a force M' omega x d remains (M' the rate, d from the mass
-                        centre to the point, omega the body's spin), which (166) neglects */
+                        are not read. There is no torque, but a force M' omega x d remains, which (166) neglects (M' is
+                        the rate, d leads from the mass centre to the point, omega is the body's spin) */
     VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
 };
 
-/* The place in a body from which mass is taken, or into which it is put, if this is not the point at which its stream
-   crosses the surface */
+/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if the mass
+   does not lie at the point at which the stream enters or leaves the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -4795,18 +4844,19 @@ typedef struct VM_TAG(vm_store) {
 typedef struct VM_TAG(vm_stream) {
     vm_real rate;         /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
-    vm_vec3 at;           /* the point of crossing, from the body's reference point, m, body axes */
-    vm_vec3 velocity;     /* velocity of the mass when it crosses, m/s */
-    vm_vec3 spin;         /* angular velocity of the mass when it crosses, rad/s */
-    vm_inertia gyration;  /* inertia per unit mass of the crossing mass, about its own mass centre, m^2, body axes */
-    const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between store and point of
-                             crossing the mass flows in a straight line, and the momentum of this flow counts */
+    vm_vec3 at;           /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
+    vm_vec3 velocity;     /* velocity of the mass as it enters or leaves the body, m/s */
+    vm_vec3 spin;         /* angular velocity of the mass as it enters or leaves the body, rad/s */
+    vm_inertia gyration;  /* inertia per unit mass of this mass, about its own mass centre, m^2, body axes */
+    const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
+                             point `at` the mass flows in a straight line, and the body's momentum includes that of this
+                             flow */
 } vm_stream;
 
 /* The reactive loads at an instant, in inertial axes except inertia_rate. The body has the mass M, the inertia I, the
-   velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of the crossing mass,
-   omega2 its angular velocity and kappa its gyration, d leads from the body's mass centre to the point of crossing,
-   and P(d) = |d|^2 E - d d^T:
+   velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of its mass, omega2 the
+   angular velocity of its mass and kappa its gyration. The vector d leads from the body's mass centre to the point at
+   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
      torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
@@ -4820,15 +4870,15 @@ typedef struct VM_TAG(vm_reactive) {
     vm_vec3 moment;          /* reactive moment about the mass centre, N m */
     vm_vec3 torque;          /* reactive torque, N m */
     vm_vec3 drift;           /* velocity of the mass centre relative to the body's material, m/s */
-    vm_real mass_rate;       /* rate of the body's mass, the sum of M', kg/s */
+    vm_real mass_rate;       /* rate of the body's mass, the sum of M' over all streams, kg/s */
     vm_inertia inertia_rate; /* rate of the body's inertia, kg m^2/s, body axes */
 } vm_reactive;
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
 /* The velocity u of a stream's mass is, for every known motion, the sum of two terms: the velocity of the body's
-   point (or zero) and the velocity that the stream gives (or zero). The same holds for its spin. The next two
-   functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
+   point (or zero) and the velocity that the stream gives (or zero). Its spin is a sum of two such terms, too. The
+   next two functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
@@ -4855,8 +4905,8 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 }
 
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
-   stores and the points of crossing. A stream of rate M' with its store at s and its point of crossing at d makes a
-   straight flow, which has the momentum M' (s - d), whatever its speed is. */
+   stores and the surface. A stream of rate M' that flows in a straight line between its store at s and the surface at
+   d has the momentum M' (s - d), whatever its speed is. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -4868,36 +4918,36 @@ VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, 
     }
 }
 
-/* The motion of a body as its streams need it */
+/* The motion of a body, in the form that the sums over its streams need */
 typedef struct VM_TAG(vmi_stream_seen) {
     const vmi_mat3 *turn; /* the rotation from body axes to inertial ones */
     vm_vec3 v;            /* velocity, which is momentum/mass, inertial axes */
-    vm_vec3 slip;         /* velocity of the body's material at the mass centre, less v; body axes */
+    vm_vec3 slip;         /* velocity of the body's material at the mass centre minus v, body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
     vm_vec3 centre;       /* mass centre from the reference point, body axes */
-    int energy;           /* 1 if the sums `brought` and `lost` are wanted */
+    int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum are wanted */
 } vmi_stream_seen;
 
-/* The sums over the streams of a moving body, in body axes except `absolute`, with the letters of vm_reactive. The
-   velocity of mass that moves with the body is kept relative to the body, so that a high speed of the body costs
-   these sums no digits. */
+/* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
+   are explained at vm_reactive. For mass that moves with the body the sums use its velocity relative to the body, so
+   that they lose no digits if the body is fast. */
 typedef struct VM_TAG(vmi_stream_sum) {
-    vm_real rate;       /* sum of M' */
+    vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* sum of M' (u - v) of the streams whose velocity is relative to the body */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity is absolute, inertial axes */
     vm_vec3 moment;     /* sum of d x M' (u - v) of all streams */
     vm_vec3 own;        /* sum of M' kappa omega2 */
-    vm_vec3 crossing;   /* sum of M' d, with d to the point of crossing */
+    vm_vec3 crossing;   /* sum of M' d, with d to the point at which the mass enters or leaves */
     vm_vec3 stored;     /* sum of M' d_s, with d_s to the stream's store, or d_s = d without a store */
     vm_inertia inertia; /* I', the rate of the inertia */
     vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
-    vm_real lost;       /* sum like `brought` with velocities relative to the body: twice the power lost by mixing */
+    vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
 
-/* Adds one stream, whose `motion` exists, to the sums from which the force is made. Sets *push = M' (u - v), where u
-   is the velocity of its mass, and *spin to the angular velocity of its mass. `carried` is the velocity of the body's
-   point at which the mass crosses, minus v. All vectors are in body axes. */
+/* Adds one stream, whose `motion` is known, to the sums that make the force. Sets *push = M' (u - v), where M' is the
+   rate, u the velocity of the mass and v that of the body, and *spin to the angular velocity of the mass. `carried`
+   is the velocity of the body's point at which the mass enters or leaves, minus v. All vectors are in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -4921,7 +4971,8 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     }
 }
 
-/* Adds the share of a stream to sum->brought and sum->lost. push and spin are those that vmi_stream_motion sets. */
+/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and
+   carried is its argument. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
@@ -4934,7 +4985,7 @@ VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, c
     sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
 }
 
-/* Computes the sums over n streams. Returns 0 if the motion of a stream does not exist, else 1. */
+/* Computes the sums over n streams. Returns 0 if the `motion` of a stream is unknown, else 1. */
 VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
     const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
@@ -4964,8 +5015,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
     return 1;
 }
 
-/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality is required of the body
-   only: for motion in a plane a gyration with zz alone is enough, as long as the body itself is not that flat. */
+/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality, such as zz <= xx + yy,
+   is required of the body only. Therefore a gyration may have zz alone, which is enough for motion in a plane. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -4973,7 +5024,7 @@ VM_API int vmi_check_gyration(const vm_inertia *i)
     return VM_OK;
 }
 
-/* Returns VM_OK if the motion exists, all numbers are finite and the gyrations are possible, else the first error. */
+/* Returns VM_OK if `motion` is known, all numbers are finite and the gyrations are possible, else the first error. */
 VM_API int vmi_check_stream(const vm_stream *s)
 {
     int status;
@@ -5004,8 +5055,8 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
 }
 
 /* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
-   from its reference point, in body axes (m). The loads of the streams add; vm_reactive has their formulas. Returns
-   VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_NOT_FINITE, VM_BAD_MASS,
+   from its reference point, in body axes (m). Each load is a sum over all streams; the formulas stand at vm_reactive.
+   Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE, VM_BAD_MASS,
    VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
@@ -5082,16 +5133,18 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 #endif
 /* mechanics/attitude.h - how the attitude of a rotating body changes
 
-       vm_real rates[4]; // of w, x, y, z
+       vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
+       vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
+       vm_real rates[4];          // of w, x, y, z
        vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
 
    Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
 
-/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length
-   back to 1 within some steps of any explicit method, at a rate below that of the rotation itself, so that a slow
-   rotation is not stiff. */
+/* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
+   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1. Its
+   rate is below that of the rotation itself, so that it does not make a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
@@ -5105,10 +5158,11 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
 #endif
 /* mechanics/flow.h - a free body in space with streams of mass
 
-   Right-hand sides for rk45 and rk87 of a rigid body whose mass, mass centre and inertia change while it moves. Streams
-   cause the change (151), (152), or functions of time give it (170), or the mass that is lost or gained moves with the
-   body (166). The states are momenta, from which velocity and angular velocity follow: a momentum that is conserved
-   stays exactly constant, and rates may jump.
+   These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
+   moves. There are three cases: streams cause the change (151), (152); functions of time give it (170); or the mass
+   that is lost or gained moves with the body (166). In the first two cases momentum and angular momentum are states,
+   from which velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and
+   the rate of a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -5130,18 +5184,19 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
            rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
-   The equations, with a stream's letters M', u, d, kappa, omega2, P(d) of vm_reactive, and the outer force F and moment
-   M_S on a body of mass M, inertia I and angular velocity omega:
+   The equations. The letters M', u, d, kappa, omega2, P(d) of a stream are explained at vm_reactive. The body has the
+   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
-   attitude. c leads from the reference point to the mass centre, in body axes, d = at - c, and R is the rotation of
-   q/|q| from body axes to inertial ones. [1] prints the torque of (152) with I' omega2. If a stream has a store at s,
-   d_s = s - c replaces d in c' and P(d), the store's gyration replaces kappa in I', and the mass on its way through the
-   body has the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 for |q| = 1 and
-   brings the length of q back to 1; integrators keep their order. The reference point, from which `at` and the stores
-   are measured, is fixed in the body, at r - R c. If flow.centre is 0 at the start, this point is the mass centre of
-   the start.
+   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R
+   is the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the
+   length of q back to 1, and integrators keep their order. In (152), [1] prints I' omega2 instead of M' kappa omega2.
+   If a stream has a store at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and P(d); the
+   gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the momentum
+   M' (s - at) and the angular momentum M' d x d_s.
+   The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
+   flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_FLOW_H
 #define VARMASS_MECHANICS_FLOW_H
@@ -5157,9 +5212,9 @@ enum {
     VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
     VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
-    VM_FLOW_GIVEN_STATES = 13,   /* for vm_flow_given_rhs, vm_flow_carried_rhs: flow.update gives the mass data */
-    VM_FLOW_STATES = 23,         /* for vm_flow_rhs: mass, centre and inertia are states */
-    VM_FLOW_BALANCED_STATES = 30 /* for vm_flow_balanced_rhs: the states of vm_flow_rhs and the balance */
+    VM_FLOW_GIVEN_STATES = 13,   /* states if flow.update gives the mass data: vm_flow_given_rhs, vm_flow_carried_rhs */
+    VM_FLOW_STATES = 23,         /* states of vm_flow_rhs; mass, mass centre and inertia are among them */
+    VM_FLOW_BALANCED_STATES = 30 /* states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7 integrals */
 };
 
 /* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
@@ -5169,28 +5224,28 @@ typedef struct VM_TAG(vm_flow) {
     vm_stream *streams; /* n streams, kept by the caller */
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
-    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time
-       and state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a
-       rate that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs
-       and vm_flow_carried_rhs. (These laws are one function and not vm_laws, because their ten numbers belong
-       together.) It returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it
-       sets has to be a smooth function of t and y: a switch at some time belongs into the change of an ODE_RESTART
-       event. */
+    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
+       state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
+       that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
+       vm_flow_carried_rhs. (These laws are one function and not vm_laws, because their ten numbers belong together.) It
+       returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
+       smooth function of t and y. To switch something at an instant, use an event with the action ODE_RESTART and its
+       function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
-    vm_vec3 centre;        /* mass centre for vm_flow_given_rhs, and of the start for vm_flow_start, m, body axes */
+    vm_vec3 centre;        /* mass centre (vm_flow_given_rhs, vm_flow_start) from the reference point, m, body axes */
     vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
     vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
     vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
-    vm_real least_inertia; /* least pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
-    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. In a trial step beyond the end of a
-       motion the mass may be zero or negative, or the inertia impossible. The derivatives are then NaN, so that the
-       integrator shortens its step. An event should stop the run before that. */
+    vm_real least_inertia; /* smallest pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
+    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step may go beyond the end of a
+       motion, where the mass is zero or negative or no body can have the inertia. The derivatives are then NaN, so that
+       the integrator shortens its step. An event should stop the run before this happens. */
     int status;
-    /* 0 for unknown, or how many numbers y has room for, VM_LENGTH(y), which all functions below check. vm_flow_start
-       writes no more: VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and, if there is room for all
-       VM_FLOW_BALANCED_STATES, the zeros of the balance too. */
+    /* Number of elements of y, VM_LENGTH(y), which all functions below check; 0 if it is unknown. vm_flow_start writes
+       VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
+       VM_FLOW_BALANCED_STATES, it writes the zeros of the balance too. */
     int y_size;
 } vm_flow;
 
@@ -5205,8 +5260,8 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation in *kept and returns it. Of several failures in a row *kept holds the first,
-   because the later ones follow from its NaN. */
+/* Stores the status of an evaluation in *kept and returns it. After several failures in a row *kept is the first one,
+   because its NaN causes the later ones. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
@@ -5220,7 +5275,7 @@ typedef struct VM_TAG(vmi_flow_mass) {
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* Mass, mass centre and inertia from the state y or, if given = 1, from the flow's laws */
+/* The present mass, mass centre and inertia: from the fields of the flow if given = 1, else from the state y */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -5248,8 +5303,8 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
     return VM_OK;
 }
 
-/* From a state y, sets *turn to the rotation and *seen to velocity, angular velocity and all else that the streams
-   need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Computes from the state y the rotation *turn from body axes to inertial ones, and in *seen the velocity, the
+   angular velocity and all else that the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -5284,7 +5339,7 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
 }
 
-/* Evaluates the right-hand side of n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs, as n tells */
+/* Evaluates the right-hand side that has n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
@@ -5321,7 +5376,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
    An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of mechanics/flow.h. Returns
-   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_SHORT_ARRAY if y_size is too
+   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too
    small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
@@ -5331,8 +5386,8 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
    An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
-   The streams make forces and moments as in vm_flow_rhs. Without streams this is (170): mass joins and leaves at
-   rest, at the mass centre. The errors are those of vm_flow_rhs. */
+   The streams make forces and moments as in vm_flow_rhs. Without streams the equations are (170): mass joins and
+   leaves at rest, at the mass centre. The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5344,12 +5399,12 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
    zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
    out, minus those that the outer loads put in. The sum of an integral and the body's own quantity stays constant.
    (There are two exceptions if a stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the
-   energy does not balance.) The rate T' of the kinetic energy has the continuous limit of (113), (118), for either
-   sign of M', in the letters of the banner:
+   energy does not balance.) The rate T' of the kinetic energy is the limit of (113), (118) for a continuous stream
+   with either sign of M'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
-   The first sum is the energy that the streams bring. The second is what engines give (M' < 0) or plastic impact
-   takes (M' > 0). The errors are those of vm_flow_rhs. */
+   The first sum is the power that the streams bring. The second term is the power of engines (M' < 0), or the power
+   that plastic impact takes (M' > 0). The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5359,8 +5414,9 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
    An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
    The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum). Streams
-   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S, with
-   the letters of the banner and M_S in body axes. The errors are those of vm_flow_rhs. */
+   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S.
+   Their letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
+   errors are those of vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -5388,7 +5444,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes the
-   zeros of the balance only if y_size tells that there is room. */
+   zeros of the balance only if y_size is large enough for them. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
@@ -5410,10 +5466,10 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 
 /* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
    The mass centre is flow.centre, and the streams are those of flow.streams at the start. Sets flow.mass and
-   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and y_size must
-   say so if y has fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the caller sets. Returns
-   VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
+   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and flow.y_size
+   must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the
+   caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -5477,8 +5533,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
 }
 
 /* Mass minus flow.least_mass, kg: an event function that stops a run before the mass is used up.
-   It is for vm_flow_rhs and vm_flow_balanced_rhs, and the event's ctx is the vm_flow. Returns NaN for a null pointer.
-   */
+   It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of the event is the vm_flow. Returns NaN for a null
+   pointer. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5486,11 +5542,11 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
-/* Least pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
-   It stops a run before the inertia becomes singular, where the least pivot is 0. It is for vm_flow_rhs and
-   vm_flow_balanced_rhs, and the event's ctx is the vm_flow. The triangle inequality is not watched, because the
-   inertia of thin bodies is always close to its limit. Returns NaN for a null pointer and an inertia that is not
-   finite. */
+/* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
+   The pivots are those of the factorization L D L^T. The event stops a run before the inertia becomes singular, which
+   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The triangle
+   inequality is not watched, because the inertia of thin bodies is always close to its limit. Returns NaN for a null
+   pointer or an inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5506,8 +5562,8 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #endif
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. The streams have
-   no stores; all else is as in space.
+   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. Streams in the
+   plane have no stores; otherwise the equations are those of motion in space.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
@@ -5522,7 +5578,7 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #ifndef VARMASS_MECHANICS_FLOW2_H
 #define VARMASS_MECHANICS_FLOW2_H
 
-/* Where the states of vm_flow2_rhs stand in y, and how many there are. Axes are inertial unless body axes are named. */
+/* Indices of the states of vm_flow2_rhs in y, and their number. Axes are inertial unless body axes are named. */
 enum {
     VM_FLOW2_X = 0,       /* position of the mass centre, 2 numbers x, y, m */
     VM_FLOW2_ANGLE = 2,   /* angle of the body axes, rad, anticlockwise */
@@ -5538,10 +5594,10 @@ enum {
 typedef struct VM_TAG(vm_stream2) {
     vm_real rate;     /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;       /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
-    vm_real x, y;     /* the point of crossing, from the body's reference point, m, body axes */
-    vm_real vx, vy;   /* velocity of the mass when it crosses, m/s */
-    vm_real spin;     /* angular velocity of the mass when it crosses, rad/s */
-    vm_real gyration; /* inertia per unit mass of the crossing mass, about its own mass centre, m^2 */
+    vm_real x, y;     /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
+    vm_real vx, vy;   /* velocity of the mass as it enters or leaves the body, m/s */
+    vm_real spin;     /* angular velocity of the mass as it enters or leaves the body, rad/s */
+    vm_real gyration; /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2 */
 } vm_stream2;
 
 /* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
@@ -5557,10 +5613,10 @@ typedef struct VM_TAG(vm_flow2) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) the reduction by j quarter
-   turns is shorter than that of vmi_sincos: pi/2 is the sum of `first`, which has 33 (float 14) bits, so that j times
-   `first` is exact, and `second`, which makes the sum right to 2^-87 (float 2^-38). Rounding j times `second` makes
-   an error of 2^-67 (float 2^-28). */
+/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) the reduction of x by j
+   quarter turns is shorter than that of vmi_sincos. It takes pi/2 as the sum of two numbers: `first` has 33 (float
+   14) bits, so that j times `first` is exact, and `second` makes the error of the sum 2^-87 (float 2^-38). The
+   product j times `second` has a rounding error of 2^-67 (float 2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -5588,7 +5644,7 @@ VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
     *cosine = (j & 1 ? s : c) * (vm_real)(1 - ((j + 1) & 2));
 }
 
-/* The motion of a body in the plane as its streams need it */
+/* The motion of a body in the plane, in the form that the sums over its streams need */
 typedef struct VM_TAG(vmi_stream_seen2) {
     vm_real sine, cosine;       /* sine and cosine of the body's angle */
     vm_real vx, vy;             /* velocity, which is momentum/mass, body axes */
@@ -5596,9 +5652,10 @@ typedef struct VM_TAG(vmi_stream_seen2) {
     vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
 } vmi_stream_seen2;
 
-/* The sums over the streams of a body in the plane, in body axes except fx, fy, with the letters of vm_reactive */
+/* The sums over the streams of a body in the plane, in body axes except fx, fy. The letters M', u, v, d, kappa,
+   omega2 are explained at vm_reactive. */
 typedef struct VM_TAG(vmi_stream_sum2) {
-    vm_real rate;    /* sum of M' */
+    vm_real rate;    /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
     vm_real px, py;  /* sum of M' (u - v) of the streams whose velocity is relative to the body */
     vm_real fx, fy;  /* sum of M' u of the streams whose velocity is absolute, inertial axes, plus the outer force */
@@ -5607,12 +5664,12 @@ typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real inertia; /* sum of M' (kappa + d^2) */
 } vmi_stream_sum2;
 
-/* Adds a stream, whose `motion` exists, to the sums */
+/* Adds a stream, whose `motion` is known, to the sums */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);
     const vm_real dx = s->x - b->centre_x, dy = s->y - b->centre_y;
-    vm_real ux, uy, spin = 0; /* ux, uy become M' (u - v); spin is omega2 */
+    vm_real ux, uy, spin = 0; /* ux, uy become M' (u - v); spin is the angular velocity omega2 of the mass */
     if (vmi_stream_moves_with_body(s->motion)) {
         ux = -b->omega * dy;
         uy = b->omega * dx;
@@ -5656,7 +5713,7 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
    An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
-   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist, or the number that
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that
    flow.update returns, each of which ends the run. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
@@ -5707,9 +5764,9 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #endif
 /* mechanics/flow1.h - translation, and bodies on a line or an axle, with streams of mass
 
-   Right-hand sides of motions with streams of mass that need fewer states than a body in space: translation in space
-   (172), straight motion (175), (176), and rotation about a fixed axle (173a), whose equation is that of a straight
-   motion with the moment of inertia instead of the mass.
+   These right-hand sides describe motions with streams of mass that need fewer states than a free body in space:
+   translation in space (172), straight motion (175), (176), and rotation about a fixed axle (173a). The equation of
+   rotation is that of straight motion, with the moment of inertia instead of the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -5724,7 +5781,7 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #ifndef VARMASS_MECHANICS_FLOW1_H
 #define VARMASS_MECHANICS_FLOW1_H
 
-/* Where the states of vm_translation_rhs stand in y, and how many there are */
+/* Indices of the states of vm_translation_rhs in y, and their number */
 enum {
     VM_TRANSLATION_R = 0,    /* position of the mass centre, 3 numbers, m */
     VM_TRANSLATION_P = 3,    /* momentum, 3 numbers, kg m/s */
@@ -5732,7 +5789,7 @@ enum {
     VM_TRANSLATION_STATES = 7
 };
 
-/* Where the states of vm_flow1_rhs stand in y, and how many there are. For an axle they are the angle (rad), the
+/* Indices of the states of vm_flow1_rhs in y, and their number. For an axle the states are the angle (rad), the
    angular momentum (kg m^2/s) and the moment of inertia about the axle (kg m^2). */
 enum {
     VM_FLOW1_X = 0,    /* position, m */
@@ -5741,9 +5798,9 @@ enum {
     VM_FLOW1_STATES = 3
 };
 
-/* A stream of mass onto or off a body on a line, or an axle. For an axle `rate` is M' (kappa + rho^2) and `velocity`
-   is the stream's angular momentum per unit mass divided by kappa + rho^2, where M' is the mass per time, rho the
-   distance of the mass from the axle and kappa its gyration (inertia per unit mass). */
+/* A stream of mass onto or off a body on a line, or an axle. For an axle let M' be the mass per time, rho the
+   distance of the mass from the axle and kappa its gyration (inertia per unit mass). Then `rate` is
+   M' (kappa + rho^2), and `velocity` is the angular momentum of the stream per unit mass divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
@@ -5772,7 +5829,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
     return u;
 }
 
-/* Evaluates the right-hand side of vm_translation_rhs after flow->update */
+/* Evaluates the right-hand side of vm_translation_rhs; flow->update has been called before */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
@@ -5796,8 +5853,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. This function is not inlined, so that a flow without update saves no
-   registers for the call. */
+/* Calls flow->update, then evaluates the rates. This function is not inlined, so that a flow without `update` need
+   not save registers for this call. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5808,8 +5865,8 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
 /* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
    An ode_rhs of VM_TRANSLATION_STATES states; ctx is a vm_flow, of which n, streams, force, update, y_size and status
    are used. r is the position, p the momentum, M the mass, F the outer force, M' the rate of a stream and u the
-   velocity of its mass. Body axes are along the inertial ones. The fields at, spin, gyration and from of the streams
-   are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not exist,
+   velocity of its mass. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the
+   streams are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
    VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
@@ -5819,7 +5876,7 @@ VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return vmi_translation_rates(f, y, dydt);
 }
 
-/* Evaluates the right-hand side of vm_flow1_rhs after flow->update */
+/* Evaluates the right-hand side of vm_flow1_rhs; flow->update has been called before */
 VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
@@ -5840,7 +5897,8 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. It is not inlined, for the reason at vmi_translation_updated_rates. */
+/* Calls flow->update, then evaluates the rates. The comment on vmi_translation_updated_rates says why it is not
+   inlined. */
 VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5851,8 +5909,8 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
 /* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
    An ode_rhs of VM_FLOW1_STATES states; ctx is a vm_flow1. The position x, the momentum p and the mass M change by
    x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i, with the outer force F, the streams' rates M_i and the
-   velocities u_i of their mass. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or a motion that does not
-   exist, or the number that flow.update returns, each of which ends the run. */
+   velocities u_i of their mass. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a
+   stream, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
@@ -5865,8 +5923,8 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
    These are motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151),
-   (171) and (175), (176); the motion along a line at a constant rate of mass; and the spin of a rocket whose jet damps
-   it, from Euler's equations. The formulas keep their accuracy down to a rate of zero.
+   (171) and (175), (176); the motion along a line at a constant rate of mass; and the spin of a rocket whose jet
+   damps it, from Euler's equations. The formulas stay accurate as the rate of mass tends to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -5874,15 +5932,16 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #ifndef VARMASS_MECHANICS_ROCKET_H
 #define VARMASS_MECHANICS_ROCKET_H
 
-/* A spinning axisymmetric body whose mass comes from around the mass centre, which stays in its place, and leaves
-   through a nozzle on the axis (rate < 0), or flows the opposite way (rate > 0). The z axis is the axis of symmetry. */
+/* A spinning axisymmetric body. Its mass comes from around the mass centre and leaves through a nozzle on the axis
+   (rate < 0), or flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis is the axis
+   of symmetry. */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
     vm_real axial;               /* moment of inertia C0 about the axis at t = 0, kg m^2 */
-    vm_real transverse;          /* moment of inertia A0 across the axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia per unit mass about the axis, of stored and of crossing mass, m^2 */
-    vm_real gyration_transverse; /* inertia per unit mass across the axis, of the stored mass, m^2 */
-    vm_real gyration_out;        /* inertia per unit mass across the axis, of the crossing mass, m^2 */
+    vm_real transverse;          /* moment of inertia A0 about a transverse axis at t = 0, kg m^2 */
+    vm_real gyration_axial;      /* inertia per unit mass about the axis, in the body and in the nozzle, m^2 */
+    vm_real gyration_transverse; /* inertia per unit mass about a transverse axis, of the mass in the body, m^2 */
+    vm_real gyration_out;        /* inertia per unit mass about a transverse axis, of the mass in the nozzle, m^2 */
     vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
@@ -5891,10 +5950,10 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
     return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Velocity after the mass changes from m0 to m by mass of the absolute velocity u (151), (171).
+/* Velocity after the mass changes from m0 to m by mass with the absolute velocity u (151), (171).
    v0 (m/s) is the velocity at mass m0 (kg), u is in m/s, and impulse (N s) is that of the outer forces during the
-   change. u = 0 is Levi-Civita's case. About a fixed axle this formula gives the angular velocity, with moments of
-   inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */
+   change. The case u = 0 is that of Levi-Civita. About a fixed axle this formula gives the angular velocity, with
+   moments of inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */
 VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
@@ -5903,9 +5962,10 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
 }
 
 /* Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m: v0 + w ln(m/m0), (175), (176).
-   v0 (m/s) is the velocity at mass m0 (kg), w (m/s) that of the crossing mass relative to the body. There is no outer
-   force. About a fixed axle this formula gives the angular velocity, with moments of inertia instead of masses. The
-   error is at most 4 eps of |v0| + |w ln(m/m0)|. Returns NaN if a mass is not positive and for infinite arguments. */
+   v0 (m/s) is the velocity at mass m0 (kg), and w (m/s) is the velocity, relative to the body, of the mass that joins
+   or leaves. There is no outer force. About a fixed axle this formula gives the angular velocity, with moments of
+   inertia instead of masses. The error is at most 4 eps of |v0| + |w ln(m/m0)|. Returns NaN if a mass is not positive
+   and for infinite arguments. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
@@ -5916,8 +5976,9 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
     return v0 + w * l.hi;
 }
 
-/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34). They become NaN for
-   other x. They are means of 1/m over a flow at constant rate, with the mass m relative to its first value. */
+/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34). For other x they are
+   NaN. In a flow at constant rate let s be the fraction of the time that has passed, and m = 1 + x s the mass divided
+   by its initial value. Then *first is the mean of 1/m over s, and *second the mean of s/m. */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
@@ -5933,9 +5994,9 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
      v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B;
    for a velocity w relative to the body:
      v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
-   Errors are within 8 eps of the terms of these sums for every rate >= 0. Where mass leaves, this bound grows with
-   m0/m, because roundings of rate t are large against a small m. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS
-   if m0 or m is not positive, and VM_OK otherwise. */
+   For every rate >= 0 the errors are at most 8 eps times the terms of these sums. If mass leaves, this bound grows
+   with m0/m, because the rounding error of rate t is large relative to a small m. Returns VM_BAD_ARGUMENT,
+   VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
 {
@@ -5951,7 +6012,7 @@ VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_re
     if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
     if (vmi_stream_moves_with_body(stream->motion)) {
         difference = first - second;
-        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near tau = -1 both terms are large */
+        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near tau = -1 first and second are large */
         acceleration = (force + stream->rate * given) / m0;
         result[0] = x0 + t * (v0 + acceleration * t * difference);
         result[1] = v0 + acceleration * t * first;
@@ -5977,11 +6038,11 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
    There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
    gyration_axial t the transverse part omega_t of omega has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-   where omega_t0 is its value at t = 0; omega_z stays constant, and the transverse part turns by omega_z times the
-   integral of C/A - 1 over time. With tau = rate gyration_transverse t/A0 and the L, B of vm_linear_flow, ln(A/A0) is
-   tau L, and the integral is t (C0/A0 L - 1 + rate t gyration_axial/A0 B). The error is at most 8 times what an eps
-   in the inputs makes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK
-   otherwise. */
+   where omega_t0 is its value at t = 0. omega_z stays constant, and the transverse part turns by omega_z times the
+   integral of C/A - 1 over time. Let L and B be the functions of tau of vm_linear_flow, here with
+   tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is t (C0/A0 L - 1 + rate t
+   gyration_axial/A0 B). The error is at most 8 times the change that an error of eps in the inputs makes. Returns
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
@@ -6009,15 +6070,18 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 /* mechanics/drum.h - a band that winds up on a drum
 
    A band that arrives at a constant velocity winds up on a drum, whose mass and inertia grow (chapter 5.2, Fig. 20).
-   This chapter has the geometry (181)-(188), the exact equations of motion, the reduced equations of the dissertation
-   (192)-(193), the motion on a rigid shaft in closed form (194)-(206), and the vibrations of an elastic shaft
-   (210)-(226).
+   This chapter has
+     - the geometry (181)-(188),
+     - the exact equations of motion, and the reduced equations (192)-(193) of the dissertation,
+     - the motion on a rigid shaft in closed form (194)-(206),
+     - the vibrations of an elastic shaft (210)-(226).
 
    The band moves at the velocity v along y and meets the drum at S + (R, 0), where S is the centre of the shaft and R
-   the radius. After the drum has turned by the angle phi, the band covers the arc from 0 to phi, whose mass centre is
-   in the direction phi/2. R stays constant, because only the first layer, 0 <= phi <= 2 pi, is considered. The letters
-   of the formulas are the fields of vm_drum, mu for the band's mass per angle, j = mu R^2 (186), and e = mu v R - D
-   with the damping D. The sign of e tells whether the band drives the drum (e > 0) or the drum comes to rest (e < 0).
+   the radius. After the drum has turned by the angle phi, the band covers the arc from 0 to phi. The mass centre of
+   this arc is in the direction phi/2. R stays constant, because only the first layer, 0 <= phi <= 2 pi, is considered.
+
+   The fields of vm_drum name most letters of the formulas. In addition, mu is the band's mass per angle, j = mu R^2
+   (186), and e = mu v R - D with the damping D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -6030,46 +6094,50 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 typedef struct VM_TAG(vm_drum) {
     vm_real radius;    /* radius R of the drum, m */
     vm_real mass;      /* mass M0 > 0 of the empty drum, kg */
-    vm_real inertia;   /* inertia J0 > 0 of the empty drum about its axle, kg m^2 */
-    vm_real band;      /* the band's mass per angle mu >= 0, kg/rad, which vm_drum_band computes */
+    vm_real inertia;   /* moment of inertia J0 > 0 of the empty drum about its axle, kg m^2 */
+    vm_real band;      /* mass mu >= 0 of the band per angle, kg/rad; vm_drum_band computes it */
     vm_real speed;     /* velocity v of the band, m/s */
     vm_real damping;   /* damping D of the rotation, N m s */
     vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
-    vm_real omega;     /* angular velocity Omega_b > 0 at phi = 0, rad/s */
+    vm_real omega;     /* initial angular velocity Omega_b > 0, at phi = 0, rad/s */
 } vm_drum;
 
-/* The drum with the band that it carries at some angle phi */
+/* Geometry of the drum and of the band wound on it, when the drum has turned by the angle phi */
 typedef struct VM_TAG(vm_drum_geometry) {
-    vm_real mass;         /* mass M (182), kg */
-    vm_real arc_centre;   /* distance S S' of the band's mass centre from the shaft (184), m */
-    vm_real offset;       /* distance S S1 (185) corrected, m; mass centre S1 = S + offset (cos phi/2, sin phi/2) */
+    vm_real mass;         /* mass M of drum and band (182), kg */
+    vm_real arc_centre;   /* distance of the band's mass centre S' from the shaft S (184), m */
+    vm_real offset;       /* distance from S to the mass centre S1, m; its direction is phi/2 [(185) corrected] */
     vm_real axle_inertia; /* inertia J_S about the axle (187), kg m^2 */
     vm_real inertia;      /* inertia J_S1 about the mass centre (188), kg m^2 */
 } vm_drum_geometry;
 
-/* Where the states of vm_drum_rhs and vm_drum_rhs_reduced stand in y, and how many there are */
+/* Indices of the states of vm_drum_rhs and vm_drum_rhs_reduced in y, and the number of states */
 enum {
-    VM_DRUM_X = 0,     /* deflection of the shaft, 2 numbers x, y of S, m */
+    VM_DRUM_X = 0,     /* deflection of the shaft: position x, y of S, m */
     VM_DRUM_ANGLE = 2, /* angle phi, rad */
-    VM_DRUM_V = 3,     /* velocity of S, 2 numbers, m/s */
+    VM_DRUM_V = 3,     /* velocity x', y' of S, m/s */
     VM_DRUM_OMEGA = 5, /* angular velocity phi', rad/s */
     VM_DRUM_STATES = 6
 };
 
-/* Where the states of vm_drum_rhs_angle stand in y, and how many there are */
+/* Indices of the states of vm_drum_rhs_angle in y, and the number of states */
 enum {
-    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft, 2 numbers x, y of S, m */
+    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft: position x, y of S, m */
     VM_DRUM_SLOPE = 2,      /* derivatives dx/dphi, dy/dphi of the deflection, m/rad */
     VM_DRUM_ANGLE_STATES = 4
 };
 
-/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b). With ' = d/dphi, x satisfies
-     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213); y has mu v/(M0 Omega_b) on the right instead of 0 (214) */
+/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b). With ' = d/dphi, the
+   deflection x satisfies
+     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213).
+   The equation for y has mu v/(M0 Omega_b) on the right instead of 0 (214). */
 typedef struct VM_TAG(vm_drum_shaft) {
-    vm_real k;     /* frequency over angular velocity, sqrt(c/M0)/Omega_b, a pure number */
-    vm_real delta; /* damping (mu/M0 + e/(J0 Omega_b) - j/J0)/2, 1/rad, corrected */
-    vm_real A;     /* change of the frequency, mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), 1/rad, corrected */
-    vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m: y oscillates about shift/(1 - A phi) */
+    vm_real k;     /* frequency divided by angular velocity, sqrt(c/M0)/Omega_b, a pure number */
+    vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2 with mu = band, j = mu R^2, e = mu v R - D.
+                      This corrects the coefficient in (213). */
+    vm_real A;     /* relative decrease of the squared frequency, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), with
+                      mu, j, e as for delta. This corrects (213), too. */
+    vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m. The deflection y oscillates about shift/(1 - A phi). */
 } vm_drum_shaft;
 
 /* The band's mass per angle on a drum, mu = R h b rho (181), kg/rad.
@@ -6080,21 +6148,21 @@ VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm
     return radius * thickness * width * density;
 }
 
-/* Mass and inertia of the drum at the angle phi, as the equations of motion need them */
+/* Mass and inertia of drum and band at the angle phi, for the equations of motion */
 typedef struct VM_TAG(vmi_drum_mass) {
-    vm_real M;       /* mass, kg */
-    vm_real J;       /* inertia about the axle, kg m^2 */
-    vm_real steiner; /* M (S S1)^2, kg m^2, so that J - steiner is the inertia about the mass centre S1 */
+    vm_real M;       /* mass of drum and band, kg */
+    vm_real J;       /* inertia of drum and band about the axle, kg m^2 */
+    vm_real steiner; /* M (S S1)^2, kg m^2; J - steiner is then the inertia about the mass centre S1 */
 } vmi_drum_mass;
 
-/* Sets *m for the angle phi and s = sin(phi/2). With s = 0 the distance S S1 is neglected. Returns VM_OK,
+/* Sets *m for the angle phi, where s is sin(phi/2). A call with s = 0 neglects the distance S S1. Returns VM_OK,
    VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
     m->M = d->mass + d->band * phi;
     m->J = d->inertia + d->band * d->radius * d->radius * phi;
-    m->steiner = q / m->M * q; /* q^2 alone could underflow */
+    m->steiner = q / m->M * q; /* in this order, because q * q could underflow */
     if (!VM_IS_FINITE(m->M) || !VM_IS_FINITE(m->J)) return VM_NOT_FINITE;
     if (!(d->mass > 0) || !(m->M > 0)) return VM_BAD_MASS;
     if (d->stiffness < 0) return VM_BAD_STIFFNESS;
@@ -6136,13 +6204,13 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 }
 
 /* Right-hand side of the drum on an elastic shaft, exact.
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), which lack the drift of the
-   mass centre and have the torque of the shaft with the opposite sign. With the deflection rS = (xS, yS), the unit
-   vector k of z and q = mu R (sin phi, 1 - cos phi):
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), in which the drift of the mass
+   centre is missing and the torque of the shaft has the wrong sign. With the deflection rS = (xS, yS), the unit vector
+   k along z and q = mu R (sin phi, 1 - cos phi), the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
    Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE,
-   VM_BAD_MASS or VM_BAD_INERTIA if the drum cannot be at this angle. Each of these errors ends the run. */
+   VM_BAD_MASS or VM_BAD_INERTIA if mass or inertia is impossible at this angle. Each of these errors ends the run. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6172,9 +6240,9 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. vm_drum_rhs becomes these equations for small mu. They
-   contain the unbalance mu R phi'^2 (sin phi, -cos phi), which is of the order of the terms that (192) keeps. The
-   errors are those of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. These are the equations of vm_drum_rhs in the limit of small
+   mu. Unlike (192) they contain the unbalance mu R phi'^2 (sin phi, -cos phi), because it is of the same order as the
+   terms that (192) keeps. The errors are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6197,8 +6265,8 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Returns 1 if the fields on which the motion on a rigid shaft depends are finite and have the signs that vm_drum
-   states, else 0. */
+/* Returns 1 if the drum can turn on a rigid shaft: the fields that matter are finite and have the signs given in
+   vm_drum. Returns 0 otherwise. */
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
     return d && d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) &&
@@ -6206,13 +6274,13 @@ VM_API int vmi_drum_turns(const vm_drum *d)
            VM_IS_FINITE(d->damping);
 }
 
-/* The product j = mu R^2 in two words */
+/* The product j = mu R^2 in two words, that is, as the sum of two numbers */
 VM_API vm_two vmi_drum_j(const vm_drum *d)
 {
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
 }
 
-/* The drive e = mu v R - D in two words. It is computed in three words, so that all digits are right where mu v R and
+/* The drive e = mu v R - D in two words. It is computed in three words, so that all digits are right even if mu v R and
    D nearly cancel. */
 VM_API vm_two vmi_drum_e(const vm_drum *d)
 {
@@ -6260,7 +6328,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
     if (!(rate > 0)) return VM_DOMAIN;
-    acceleration = (e - j * rate) / m.J; /* dphi'/dphi (195), so that phi'' is acceleration phi' */
+    acceleration = (e - j * rate) / m.J; /* the derivative dphi'/dphi (195); phi'' is acceleration times phi' */
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
     dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
@@ -6270,9 +6338,9 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| where e < 0.
-   The drum never reaches this angle, which is the limit for t to infinity. Returns infinity for e >= 0, and NaN as
-   vm_drum_rate does. */
+/* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e < 0.
+   The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN as vm_drum_rate
+   does. */
 VM_API vm_real vm_drum_stop(const vm_drum *d)
 {
     vm_two e;
@@ -6300,10 +6368,10 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
     return vmi_drum_share(sum, phi, vmi_two(d->omega, 0)).hi;
 }
 
-/* The first approximation p for Newton's method in vm_drum_angle, in the letters of its comment. For e = 0 the term
-   f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0 this p is too
-   large, and so is ln(1 + a p + a^2/b)/a; the smaller of the two is taken. For a < 0 this p is too small, and so is
-   |a|/(|a| + b); the larger of the two is taken. */
+/* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle explains a, b, f, x, y.
+   For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0
+   this p is too large, and so is ln(1 + a p + a^2/b)/a; the smaller of the two is taken. For a < 0 this p is too small,
+   and so is |a|/(|a| + b); the larger of the two is taken. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -6313,15 +6381,15 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 }
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
-   This is the inverse of vm_drum_time, by Newton's method in two words; no branch of Lambert's W is needed. Accuracy
-   and NaN are those of vm_drum_rate. With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and y = a p = ln(1 + x)
-   the equation of vm_drum_time is
+   This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
+   Accuracy and NaN are those of vm_drum_rate. With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and
+   y = a p = ln(1 + x) the equation of vm_drum_time is
      p + b f^2 (x - y)/x^2 = 1,   x = e^y - 1,   f = p x/y.
    Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
     const vm_real precise = VM_EPSILON / 8; /* the relative error of phi that the last step may leave */
-    const int most_steps = 40; /* more than the quadratic convergence needs */
+    const int most_steps = 40; /* quadratic convergence needs fewer steps */
     vm_two angle, a, b, p, x, y, f, rest;
     vm_real step, left = 1;
     int i;
@@ -6347,11 +6415,11 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 }
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
-   With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and f1 = 1 + e^2 t/(J0 j Omega_b) the equation r - k1 ln r
-   = f1 is solved by r = -k1 W(x), x = -exp(-f1/k1)/k1, with the branch W_-1 for 0 < k1 < 1 and W_0 for other k1. The
-   function is for comparison, and vm_drum_angle is better: this form loses all digits next to e = 0, where x
-   approaches the branch point of W. ln |x| is used, because x itself leaves the range of numbers next to k1 = 0 (for
-   k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0 and k1 = 0, and as vm_drum_rate does. */
+   With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from
+   r - k1 ln r = f1. The solution is r = -k1 W(x), x = -exp(-f1/k1)/k1, with the branch W_-1 for 0 < k1 < 1 and the
+   branch W_0 for other k1. This function is for comparison; vm_drum_angle is better. Near e = 0 this form loses all
+   digits, because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows
+   near k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0 and k1 = 0, and as vm_drum_rate does. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -6362,9 +6430,9 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
     if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1;
-    if (l > -1 && k1 > 0) l = -1; /* rounding has moved l beyond the branch point */
+    if (l > -1 && k1 > 0) l = -1; /* only rounding can move l beyond the branch point -1 */
     if (k1 < 0) w = vm_wright_omega(l);
-    else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* the sign of e tells the branch, because k1 may round to 1 */
+    else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* e > 0 means k1 < 1, even if k1 has been rounded to 1 */
     else w = vm_lambert_w0_neg_exp(l);
     return (-k1 * w - 1) * d->inertia * d->omega / e;
 }
@@ -6398,10 +6466,10 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
 /* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected.
    With the fields k, delta, A of *s it is
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
-   where `particular` is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which
-   gives the amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as
-   2k/3 phi (1 + m + m^2)/(1 + m), which is right for A = 0, too. Returns NaN if 1 - A phi <= 0 and for a null
-   pointer. */
+   where `particular` is 0 for x and s->shift for y. a (m) is the amplitude and alpha (rad) the phase. They follow from
+   the start: at phi = 0 the deflection is a cos alpha + particular. The integral is (2k/3A) (1 - m^3) with
+   m^2 = 1 - A phi. It is computed as 2k/3 phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null
+   pointer and if 1 - A phi <= 0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;
@@ -6414,21 +6482,23 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
 }
 
 /* Whether the shaft's frequency stays real for the whole first layer (226).
-   Returns 1 if A < 1/(2 pi), else 0, and 0 for a null pointer. */
+   Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
 #endif
 /* mechanics/lagrange.h - Lagrange's equations with variable mass
 
-   Right-hand side for any system of n generalized coordinates whose kinetic energy T you can write down, with masses
-   that depend on time and position (247). You give T, the masses and the generalized forces Q; the mass matrix A, the
-   vector b and the derivatives are found from T. The states are the coordinates q and the momenta pi = dT/dq', so that
-   neither rates of momenta nor rates of masses are needed:
+   This chapter has the right-hand side for any system of n generalized coordinates whose kinetic energy T you can write
+   down. The masses may depend on time and position (247). You give T, the masses and the generalized forces Q. The
+   chapter computes the mass matrix A, the vector b and the derivatives from T. The states are the coordinates q and the
+   momenta pi = dT/dq', so that neither rates of momenta nor rates of masses are needed:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0.
-   This is (247) corrected. T is that of the velocities of the material, and a stream of rate M' crosses at the place r2
-   with the velocity u, the gyration kappa and the spin omega2; omega is the angular velocity of the body:
+
+   This is (247) corrected. T must use the velocities of the material. With streams of mass, Lagrange's equations are
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
-   A derivative that lets the masses vary with q, as (244)-(247) may be read, is wrong.
+   A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
+   unit mass, the inertia kappa. omega is the angular velocity of the body. In dT/dq_i the masses must not vary,
+   although (244)-(247) may be read so.
 
        #include "varmass.h"
        static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
@@ -6451,19 +6521,20 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
            return vm_lagrange_start(&body, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &body, 2, ...)
        }
 
-   Q contains the terms of the streams, too. A pendulum of length l and angle q whose mass m leaks at its bob has
-   Q = -m g l sin q + m' l^2 q' if the leaking mass has the velocity of the bob and takes its momentum along; without
-   the last term the mass would leave at rest.
-   Accuracy: A and b are differences of T at unit rates and at rest, which are exact except for roundings of T. dT/dq
-   is a central difference of order 6, with an error below 2e-13 (float 1e-5) of the largest T if T varies in q over
-   the given scales. Tests: tests/test_lagrange.c. */
+   Your Q must contain the terms of the streams, too. Example: a pendulum of length l and angle q has a bob that leaks
+   mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
+   Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
+
+   Accuracy: A and b are differences of values of T, which are exact except for rounding errors of T. dT/dq is a central
+   difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if T varies noticeably only when q
+   changes by the given scales. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
 /* A mechanical system: the ctx of vm_lagrange_rhs */
 typedef struct VM_TAG(vm_lagrange_system) {
     int n;        /* number of coordinates, > 0 */
-    int n_masses; /* number of masses, inertias and other quantities that are frozen in dT/dq, >= 0 */
+    int n_masses; /* number of masses, inertias and other quantities that are held constant in dT/dq, >= 0 */
     /* Sets the n_masses masses at time t and coordinates q. NULL if n_masses is 0. */
     void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx);
     /* Returns the kinetic energy T (J), a polynomial of degree 2 in the n rates q'. */
@@ -6471,21 +6542,21 @@ typedef struct VM_TAG(vm_lagrange_system) {
     /* NULL, or a function that adds the n generalized forces to Q, for example by vm_lagrange_add_force. It returns
        0; another number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
-    void *ctx;             /* argument of the three functions */
+    void *ctx;             /* the argument ctx of the three functions above */
     const vm_real *scales; /* for each coordinate the change over which T varies noticeably; NULL for 1 everywhere */
-    vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, kept by the caller */
+    vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
 /* Length of vm_lagrange_system.work */
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
 
-/* The arrays into which a system's work is divided */
+/* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix, n n numbers */
     vm_real *b;      /* the linear terms of T in the rates, n numbers */
     vm_real *rates;  /* pi - b, and later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
-    vm_real *masses; /* the frozen masses, n_masses numbers */
+    vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
 } vmi_lagrange_parts;
 
 VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
@@ -6512,8 +6583,8 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
     return system->energy(t, q, w.trial, w.masses, system->ctx);
 }
 
-/* Finds A and b from T. Off the diagonal the steps have the size 1/sqrt(A_ii), so that a coordinate with a large
-   energy does not hide the digits of the other coordinate. */
+/* Computes the mass matrix A and the vector b from values of T. For an entry of A off the diagonal, the two rates are
+   1/sqrt(A_ii) and 1/sqrt(A_jj), so that a coordinate with a large energy does not hide the digits of the other one. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6537,13 +6608,13 @@ VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, 
         }
 }
 
-/* Writes the masses at (t, q) into the work, where they stay while T is differentiated */
+/* Writes the masses at (t, q) into the work array. They stay constant there while T is differentiated. */
 VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Writes the rates q' = A^-1 (pi - b) of the state y into the work. Returns VM_SINGULAR if A is not positive
+/* Writes the rates q' = A^-1 (pi - b) of the state y into the work array. Returns VM_SINGULAR if A is not positive
    definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
@@ -6557,9 +6628,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     return status;
 }
 
-/* The derivative dT/dq_i with the masses in the work, by a central difference of order 6 with the step h. Its error
-   is h^6/140 of the seventh derivative plus a rounding error of eps/h. Both are small for h = 2^-7 where eps = 2^-52,
-   and for h = 2^-3 where eps = 2^-23. */
+/* The derivative dT/dq_i with the masses in the work array, by a central difference of order 6 with the step h. Its
+   error is h^6/140 times the seventh derivative, plus a rounding error of eps/h. Both are small for h = 2^-7 in double
+   precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -6580,7 +6651,7 @@ VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real
     return sum / h;
 }
 
-/* Returns 1 if the system has all the functions and arrays that vm_lagrange_system asks for, else 0. */
+/* Returns 1 if the system has all functions and arrays that it needs, else 0. */
 VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 {
     return system && system->n > 0 && system->n_masses >= 0 && system->energy && system->work &&
@@ -6588,10 +6659,11 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 }
 
 /* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns 0; or
-   VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite (for example because a mass has become
-   negative), VM_NOT_FINITE if the reason is that t or y is not finite, or the number that system->forces returns, each
-   of which ends the run. An event should stop the run before. The number of calls of system->energy grows with n^2. */
+   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns 0 or an error that
+   ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite, VM_NOT_FINITE
+   if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive definite if, for
+   example, a mass has become negative; use an event to stop the run before that. The number of calls of system->energy
+   grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -6657,10 +6729,11 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
 #endif
 /* mechanics/euler_angles.h - Euler's angles
 
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body, which turns by psi about z, by theta
-   about the line of nodes, and by phi about its own z axis. This chapter computes the quaternion of three angles, the
-   axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i, and the rates psi',
-   theta', phi' of the angles from an angular velocity.
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
+   the line of nodes, and by phi about its own z axis. This chapter computes
+     - the quaternion of three angles,
+     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the rates psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
 
@@ -6679,11 +6752,12 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
     return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
 }
 
-/* Axes about which Euler's angles turn the body, in inertial axes. The angular velocity is omega = psi' axis[0] +
-   theta' axis[1] + phi' axis[2], so that axis[i] is domega/dq'_i. Nothing is done for a null pointer. */
+/* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2], so that axis[i] is domega/dq'_i. A call with a null pointer
+   does nothing. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* s, c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */
     if (!axis) return;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6692,11 +6766,11 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
     axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
 }
 
-/* Axes about which Euler's angles turn the body, in body axes. The angular velocity is omega = psi' axis[0] + theta'
-   axis[1] + phi' axis[2]. Nothing is done for a null pointer. */
+/* Unit vectors of the axes about which Euler's angles turn the body, along body axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* s, c of phi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* sine s and cosine c of phi; sine, cosine of theta */
     if (!axis) return;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6706,10 +6780,10 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 }
 
 /* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR where sin(theta) is 0, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR if sin(theta) is 0, and VM_OK otherwise. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3]; /* s, c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine, result[3]; /* sine s and cosine c of psi; sine, cosine of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);
@@ -6722,7 +6796,7 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 }
 
 #endif
-/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
+/* oscillators/force_terms.h - terms of forces that both oscillators and scenes use
 
    Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
        vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
@@ -6730,8 +6804,8 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 #ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
 #define VARMASS_OSCILLATORS_FORCE_TERMS_H
 
-/* x|x|^(alpha-1), alpha >= 0, computed by the power: the force of a spring over -k. The callers treat x = 0 and the
-   exponents that need no power. */
+/* x|x|^(alpha-1), alpha >= 0, by the power function: the force of a spring divided by -k. Callers treat x = 0 and
+   exponents that need no power function themselves. */
 VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
 {
     return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
@@ -6769,7 +6843,7 @@ struct VM_TAG(vmi_osc_wave) {
     void (*at)(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s);
     /* estimates the error of the wave, where mean_ca2 is the mean of ca^2; null for ca, which has no error */
     vm_real (*error)(const vmi_osc_wave *w, vm_real mean_ca2);
-    vm_real alpha;
+    vm_real alpha;              /* exponent of the spring */
     vm_real turn;               /* the wave's own angle is turn psi */
     vm_real speed;              /* the velocity is x' = -speed vmax(A) s */
     vm_real gain_A, gain_theta; /* factors of the means of the force in the averaged equations */
@@ -6778,6 +6852,7 @@ struct VM_TAG(vmi_osc_wave) {
     const ateb_plan *ateb;      /* plan of ca, or null */
 };
 
+/* Writes the waves c of the position and s of the velocity at the Ateb phase psi. */
 VM_API void vmi_osc_wave_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s) { w->at(w, psi, c, s); }
 
 /* -- ca: exact -- */
@@ -7104,11 +7179,10 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 /* oscillators/legendre.h - Gauss' rule of 20 points and series of Legendre polynomials on [-1, 1]
 
    A smooth function on [-1, 1] is represented by the series sum coefficient[k] P_k(x), k = 0 ... 19, with Legendre's
-   polynomials P_k.
-   vmi_legendre_fit finds the coefficients from the values at the points of Gauss' rule; the other functions
-   integrate and differentiate the series and measure its size. The integral of the function over [-1, 1] is
-   2 coefficient[0]. oscillators/averaging.h, panels.h and walk.h use this file, and tests/test_laws.c and test_routes.c
-   test it with them. */
+   polynomials P_k. Its integral over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds the coefficients from the
+   values at the points of Gauss' rule. The other functions evaluate, integrate and differentiate the series, and
+   measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use this one.
+   Tests: tests/test_laws.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_LEGENDRE_H
 #define VARMASS_OSCILLATORS_LEGENDRE_H
 
@@ -7137,7 +7211,7 @@ VM_API vm_real vmi_gauss_weight(int i)
     return VM_READ(weight[i / 2]);
 }
 
-/* Legendre's polynomial P_(k+1)(x) from now = P_k(x) and before = P_(k-1)(x) */
+/* Legendre's polynomial P_(k+1)(x), where now = P_k(x) and before = P_(k-1)(x) */
 VM_API vm_real vmi_legendre_next(int k, vm_real x, vm_real now, vm_real before)
 {
     return ((vm_real)(2 * k + 1) * x * now - (vm_real)k * before) / (vm_real)(k + 1);
@@ -7201,7 +7275,7 @@ VM_API vm_real vmi_legendre_integral(const vm_real *coefficient, vm_real x)
 /* Replaces the coefficients c_k of the series by those of its derivative, d_k = (2k+1) (c_(k+1) + c_(k+3) + ...). */
 VM_API void vmi_legendre_derive(vm_real *coefficient)
 {
-    vm_real sums[2] = {0, 0}; /* sums of coefficients with an index above k: even and odd indices */
+    vm_real sums[2] = {0, 0}; /* sums of the c_j with j > k, for even j and for odd j */
     int k;
     for (k = VMI_GAUSS - 1; k >= 0; k--) {
         const vm_real own = coefficient[k];
@@ -7233,7 +7307,7 @@ VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
 }
 
 #endif
-/* oscillators/laws.h - laws of mass, stiffness and the like: numbers that depend on time
+/* oscillators/laws.h - laws of time for mass, stiffness and other numbers
 
    A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
    and the size (N) of a force on it (oscillators/forced.h). A constructor makes it: linear f0 + f1 t (346), quadratic,
@@ -7241,9 +7315,9 @@ VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
-   Every kind of law has a section below, with the functions for this kind alone and the constructor that makes the
-   vm_law point to them. No code outside the section depends on the kind. The integral of 1/f from 0 to t is
-   vm_law_inverse_integral (oscillators/panels.h).
+   Each kind of law has a section below, with its own functions and the constructor that makes a vm_law point to them.
+   No code outside the section depends on the kind. vm_law_inverse_integral (oscillators/panels.h) integrates 1/f from
+   0 to t.
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
 #define VARMASS_OSCILLATORS_LAWS_H
@@ -7266,7 +7340,7 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0 if it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null if this is no law */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f at 0 and at t tells enough */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f(0), f(t) are enough */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
@@ -7276,7 +7350,7 @@ struct VM_TAG(vm_law) {
 /* The direction of an interval of time of this length: 1 forward, -1 backward */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
-/* How many numbers the function `derivatives` of a law writes: f and its first six derivatives; the index is the order */
+/* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
 /* Writes the value of a law at t and its derivatives to f[0], f[1] ... A constructor must have made the law. Where a
@@ -7287,7 +7361,7 @@ enum { VMI_LAW_ORDERS = 7 };
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
     int i, status;
-    vm_real sum = 0; /* of differences that are 0 or NaN */
+    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
     if (length > 0)
         for (i = 2; i < VMI_LAW_ORDERS; i++) f[i] = 0;
     status = law->derivatives(law, t, side, length, f);
@@ -7363,7 +7437,7 @@ VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
     return VM_OK;
 }
 
-/* A law without a kind; the constructors below complete it */
+/* A law with these numbers, but without the functions of its kind, which the constructors below add */
 VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law;
@@ -7384,6 +7458,8 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Linear laws -- */
+
+/* f and f' of a linear law; its higher derivatives are 0. */
 VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -7413,6 +7489,8 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 }
 
 /* -- Quadratic laws -- */
+
+/* f, f' and f'' of a quadratic law; its higher derivatives are 0. */
 VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -7464,6 +7542,8 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Exponential laws -- */
+
+/* f and its derivatives, each f1 times the one before */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -7474,6 +7554,7 @@ VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int sid
     return VM_OK;
 }
 
+/* The exponential form of an exponential law, with base = 0, so that u = t */
 VM_API int vmi_law_exponential_own_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = 0;
@@ -7493,8 +7574,8 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* Returns VM_BAD_MASS where 1 + f1 t is not positive; vmi_law_derivatives changes this status for laws of other
-   numbers than masses. */
+/* f and its derivatives. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers than masses
+   vmi_law_derivatives changes this status. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -7573,8 +7654,8 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
     return low;
 }
 
-/* Writes the derivatives of the cubic on the interval that contains t. The cubic has the values and slopes of the
-   interval's two points. */
+/* Writes f and its derivatives, for the cubic on the interval of the table that contains t. The cubic has the values
+   and slopes of the interval's two points. */
 VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     vm_real chord_time, u, chord, slope0, slope1, b, c;
@@ -7626,7 +7707,7 @@ VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
     return law;
 }
 
-/* The next point of a table after t on the way to t_end; t_end if there is none, or if the law is not a table */
+/* The next point of the law's table after t on the way to t_end, or t_end if there is none or the law is no table */
 VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 {
     const int side = t_end > t ? 1 : -1;
@@ -7640,7 +7721,7 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 
 /* -- Functions of the user -- */
 
-/* Writes the series of the rate f' between t and t + length. */
+/* Writes the Legendre series of the rate f' between t and t + length. */
 VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_real *series)
 {
     vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused;
@@ -7682,7 +7763,8 @@ VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm
     return status;
 }
 
-/* Writes f and f', which the user's function gives, and for length > 0 the derivatives of a series of f'. */
+/* Writes f and f' from the user's function. For length > 0 it also writes the higher derivatives, from a Legendre
+   series of f'. */
 VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     vm_real series[VMI_GAUSS], whole = (vm_real)side * length, scale = 1;
@@ -7694,13 +7776,12 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
     for (i = 2; i < VMI_LAW_ORDERS; i++) {
         vmi_legendre_derive(series);
         scale *= 2 / whole;
-        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* at -1, P_k is (-1)^k */
+        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* P_k(-1) = (-1)^k */
     }
     return VM_OK;
 }
 
-/* Checks that change_time is finite and not negative, and that at most 2^20 of it lie between 0 and t, so that every
-   call ends. */
+/* Checks that change_time is finite and not negative, and 0 or at least |t|/2^20, so that every call ends. */
 VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     const vm_real most_changes = VM_C(1048576.);
@@ -7727,7 +7808,8 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
     return law;
 }
 
-/* The longest panel of time, s, in which the law cannot hide a change between 0 and t; `whole` is |t| */
+/* The longest panel of time, s, for integrals along the law from 0 to t: short enough to notice the changes that
+   vm_law_user promises to find. `whole` is |t|. */
 VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 {
     const vm_real longest = whole / 32;
@@ -7737,35 +7819,35 @@ VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 }
 
 #endif
-/* oscillators/problem.h - an oscillator whose mass and stiffness vary slowly, and what its motion is described by
+/* oscillators/problem.h - the data of an oscillator whose mass and stiffness vary slowly, and of its motion
 
    The equation of motion, with mass m(t), stiffness k(t), damping b and a further small force F, is
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = F(t, x, x'),   x(0) and x'(0) given.
-   Ten routes lead to x(t) and x'(t); oscillators/routes.h has them and shows the shortest useful call. The plan of a
-   problem, for many times of one motion, is in oscillators/plan.h.
+   Ten methods, called routes, compute x(t) and x'(t); oscillators/routes.h has them and shows the shortest useful call.
+   A plan (oscillators/plan.h) serves many times of one motion.
    Tests: tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_PROBLEM_H
 #define VARMASS_OSCILLATORS_PROBLEM_H
 
-/* Routes to x(t), x'(t), the cheapest first. All but the last three average: they need a motion that changes little
-   within a period. */
+/* Routes to x(t) and x'(t), the cheapest first. All but the last three use averaging: mass and stiffness must change
+   little within a period. */
 enum {
-    VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order, with the sign of (335) corrected */
-    VM_ROUTE_JACOBI = 1,      /* cn (370), (371), averaged to first order */
-    VM_ROUTE_ATEB = 2,        /* ca (310), (311), averaged to first order */
-    VM_ROUTE_ORDER2 = 3,      /* the law of order five (oscillators/expansion.h) cut off after order two; without F */
-    VM_ROUTE_ORDER3 = 4,      /* the same law, cut off after order three; only without F */
-    VM_ROUTE_ORDER4 = 5,      /* the same law, cut off after order four; only without F */
+    VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order; the sign of (335) is corrected */
+    VM_ROUTE_JACOBI = 1,      /* Jacobi's cn (370), (371), averaged to first order */
+    VM_ROUTE_ATEB = 2,        /* Ateb function ca (310), (311), averaged to first order */
+    VM_ROUTE_ORDER2 = 3,      /* law of order five (oscillators/expansion.h), cut off after order two; only without F */
+    VM_ROUTE_ORDER3 = 4,      /* law of order five, cut off after order three; only without F */
+    VM_ROUTE_ORDER4 = 5,      /* law of order five, cut off after order four; only without F */
     VM_ROUTE_ORDER5 = 6,      /* the whole law of order five; only without F */
-    VM_ROUTE_COLLOCATION = 7, /* exact equations, integrated from zero to zero of x (oscillators/collocation.h) */
-    VM_ROUTE_RK45 = 8,        /* the equation of motion by rk45 */
-    VM_ROUTE_RK87 = 9         /* the equation of motion by rk87 */
+    VM_ROUTE_COLLOCATION = 7, /* integration from each zero of x to the next (oscillators/collocation.h) */
+    VM_ROUTE_RK45 = 8,        /* integration of the equation of motion by rk45 */
+    VM_ROUTE_RK87 = 9         /* integration of the equation of motion by rk87 */
 };
 
-/* Order 2, 3, 4 or 5 of a route VM_ROUTE_ORDER2 ... VM_ROUTE_ORDER5 */
+/* The order, 2 to 5, of one of the routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 */
 VM_API int vmi_osc_order_of(int route) { return route - VM_ROUTE_ORDER2 + 2; }
 
-/* The route of the law of order 2, 3, 4 or 5 */
+/* The route VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 that has this order, 2 to 5 */
 VM_API int vmi_osc_route_of_order(int order) { return VM_ROUTE_ORDER2 + order - 2; }
 
 /* A user's function for a further small force: returns F, N, at time t (s), position x (m) and velocity v (m/s) */
@@ -7787,14 +7869,15 @@ typedef struct VM_TAG(vm_osc_problem) {
 /* The motion at one time */
 typedef struct VM_TAG(vm_osc_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
-    vm_real amplitude; /* amplitude A, m; routes of first order leave out its ripple within a period */
+    vm_real amplitude; /* amplitude A, m. By rk45 and rk87 it is that of x and v. The other routes leave out the
+                          first-order ripple within a period that mass, stiffness and damping cause */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-                          velocity at the amplitude A; all causes of errors count */
+                          velocity at the amplitude A; it includes all causes of errors */
     int route;         /* the route that was taken, VM_ROUTE_... */
     long evals;        /* evaluations of right-hand sides; 0 where nothing was integrated */
 } vm_osc_motion;
 
-/* Checks that mass and stiffness are positive between 0 and t, as vmi_law_check does for one law. */
+/* Checks by vmi_law_check that mass and stiffness are finite and positive between 0 and t. */
 VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
 {
     return vmi_first_error(vmi_law_check(&o->mass, VM_BAD_MASS, t),
@@ -7815,12 +7898,15 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real
 }
 
 #endif
-/* oscillators/reduction.h - an oscillator of slow mass and stiffness, reduced to a small disturbance of second order
+/* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
 
-   The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 is d(mu x')/dt + kappa x|x|^(alpha-1) = 0, where
-   a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. With the rate p = (ln mu kappa)'/(alpha+3) and V = x' + p x the
-   state (x, V) has an amplitude A and a phase psi that only the numbers G_0, G_1 ... disturb (oscillators/expansion.h).
-   This file computes a, p and G_k from the derivatives of the laws, and goes from (x, x') to (A, psi) and back.
+   The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
+   = 0, where a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
+   Then x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a phase psi with the exact equations
+     A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,   G_0 = p^2 - a p - p',
+   where W is the rate of the phase for constant mass and stiffness. Only G_0 disturbs the slow motion A'/A = -p,
+   psi' = W, and G_0 is of second order in the rates of mass and stiffness. Its derivatives lead to G_1, G_2 ...
+   This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
        int status = vmi_osc_slow_at(&problem, 0, 1, length, 1, &now); // laws at t = 0; length, s: see vmi_law_derivatives
@@ -7829,10 +7915,10 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
 #define VARMASS_OSCILLATORS_REDUCTION_H
 
-/* The numbers G_0 ... G_4: order five needs four of them, its estimate the fifth */
+/* How many G_k are computed: the law of order five needs G_0 ... G_3, the estimate of its error G_4 */
 enum { VMI_OSC_G = 5 };
 
-/* What the laws of mass and stiffness say at one time */
+/* Mass, stiffness and the numbers that follow from their rates, at one time */
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* see above, 1/s */
@@ -7840,14 +7926,14 @@ typedef struct VM_TAG(vmi_osc_slow) {
     vm_real G[VMI_OSC_G]; /* unit^(i+2) G_i */
 } vmi_osc_slow;
 
-/* The same without the numbers G_k, for which f and f' are enough */
+/* Mass, stiffness and rates at one time, without the numbers G_k: values f and rates f' of the laws are enough */
 typedef struct VM_TAG(vmi_osc_rates) {
-    vm_real m, k; /* kg, N/m^alpha */
-    vm_real a, p; /* 1/s */
+    vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
+    vm_real a, p; /* the rates a = mu'/mu and p, 1/s */
 } vmi_osc_rates;
 
-/* The rates at t; where they jump, those after t for side = 1, those before it for side = -1. The statuses are those of
-   the laws. */
+/* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
+   for those before t. Returns the statuses of vmi_law_derivatives. */
 VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
@@ -7861,7 +7947,7 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     return VM_OK;
 }
 
-/* -- Power series in time: coefficient i belongs to the ith power -- */
+/* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
 /* Turns derivatives f, f', f'' ... into the coefficients of the series in time divided by the unit, s */
 VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
@@ -7871,7 +7957,7 @@ VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
         for (i = power; i < n; i++) f[i] *= unit / (vm_real)power;
 }
 
-/* ratio = f'/f, with one coefficient less than f, which has n */
+/* Writes the series of f'/f to ratio, from the n coefficients of f; ratio has n - 1 coefficients. */
 VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
 {
     int i, j;
@@ -7882,7 +7968,7 @@ VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
     }
 }
 
-/* inverse = 1/f */
+/* Writes the n coefficients of the series of 1/f to inverse. */
 VM_API void vmi_series_inverse(int n, const vm_real *f, vm_real *inverse)
 {
     int i, j;
@@ -7905,15 +7991,15 @@ VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
 
 /* -- The numbers G_k -- */
 
-/* Fills now->G from the series of a and p, which have n coefficients: G_0 = p^2 - a p - p' and
-   G_(k+1) = G_k' - (k+2) (2p - a) G_k. Both series are destroyed. */
+/* Fills now->G from the series of a and p, which have n coefficients, by G_0 = p^2 - a p - p' and
+   G_(k+1) = G_k' - (k+2) (2p - a) G_k. The array a is overwritten. */
 VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
 {
     vm_real G[VMI_LAW_ORDERS], next[VMI_LAW_ORDERS];
     int i, k, terms = n - 1;
-    for (i = 0; i < n; i++) a[i] = p[i] - a[i]; /* p - a */
+    for (i = 0; i < n; i++) a[i] = p[i] - a[i]; /* the series of p - a */
     for (i = 0; i < terms; i++) G[i] = vmi_series_product(i, p, a) - (vm_real)(i + 1) * p[i + 1];
-    for (i = 0; i < n; i++) a[i] += p[i]; /* 2 p - a */
+    for (i = 0; i < n; i++) a[i] += p[i]; /* the series of 2 p - a */
     for (k = 0; k < VMI_OSC_G; k++) {
         now->G[k] = G[0];
         terms--;
@@ -7961,14 +8047,14 @@ VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real
 
 /* -- Amplitude and phase -- */
 
-/* The state of the oscillator after the reduction */
+/* Amplitude and phase of the oscillator by the reduction, that is of x and V = x' + p x */
 typedef struct VM_TAG(vmi_osc_reduced) {
     vm_real A;   /* amplitude, m */
     vm_real psi; /* Ateb phase */
-    vm_real W;   /* rate of the phase at this amplitude, 1/s */
+    vm_real W;   /* rate of the phase at this amplitude for constant mass and stiffness, 1/s */
 } vmi_osc_reduced;
 
-/* The reduced state of position x and velocity v */
+/* The reduced state that belongs to position x and velocity v, at the time of *now */
 VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
 {
     const vm_real omega = VM_SQRT(now->k / now->m);
@@ -7978,7 +8064,8 @@ VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm
     return r;
 }
 
-/* Position and velocity of a reduced state, where sa and ca are those of its phase */
+/* Writes position x and velocity v of a reduced state: the inverse of vmi_osc_reduce. sa and ca are the Ateb functions
+   of its phase. */
 VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
                              vm_real *v)
 {
@@ -8001,11 +8088,12 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 #endif
 /* oscillators/ripple.h - the ripple of ca^2 within a period, and its integrals over the Ateb phase
 
-   An oscillator whose mass or stiffness varies slowly swings about a mean motion. The difference, the ripple, is made
-   of five functions of the Ateb phase psi. With C = ca^2(psi) - <ca^2>, where < > is the mean over a period,
-     S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>,
-   each with mean 0, all of period Pi_alpha. A vmi_ripple is one alpha, prepared: two sets of four polynomials and the
-   constants of the law of order five (oscillators/expansion.h). It is plain data and may lie in flash.
+   Amplitude and phase of an oscillator whose mass or stiffness varies slowly swing a little about mean values. This
+   ripple is computed from five functions of the Ateb phase psi. With C = ca^2(psi) - <ca^2>, where < > is the mean over
+   a period, the other four functions are integrals over psi, each with the mean 0 and the period Pi_alpha:
+     S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
+   A vmi_ripple holds what is computed once for an alpha: two sets of four polynomials, and constants of the law of
+   order five (oscillators/expansion.h). It is plain data and may lie in flash.
        vmi_ripple r;
        vmi_ripple_values f;
        vmi_ripple_init(&r, VM_C(1.5), ateb_pi(VM_C(1.5)));
@@ -8013,63 +8101,66 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
-   Method: near a zero of ca the functions are |ca|^3, |ca|^4 or |ca|^5 times a power series in w = |ca|^(alpha+1); near
-   a zero of sa they are series in y = sa^2. Where w = y = 1/2 one takes over from the other. On [0, 1/2] each series is
-   replaced by its first Chebyshev polynomials: 15 of them for 1e-12, 8 for 1e-7, whatever alpha is.
+   Method: the integrals from a zero of ca are |ca|^3, |ca|^4 or |ca|^5 times a power series in w = |ca|^(alpha+1). The
+   integrals from a zero of sa are power series in y = sa^2, times sa or not. The first set is used for w < 1/2, the
+   second for y <= 1/2. On [0, 1/2] each power series is replaced by the first terms of its Chebyshev series: 15 terms
+   give 1e-12, 8 terms 1e-7, for every alpha.
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H
 
-/* Terms of each polynomial, Chebyshev polynomials that are kept while it is made, and terms of the power series */
+/* Numbers of terms: of each polynomial, of the Chebyshev series of a power w^i, and of the power series in w */
 #if VM_MANT_DIG > 24
 enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
 #else
 enum { VMI_RIPPLE_TERMS = 8, VMI_RIPPLE_KEPT = 13, VMI_RIPPLE_SERIES = 28 };
 #endif
 
-/* The polynomials: integrals of ca^2 and of ca^4, from the nearest zero of ca or sa on, and the first and the second
-   integral of that of ca^2 */
+/* The polynomials of a set: for the integrals of ca^2 and of ca^4, and for the first and the second integral of the
+   integral of ca^2. All integrals begin at the nearest zero of ca, or of sa for the other set. */
 enum { VMI_RIPPLE_CA2, VMI_RIPPLE_CA4, VMI_RIPPLE_FIRST, VMI_RIPPLE_SECOND, VMI_RIPPLE_FUNCTIONS };
 
-/* One alpha, prepared by vmi_ripple_init */
+/* Constants and polynomials for one alpha, prepared by vmi_ripple_init and vmi_ripple_complete */
 typedef struct VM_TAG(vmi_ripple) {
     vm_real alpha;
-    vm_real gamma;              /* (alpha-1)/(alpha+3): the rate of the phase grows like J^gamma with the action J */
-    vm_real scale;              /* (alpha+1)(alpha+3)/4 */
+    vm_real gamma;              /* (alpha-1)/(alpha+3): the rate of the phase is proportional to (action)^gamma */
+    vm_real scale;              /* L = (alpha+1)(alpha+3)/4, a factor in the law of order five */
     vm_real pi;                 /* Pi_alpha, the period of the functions */
     vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
     vm_real variance;           /* the mean of C^2 */
-    int has_polynomials;        /* whether what follows is set */
-    vm_real at_sa_0, at_ca_0;   /* S2 where sa = 0, and where ca = 0 */
-    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1 */
-    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1 */
+    int has_polynomials;        /* 1 where the fields below are set, else 0 */
+    vm_real at_sa_0, at_ca_0;   /* S2 at the phases where sa = 0, and where ca = 0 */
+    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* in 4 w - 1, w = |ca|^(alpha+1) */
+    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* in 4 y - 1, y = sa^2 */
 } vmi_ripple;
 
-/* The ripple at one phase */
+/* The functions of the ripple at one phase */
 typedef struct VM_TAG(vmi_ripple_values) {
     vm_real sa, ca;
-    vm_real C, S, S2, S3, Q; /* see above; S is right from order 3 on, S2 from order 4 on, S3 and Q for order 5 */
+    vm_real C, S, S2, S3, Q; /* see the top of this file; S is valid from order 3 on, S2 from 4 on, S3 and Q for 5 */
 } vmi_ripple_values;
 
 /* -- Making the polynomials -- */
 
-/* Coefficients of the power series at index i. near_ca_0: the integral of ca^2 is |ca|^3 sum ca2_i w^i, and so on */
+/* Coefficients i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3 times the sum of
+   near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
 typedef struct VM_TAG(vmi_ripple_series) {
-    vm_real root;                 /* of (1-w)^(-1/2) */
-    vm_real power2, power3, power4; /* of (1-y)^((j-alpha)/(alpha+1)), j = 2, 3, 4 */
-    vm_real product;              /* of (1-y)^(1-nu) T, T |sa| the integral of ca^2, nu = 2 alpha/(alpha+1) */
+    vm_real root;                 /* coefficient of (1-w)^(-1/2) */
+    vm_real power2, power3, power4; /* coefficients of (1-y)^((j-alpha)/(alpha+1)), j = 2, 3, 4 */
+    vm_real product;              /* of (1-y)^(1-nu) T: nu = 2 alpha/(alpha+1), T |sa| is the integral of ca^2 */
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS], near_sa_0[VMI_RIPPLE_FUNCTIONS];
 } vmi_ripple_series;
 
-/* Coefficient i of (1-y)^exponent from coefficient i - 1 */
+/* Coefficient i of the power series of (1-y)^exponent, where `before` is coefficient i - 1 */
 VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
 {
     if (i == 0) return 1;
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Coefficients i from those of i - 1 (for i = 0 from zeros). The integrals of an integral follow from its differential
-   equation along the phase: with x = |ca|, D'' = x^2 (1-w)^(-1/2) ... gives each coefficient from the one before. */
+/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Let D be
+   the first and E the second integral of the integral of ca^2. The differential equations D'' = ca^2 and E'' = integral
+   of ca^2, with derivatives by the phase, give each coefficient of D and E from the one before. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -8093,11 +8184,11 @@ VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
 }
 
-/* Multiplies the series sum c_k T_k(z) of Chebyshev polynomials by w = (1 + z)/4: z T_k = (T_(k+1) + T_(k-1))/2 */
+/* Multiplies the Chebyshev series sum c_k T_k(z) by w = (1 + z)/4, with z T_k = (T_(k+1) + T_(k-1))/2 */
 VM_API void vmi_chebyshev_times_w(vm_real *c)
 {
     const int last = VMI_RIPPLE_KEPT - 1;
-    vm_real below = 0, first = c[0] + c[1] / 2; /* of 1 + z */
+    vm_real below = 0, first = c[0] + c[1] / 2; /* coefficient 0 of (1 + z) times the series */
     int k;
     for (k = 0; k <= last; k++) {
         const vm_real own = c[k], above = k < last ? c[k + 1] : 0;
@@ -8109,7 +8200,7 @@ VM_API void vmi_chebyshev_times_w(vm_real *c)
     c[0] = first / 4;
 }
 
-/* The polynomial in powers of z in place of the series of Chebyshev polynomials, by T_k = 2 z T_(k-1) - T_(k-2) */
+/* Turns a Chebyshev series into a polynomial in powers of z, by T_k = 2 z T_(k-1) - T_(k-2) */
 VM_API void vmi_chebyshev_to_powers(vm_real *c)
 {
     int j, k;
@@ -8119,10 +8210,10 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* All eight polynomials */
+/* Makes all eight polynomials: adds up the power series, with each power w^i replaced by its Chebyshev series. */
 VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
 {
-    vm_real w_power[VMI_RIPPLE_KEPT]; /* w^i as a series of Chebyshev polynomials */
+    vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
     int i, j, k;
     s.root = s.power2 = s.power3 = s.power4 = s.product = 0;
@@ -8151,6 +8242,7 @@ VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
     }
 }
 
+/* The value at z of a polynomial with the coefficients c */
 VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
 {
     vm_real sum = c[VMI_RIPPLE_TERMS - 1];
@@ -8159,14 +8251,15 @@ VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
     return sum;
 }
 
-/* -- The integrals from a zero of ca or sa on -- */
+/* -- The integrals from a zero of ca or sa -- */
 
-/* Integrals from the nearest zero of ca (of sa) to a phase at a distance from it */
+/* Integrals over the phase from the nearest zero of ca (or of sa) to a given phase */
 typedef struct VM_TAG(vmi_ripple_integrals) {
-    vm_real ca2, ca4, first, second; /* of ca^2 and ca^4; first and second integral of that of ca^2 */
+    vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; first and second integral of ca2 */
 } vmi_ripple_integrals;
 
-/* From a zero of ca on, where |ca| = x and sa^2 = y; order: as in vmi_ripple_at */
+/* The integrals from the nearest zero of ca to a phase where |ca| = x and sa^2 = y. Those that the law of this order, 2
+   to 5, does not need are 0. */
 VM_API vmi_ripple_integrals vmi_ripple_from_ca_0(const vmi_ripple *r, int order, vm_real x, vm_real y)
 {
     const vm_real x2 = x * x, x3 = x2 * x, x4 = x2 * x2, z = 4 * (1 - y) - 1;
@@ -8181,7 +8274,7 @@ VM_API vmi_ripple_integrals vmi_ripple_from_ca_0(const vmi_ripple *r, int order,
     return d;
 }
 
-/* From a zero of sa on, where |sa| = u and u^2 = y */
+/* The integrals from the nearest zero of sa to a phase where |sa| = u and sa^2 = y; order as in vmi_ripple_from_ca_0 */
 VM_API vmi_ripple_integrals vmi_ripple_from_sa_0(const vmi_ripple *r, int order, vm_real u, vm_real y)
 {
     const vm_real z = 4 * y - 1;
@@ -8198,7 +8291,7 @@ VM_API vmi_ripple_integrals vmi_ripple_from_sa_0(const vmi_ripple *r, int order,
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares alpha >= 0, whose Pi_alpha is pi, but for the polynomials. Then S, S2, S3 and Q are not to be had. */
+/* Prepares alpha >= 0, where pi is Pi_alpha, without the polynomials: only C can be computed, not S, S2, S3 and Q. */
 VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
 {
     r->alpha = alpha;
@@ -8211,12 +8304,12 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
     r->has_polynomials = 0;
 }
 
-/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values follow from the phase at which both sets
-   of polynomials meet: there both must have the same S2 and S3. */
+/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values of S2 follow from the condition that both
+   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
 VM_API void vmi_ripple_complete(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
-    const vm_real t = ateb_phase(sa, ca, r->alpha), s = r->pi / 2 - t; /* from sa = 0, from ca = 0 */
+    const vm_real t = ateb_phase(sa, ca, r->alpha), s = r->pi / 2 - t; /* this phase, from sa = 0 and from ca = 0 */
     vmi_ripple_integrals zero, turn;
     vm_real jump; /* at_sa_0 - at_ca_0 */
     if (r->has_polynomials) return;
@@ -8230,8 +8323,8 @@ VM_API void vmi_ripple_complete(vmi_ripple *r)
     r->has_polynomials = 1;
 }
 
-/* The ripple at phase psi, where sa and ca have these values. order: 2 to 5, that of the law that asks; above 2 it needs
-   the polynomials. */
+/* Writes the functions of the ripple at the phase psi, where sa and ca are the Ateb functions of psi. order, 2 to 5, is
+   that of the law that needs them; above 2 the polynomials must have been made. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
@@ -8259,31 +8352,33 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
 }
 
 #endif
-/* oscillators/expansion.h - the law of order five: what lies between the motion of an oscillator and its mean motion
+/* oscillators/expansion.h - the law of order five: from the motion of an oscillator to its mean motion and back
 
-   The oscillator d(mu x')/dt + kappa x|x|^(alpha-1) = 0 has slow mu(t) and kappa(t): mu'/mu = a is what mass, reactive
-   force and damping make of the momentum, and kappa/mu = k/m. With
-     p = (ln mu kappa)'/(alpha+3),   V = x' + p x,   x = A ca(psi),   V = -(2/(alpha+1)) W A sa(psi)
-   amplitude A and phase psi obey, without any approximation,
-     A'/A = -p + (G0/W) sa ca,   psi' = W + (alpha+1)/2 (G0/W) ca^2,   G0 = p^2 - a p - p',
-   where W is the rate of the phase at amplitude A. So the mean motion is disturbed by G0/W^2 alone, which is of second
-   order in the small rate epsilon at which mass and stiffness change within a radian. A canonical transformation in
-   powers of E_k = G_k/W^(k+2), of order epsilon^(k+2), with G_(k+1) = G_k' - (k+2) (2p - a) G_k, leads to mean
-   values: of the action J, which is constant, and of the phase. This file has that transformation, there and back.
-   Errors of order N are O(epsilon^N) over times of 1/epsilon. It is new; docs/law.md derives it.
-   The functions C, S, S2, S3, Q of the phase are those of oscillators/ripple.h. The weight of a term is the power of
+   With slow mass and stiffness, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
+     A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
+   where W is the rate of the phase at the amplitude A. The slow motion A'/A = -p, psi' = W is disturbed by G_0/W^2
+   only. This number is of second order in epsilon, the relative change of mass and stiffness within a radian.
+
+   A canonical transformation leads from A and psi to mean values without ripple: a mean action, which is constant, and
+   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa). The transformation is a
+   series in powers of the numbers E_k of order epsilon^(k+2), k = 0, 1 ...
+     E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
+   This file has the transformation in both directions, and the mean rate of the phase. Cut off after order N, it gives
+   the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md derives it.
+
+   C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
-       dJ = vmi_expansion_J(&ripple, 5, &f, E); // ln of the mean action less ln of the action, at the phase of f
+       dJ = vmi_expansion_J(&ripple, 5, &f, E); // ln(mean action/action), where f holds C, S ... at the phase
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H
 
-/* The numbers E_0 ... E_3 that order five needs at the start */
+/* How many E_k order five needs at the start of a motion: E_0 ... E_3 */
 enum { VMI_EXPANSION_E = 4 };
 
 /* -- From the motion to the mean motion -- */
 
-/* ln of the mean action less ln of the action J, at the motion's phase, with all terms up to weight `order` */
+/* Returns ln(mean action/action) with all terms up to weight `order`. f holds C, S ... at the phase psi. */
 VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -8300,7 +8395,7 @@ VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_
     return sum;
 }
 
-/* The mean phase less the phase psi, at the motion's phase, with all terms up to weight order - 1 */
+/* Returns the mean phase minus the phase psi, with all terms up to weight order - 1. f holds C, S ... at psi. */
 VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -8317,7 +8412,8 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 
 /* -- From the mean motion to the motion -- */
 
-/* The phase less the mean phase, at the mean phase, with all terms up to weight order - 1 */
+/* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
+   phase. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -8332,7 +8428,7 @@ VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_
     return sum;
 }
 
-/* ln of the action less ln of the mean action, at the mean phase, with all terms up to weight order - 1 */
+/* Returns ln(action/mean action) with all terms up to weight order - 1. f holds C, S ... at the mean phase. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -8349,46 +8445,49 @@ VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ri
 
 /* -- The mean rate of the phase -- */
 
-/* The mean rate of the phase is W (1 + first E0 + second E0^2), with W at the mean action. The factor `first` is used
-   from order 2 on, `second` from order 4 on. */
+/* The factor `first` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), where W belongs to the mean
+   action. Laws of all orders from 2 on need it. */
 VM_API vm_real vmi_expansion_first(const vmi_ripple *r) { return (r->alpha + 1) / 2 * r->mean2; }
 
+/* The factor `second` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), which orders 4 and 5 need */
 VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 {
     return -r->scale * r->scale / 8 * r->variance * (2 - 3 * r->gamma) * (1 - 3 * r->gamma);
 }
 
 #endif
-/* oscillators/plan.h - the plan of an oscillator: what has to be computed only once for a motion
+/* oscillators/plan.h - the plan of an oscillator: what is computed once and then used for many times of its motion
 
-   A plan serves many times of one motion. It holds the state at t = 0, reduced as in oscillators/reduction.h, the
-   start of the mean motion by the law of order five (oscillators/expansion.h), and the closed forms of the laws of
-   mass and stiffness, if they have such forms:
+   A plan holds the amplitude and the phase at t = 0, the mean motion at t = 0 by the law of order five
+   (oscillators/expansion.h), and the closed forms of the laws of mass and stiffness, if they have such forms:
        vm_osc_plan plan;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem
    Tests: tests/test_slow_motion.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_PLAN_H
 #define VARMASS_OSCILLATORS_PLAN_H
 
-/* What is computed only once for a problem, by vm_osc_plan_init. To be read, not changed. It points to the problem's
-   tables and contexts, and is not to be copied bit by bit into another program. */
+/* What is computed only once for a problem, by vm_osc_plan_init. Read its fields, but do not change them. The plan
+   points to the tables, functions and contexts of the problem, so it is of no use to another program. */
 typedef struct VM_TAG(vm_osc_plan) {
-    vm_osc_problem problem;
+    vm_osc_problem problem;  /* a copy of the problem */
     vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
-    vm_real A, psi, Om;      /* at t = 0: amplitude, m, Ateb phase, and its rate, 1/s */
-    vmi_osc_slow slow;       /* what the laws say just after t = 0 */
-    vm_real E[VMI_OSC_G];    /* the disturbance of the reduced state at t = 0 */
-    vmi_osc_reduced mean;    /* the mean motion at t = 0, by the order start_order */
-    int start_order;         /* 5, or 2 where the ripple has no polynomials; 0 where there is no mean motion */
-    vm_real base;            /* closed forms, 1/s: m = m0 exp(rate_m u), k = k0 exp(rate_k u), u = ln(1 + base t)/base */
-    vm_real rate_m, rate_k;  /* 1/s */
-    int closed;              /* whether m and k have these closed forms */
-    int has_ateb;            /* whether ateb is there */
-    vmi_ripple ripple;
-    ateb_plan ateb;
+    vm_real A, psi, Om;      /* amplitude, m, and Ateb phase of x and v at t = 0, and rate of the phase, 1/s */
+    vmi_osc_slow slow;       /* mass, stiffness and G_k just after t = 0 */
+    vm_real E[VMI_OSC_G];    /* the numbers E_k at t = 0 (see vmi_osc_disturbance) */
+    vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
+    int start_order;         /* order by which `mean` was found: 5, or 2 without the polynomials of the ripple;
+                                0 where x and v are 0, so that there is no mean motion */
+    vm_real base;            /* 1/s; the closed forms are m = m0 exp(rate_m u), k = k0 exp(rate_k u) with
+                                u = ln(1 + base t)/base, or u = t for base = 0 */
+    vm_real rate_m, rate_k;  /* rates of ln m and ln k by u, 1/s */
+    int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
+    int has_ateb;            /* 1 where the field ateb is set, else 0 */
+    vmi_ripple ripple;       /* functions of the ripple, prepared for alpha */
+    ateb_plan ateb;          /* Ateb functions, prepared for alpha */
 } vm_osc_plan;
 
-/* The wave that a route uses; the plan must outlive it. */
+/* The periodic function, cos, cn or ca, by which a route describes the oscillation. It points into the plan, which must
+   outlive it. */
 VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 {
     if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->ripple.pi);
@@ -8396,11 +8495,12 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
     return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
 }
 
-/* The time, s, over which derivatives of laws are sampled: 16 radians of the phase */
+/* The time, s, of 16 radians of the phase. From rates within such a time the derivatives of a user's law are found. */
 VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p) { return p->Om > 0 ? 16 / p->Om : 0; }
 
-/* Finds whether both laws are exponentials in one u, so that all integrals are closed forms. With damping the integral
-   of b/m must be one in u, too: it is where m = m0 (1 + base t), or where only the damping changes the motion. */
+/* Finds whether both laws are exponentials in the same u (see the field base), so that all integrals along them have
+   closed forms. With damping the integral of b/m must also be proportional to u. That is so for m = m0 (1 + base t),
+   which includes a constant mass with base = 0. */
 VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
@@ -8414,7 +8514,8 @@ VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
     if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
 }
 
-/* The mean motion that belongs to a reduced state with the disturbance E; order: 2 to 5 */
+/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E holds the numbers E_k of the
+   state. */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
     const vmi_ripple *r = &p->ripple;
@@ -8431,7 +8532,7 @@ VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vm
     return mean;
 }
 
-/* The start of the mean motion, by order 5 if the ripple has its polynomials, else by order 2 */
+/* Computes the mean motion at t = 0, by order 5 if the ripple has its polynomials, else by order 2. */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
@@ -8448,8 +8549,8 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
-/* The plan but for vmi_osc_start, and without what pays only where many values are wanted: the plan of the Ateb
-   functions and the polynomials of the ripple */
+/* Fills the plan up to the mean motion, which vmi_osc_start adds. It leaves out two parts that are worth their time
+   only for many values: the plan of the Ateb functions and the polynomials of the ripple. */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     const vm_osc_problem *o = &p->problem;
@@ -8469,10 +8570,11 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 }
 
 /* Plan for many values of one problem's motion.
-   For vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged. Copies the problem; its tables and contexts
-   must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that
-   no constructor made, VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
-   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a function that fails. */
+   vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged use the
+   plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE, VM_BAD_MASS and
+   VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order
+   or without t = 0, or a user's function of a law that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;
@@ -8490,9 +8592,9 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 #endif
 /* oscillators/panels.h - panels of time in which a law is smooth, and the integral of 1/f
 
-   Integrals along a law f(t) from 0 to t are sums over panels of time. Each panel is so short that a series of 20
-   Legendre polynomials represents the law on it. The lengths of panels adapt to the law: a panel that is too long for
-   its series is halved, and the panel after it is twice as long again. Panels end at the points of a table.
+   An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
+   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved; each
+   next panel is tried with twice the length of the one before. Panels end at the points of a table.
        vm_law mass = vm_law_linear(10, VM_C(-0.1));
        vm_real integral;
        int status = vm_law_inverse_integral(&mass, 20, &integral); // 10 ln(10/8) s/kg
@@ -8514,7 +8616,7 @@ typedef struct VM_TAG(vmi_panels) {
     vm_real side;           /* 1 forward, -1 backward in time */
     vm_real longest, least; /* bounds of a panel's length, s */
     vm_real size;           /* intended length of the present panel, s */
-    vm_real left, step;     /* time left to the end, and length of the present panel, at most this time, s */
+    vm_real left, step;     /* time left to the end, and length of the present panel, which is at most `left`, s */
     int halved;             /* how often panels were halved */
 } vmi_panels;
 
@@ -8526,7 +8628,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     p.end = end;
     p.side = VM_COPYSIGN(1, end - start);
     p.longest = vmi_smaller(longest, VM_FABS(end - start));
-    p.least = whole / VM_C(1099511627776.); /* 2^40; still shorter panels do not matter */
+    p.least = whole / VM_C(1099511627776.); /* 2^40; what a shorter panel adds does not matter */
     p.size = p.longest;
     p.left = 0;
     p.step = 0;
@@ -8535,7 +8637,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
 }
 
 /* Returns whether there is a panel at p->t, and sets its length p->step. If the time left is hardly longer than a
-   panel, it is one panel. */
+   panel, all of it becomes one panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -8545,7 +8647,7 @@ VM_API int vmi_panels_next(vmi_panels *p)
     return 1;
 }
 
-/* Halves the present panel, and returns whether that was possible */
+/* Halves the intended length of the present panel, and returns whether that was possible */
 VM_API int vmi_panels_halve(vmi_panels *p)
 {
     const int most = 4096; /* a bound for laws with noise, for which no length is short enough */
@@ -8665,10 +8767,10 @@ VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_r
     return status;
 }
 
-/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. Laws with a closed form use it, also next
-   to values where it becomes 0/0. Tables and functions use Gauss' rule; for functions the relative error is at most
-   1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for
-   a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
+/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. A closed form is used if the law has one; it
+   loses no digits where it tends to 0/0. Tables and functions use Gauss' rule; for functions the relative error is at
+   most 1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and
+   for a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
    anywhere between 0 and t, and VM_DOMAIN for t outside a table, for a table out of order, where the user's function
    fails, or where change_time is negative or less than |t|/2^20. An error leaves *integral untouched. */
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
@@ -8688,40 +8790,40 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 #endif
 /* oscillators/walk.h - the mean motion of an oscillator along laws that have no closed form
 
-   The mean motion from 0 to t is known as soon as some integrals along the laws of mass and stiffness are.
-   vmi_osc_walk_to computes them from one point of a table to the next, by the panels of oscillators/panels.h. At a point
-   of a table the derivatives of the laws jump; there the motion goes on with another mean motion. On the way the walk
-   gathers what the estimates of the error need: how large the disturbance E_0 and its derivatives by the phase are.
+   The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
+   these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
+   the second derivatives of the laws jump, so that the mean motion jumps, too. The walk also gathers what the estimates
+   of the error need: how large the disturbance E_0 (oscillators/expansion.h) and its derivatives are.
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_WALK_H
 #define VARMASS_OSCILLATORS_WALK_H
 
-/* Derivatives of E_0 by the phase whose size is gathered, E_0 itself included */
+/* For how many derivatives of E_0 by the phase the size is gathered: from the zeroth to the sixth */
 enum { VMI_WALK_ORDERS = 7 };
 
-/* The mean motion at one time t, and what its errors depend on. The adiabatic law leaves the action unchanged:
-   A/A0 = exp(ln_A), and the rate of the phase is `ratio` times that at t = 0. */
+/* The mean motion at one time t, and what its errors depend on. By the adiabatic law, which keeps the action constant,
+   A/A0 = exp(ln_A), and the rate of the phase is `ratio` times its value at t = 0. */
 typedef struct VM_TAG(vmi_osc_mean) {
-    vmi_osc_slow now;      /* what the laws say just before t (after it for t < 0) */
-    vm_real ln_A, ratio;   /* by the adiabatic law */
+    vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
+    vm_real ln_A, ratio;   /* ln(A/A0), and ratio of the rates of the phase, by the adiabatic law */
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
-    vm_real phase;         /* the integral of ratio dt, s */
+    vm_real phase;         /* the integral of ratio dt from 0 to t, s */
     vm_real psi;           /* the mean phase */
-    vm_real ln_J;          /* ln of the mean action over that at t = 0: points of tables change it */
-    vm_real first;         /* the part of psi that E_0 brings */
-    vm_real second, third; /* parts of psi: that of E_0^2, and a bound of what order five leaves out */
-    vm_real knots_J[4];    /* sums over points of tables of the square of what order 2, 3, 4 or 5 leaves out: of ln J, */
-    vm_real knots_psi[4];  /* and of psi */
-    vm_real largest;       /* largest |E_0| between 0 and t */
-    vm_real change[VMI_WALK_ORDERS]; /* integral of |d^i E_0/dpsi^i| dpsi; 0 for closed forms, which have no fast part */
-    vm_real shortest;      /* shortest panel that the laws of m and k took, s */
-    vm_real error;         /* of `phase`, s */
+    vm_real ln_J;          /* ln of the mean action over its value at t = 0; it changes only at points of tables */
+    vm_real first;         /* the part of psi that is proportional to the disturbance E_0 */
+    vm_real second, third; /* the part of psi proportional to E_0^2; bound of the part that order five leaves out */
+    vm_real knots_J[4];    /* for orders 2 to 5: sum of the squares of the errors of ln J at points of tables */
+    vm_real knots_psi[4];  /* for orders 2 to 5: sum of the squares of the errors of psi at points of tables */
+    vm_real largest;       /* largest |E_0| between 0 and t, E_0 the disturbance */
+    vm_real change[VMI_WALK_ORDERS]; /* integrals of |d^i E_0/dpsi^i| dpsi; 0 where closed forms are used */
+    vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
+    vm_real error;         /* estimated error of `phase`, s */
 } vmi_osc_mean;
 
-/* ln(A/A0) and ln(Om/Om0) by the adiabatic law, where ln(m/m0), ln(k/k0) and the decay, the integral of b/m, have
-   these values */
+/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase. ln_m = ln(m/m0),
+   ln_k = ln(k/k0), and decay is the integral of b/m. */
 VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
                               vm_real *ln_Om)
 {
@@ -8756,7 +8858,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
     return mean;
 }
 
-/* The mean motion as amplitude, phase and rate */
+/* The amplitude, phase and rate of the mean motion *mean */
 VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -8767,9 +8869,9 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
     return state;
 }
 
-/* -- What order five leaves out -- */
+/* -- What the law of order five leaves out -- */
 
-/* Sizes of the terms of weight w = 2 ... 6: of ln J, and for w < 6 of the phase; e: sizes of E_0 ... E_4 */
+/* How large the terms of weight w, 2 to 6, of vmi_expansion_J are, where e[k] is the absolute value of E_k */
 VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
@@ -8782,6 +8884,7 @@ VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
     return L / 4 * e[w - 2] * power + more;
 }
 
+/* How large the terms of weight w, 2 to 5, of vmi_expansion_psi are, where e[k] is the absolute value of E_k */
 VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
@@ -8793,8 +8896,9 @@ VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
     return L / 4 * VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power + more;
 }
 
-/* A bound of the mean rate of the phase that order five leaves out, of weight 6, by W: from the product |E_0 E_2| and
-   |E_0|^3 */
+/* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
+   6; product is |E_0 E_2|, cube is |E_0|^3. From integrals of these two over the phase it gives a bound of the
+   phase. */
 VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
@@ -8803,24 +8907,25 @@ VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real 
 
 /* -- A panel -- */
 
-/* A panel of the walk: series on it, and its shares of integrals */
+/* A panel of the walk: Legendre series of the laws on it, and what it adds to integrals along the laws */
 typedef struct VM_TAG(vmi_osc_panel) {
-    vm_real edge;               /* how far the series of 1/m and of k are from the laws at the panel's ends, relative */
-    vm_real inverse[VMI_GAUSS]; /* 1/m */
-    vm_real ratio[VMI_GAUSS];   /* k at first, then the rate of the phase over that at t = 0 */
-    vm_real E[VMI_GAUSS];       /* E_0 */
-    vm_real first, second;      /* integrals of E_0 and E_0^2 by the phase */
-    vm_real cube;               /* integral of |E_0|^3 by the phase */
-    vm_real largest;            /* largest |E_0| */
+    vm_real edge;               /* largest relative difference at the panel's ends: of 1/m and k from their series */
+    vm_real inverse[VMI_GAUSS]; /* series of 1/m */
+    vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the rate of the phase over its value at t = 0 */
+    vm_real E[VMI_GAUSS];       /* series of E_0 */
+    vm_real first, second;      /* integrals of E_0 and of E_0^2 over the phase */
+    vm_real cube;               /* integral of |E_0|^3 over the phase */
+    vm_real largest;            /* largest |E_0| on the panel */
 } vmi_osc_panel;
 
-/* What the laws say at the points of Gauss' rule of a panel */
+/* Mass, stiffness and rates at the points of Gauss' rule of a panel */
 typedef struct VM_TAG(vmi_osc_panel_laws) {
     vmi_osc_rates rates[VMI_GAUSS];
     vm_real p_rate[VMI_GAUSS]; /* p', 1/s^2 */
 } vmi_osc_panel_laws;
 
-/* The laws at the points of Gauss' rule, the series of 1/m and of k, and how far they miss the laws at the ends */
+/* Reads the laws at the points of Gauss' rule. Writes the series of 1/m and of k, and how far they are from the laws at
+   the ends of the panel. */
 VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
                              vmi_osc_panel *panel)
 {
@@ -8844,7 +8949,8 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The panel of a length (with its sign) from start on, where the mean motion at start is *mean */
+/* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
+   start. */
 VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_real start, vm_real length,
                             vmi_osc_panel *panel)
 {
@@ -8877,8 +8983,8 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. If a law has a kink, no panel is short enough; what is left out must
-   then not matter. whole is the walk's length, s. */
+/* Whether the panel is short enough for its series. No panel with a kink of a law is, so a panel also counts as short
+   enough if the terms that its series leaves out do not matter. `whole` is the length of the walk, s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
@@ -8892,13 +8998,14 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + phase_matters * (1 + 1 / phase) / phase;
 }
 
-/* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, by the root of the mean square, and to
-   mean->third. Coefficients of E_0 that are rounding errors are dropped before; the series is destroyed. */
+/* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, with the root mean square in place of the
+   absolute value, and to mean->third the panel's part. Coefficients of E_0 that are as small as rounding errors are set
+   to 0 first. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], radians = W * VM_FABS(length);
     const vm_real least = noise * VM_SQRT(vmi_legendre_square(panel->E));
-    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* (dx/dpsi)^i with x in [-1, 1] on the panel */
+    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i, where x goes from -1 to 1 on the panel */
     int i;
     for (i = 0; i < VMI_GAUSS; i++)
         if (VM_FABS(panel->E[i]) <= least) panel->E[i] = 0;
@@ -8911,7 +9018,7 @@ VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_r
     mean->third += vmi_osc_third_rate(&p->ripple, radians * size[0] * size[2], panel->cube);
 }
 
-/* The mean motion goes on by a panel */
+/* Advances the mean motion over a panel. */
 VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
@@ -8926,7 +9033,8 @@ VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_rea
     vmi_osc_add_changes(p, panel, length, mean);
 }
 
-/* From start to end, between which no table has a point, by panels of at most `longest`; whole: length of the walk */
+/* Advances the mean motion from start to end by panels of at most `longest`. No table may have a point between start
+   and end. `whole` is the length of the whole walk, s. */
 VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, vm_real longest, vm_real whole,
                               vmi_osc_mean *mean)
 {
@@ -8947,7 +9055,8 @@ VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, 
     return VM_OK;
 }
 
-/* Sets what the adiabatic law says at t, just before t on the way */
+/* Sets the fields now, ln_A and ratio of *mean for the time t. Where the laws' derivatives jump at t, it takes those on
+   the side from which the walk comes; side is 1 forward, -1 backward in time. */
 VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
@@ -8962,8 +9071,8 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 
 /* -- Points of tables -- */
 
-/* Adds to the sums over points of tables what orders 2 to 5 leave out where the disturbance jumps from `before` to
-   `after` */
+/* Adds to knots_J and knots_psi what orders 2 to 5 leave out at a point of a table, where the numbers E_k jump from
+   `before` to `after` */
 VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
                                    vmi_osc_mean *mean)
 {
@@ -8977,8 +9086,10 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* At t, a point of a table, the derivatives of m' and k' jump, but the motion does not: it goes on with another mean
-   motion. The action at the knot is found to the full order, from the map that leads to the mean motion. */
+/* Takes the mean motion past t, a point of a table. The derivatives of m' and k' jump there, but the motion does not,
+   so that the mean motion does. From the mean motion before t follows the motion at t, and from this the mean motion
+   after t. vmi_expansion_J_back would give the action at t with one order less; iteration with vmi_expansion_J has the
+   full order. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -9053,13 +9164,13 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 }
 
 #endif
-/* oscillators/mean_motion.h - averaged motion of first order, the law of order five, and estimates of their errors
+/* oscillators/mean_motion.h - the motion by first-order averaging and by the law of order five, with error estimates
 
-   Without a force F the mean motion of an oscillator with slow laws of mass and stiffness is known by integrals: the
-   amplitude follows the adiabatic law (325), (344), (367), (389), the phase is the integral of its rate, (310), (329),
-   (370). vmi_osc_first_order takes the mean motion of first order for the motion, with one of three waves;
-   vmi_osc_order_n adds what lies between them, by the transformation of oscillators/expansion.h cut off after order
-   2, 3, 4 or 5: the error is of that order in the rate at which mass and stiffness change within a radian.
+   Without a force F the mean motion of an oscillator with slow mass and stiffness is known from integrals: the
+   amplitude follows the adiabatic law (325), (344), (367), (389), and the phase is the integral of its rate (310),
+   (329), (370). vmi_osc_first_order takes this mean motion for the motion, with the wave cos, cn or ca. vmi_osc_order_n
+   goes from the mean motion to the motion by the transformation of oscillators/expansion.h, cut off after order 2, 3, 4
+   or 5. Its error is of that order in the relative change of mass and stiffness within a radian.
        vmi_osc_mean mean;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
        int status = vmi_osc_mean_at(&plan, t, &mean);
@@ -9070,8 +9181,8 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 
 /* -- The mean motion at t -- */
 
-/* The mean motion where m and k are exponentials in one u = ln(1 + base t)/base: with the rates of ln mu and ln k by u,
-   p = p_0/(1 + base t), G_k = G_k(0)/(1 + base t)^(k+2), and E_k is E_k(0) times exp(-(k+2) D), where D = delta u. */
+/* Computes the mean motion where mass and stiffness are exponentials in u = ln(1 + base t)/base. With el = 1 + base t
+   and D = delta u, then p = p(0)/el, G_k = G_k(0)/el^(k+2), and E_k = E_k(0) exp(-(k+2) D). */
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;
@@ -9128,24 +9239,24 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     return VM_OK;
 }
 
-/* -- Estimates, of the larger of |error of x|/A and |error of v|/vmax -- */
+/* -- Estimates of the larger of |error of x|/A and |error of v|/vmax -- */
 
-/* What the rounding errors of the phase add */
+/* The part of the error that comes from rounding of the phase and from the error of its integral */
 VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
 }
 
-/* A bound of the change of ln J, J the action, that fast changes of mass and stiffness make. The exact change is
-   the integral of E_0 times a periodic function of the phase whose mean is 0. After i integrations by parts it is the
-   integral of the ith derivative of E_0 times the ith integral of that function, and terms at the ends, which the
-   solutions contain. The smallest of these bounds is taken: one with a high i where the laws change slowly, the first
-   where they change in less than a period. */
+/* A bound of the change of ln J, where J is the action, that fast changes of mass and stiffness cause. The exact change
+   of ln J is the integral of E_0 times a periodic function of the phase whose mean is 0. i integrations by parts turn
+   it into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
+   both ends, which the solutions contain. Each i gives a bound, and the function returns the smallest. It comes from a
+   large i where the laws change slowly, and from i = 0 where they change within less than a period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real turn = r->pi / (2 * VM_PI);
-    vm_real size = (r->alpha + 3) / 4, least = VM_INFINITY; /* (alpha+3)/2 |sa ca|; then terms of the transformation */
+    vm_real size = (r->alpha + 3) / 4, least = VM_INFINITY; /* bound of (alpha+3)/2 |sa ca|, then of its integrals */
     int i;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
         const vm_real bound = size * mean->change[i];
@@ -9156,7 +9267,8 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return least;
 }
 
-/* What all solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t */
+/* The error that fast changes of the laws between 0 and t cause in every averaged solution. An error of ln J makes an
+   error of the phase that is larger by the factor gamma Om t. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
@@ -9177,15 +9289,16 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return phase + ln_A + e / (2 * (n + 2)) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* The error of order 2, 3, 4 or 5: terms of the next weight at the start, which the phase multiplies, and at t, at the
-   points of tables, and in the mean rate of the phase. The factor 2 fits what tests/test_slow_motion.c finds. */
+/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that this
+   order leaves out: at the start, at t, at points of tables, and in the mean rate of the phase. Errors of ln J at the
+   start grow with the phase. A factor of 2 in the sum fits the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
     const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
     const int start_order = order < p->start_order ? order : p->start_order;
-    const vm_real largest_known = VM_C(0.25); /* a larger estimate means that the motion is not slow: nothing is known */
+    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
     vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error, rate = mean->third;
     int i;
     vmi_osc_disturbance(&mean->now, state.W, e);
@@ -9197,7 +9310,7 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
     knot_J = VM_SQRT(mean->knots_J[start_order - 2]);
     if (order == 5) rate *= 2;
     if (order < 4) rate = VM_FABS(mean->second) + mean->third;
-    if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* not slow: no power of E_0 is small */
+    if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* the laws are not slow */
     phase = vmi_osc_size_psi(r, order, e0) + vmi_osc_size_psi(r, order, e) + g * turns * (start_J + knot_J) + rate +
             VM_SQRT(mean->knots_psi[start_order - 2]);
     amplitude = vmi_osc_size_J(r, order, e) + start_J + knot_J;
@@ -9207,8 +9320,8 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
 
 /* -- The solutions -- */
 
-/* The motion of amplitude A where Om is the rate of the Ateb phase, so that vmax = 2 A Om/(alpha+1); c and s are those
-   of the wave. Evaluations are set to 0. VM_NOT_FINITE leaves *motion untouched. */
+/* Writes the motion of amplitude A. Om is the rate of the Ateb phase, so that the largest velocity is 2 A Om/(alpha+1);
+   c and s are the values of the wave w. evals is set to 0. VM_NOT_FINITE leaves *motion untouched. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {
@@ -9224,7 +9337,8 @@ VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_re
     return VM_OK;
 }
 
-/* First order (310), (329), (370): A by the adiabatic law, the phase the integral of Om. route: the one with wave w */
+/* Computes the motion to first order (310), (329), (370): the amplitude A follows the adiabatic law, and the phase is
+   the integral of Om. w is the wave of the route. */
 VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                vm_osc_motion *motion)
 {
@@ -9235,8 +9349,8 @@ VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wa
     return vmi_osc_motion_of(w, A, Om, c, s, error, route, motion);
 }
 
-/* The law of order five, cut off after the order of the route: from the mean motion at t to the motion, by one step in
-   the phase. route: VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 */
+/* Computes the motion at t from the mean motion, by the law of order five, cut off after the order of the route. route
+   is one of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, w its wave. */
 VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                            vm_osc_motion *motion)
 {
@@ -9284,10 +9398,10 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period, where the wave moves as x = A c, x' = -V s. Each quarter of the
-   period is cut in two. Up to the cut, Gauss' rule takes 20 points in psi; for large alpha the velocity varies like
-   tanh psi there. From the cut to x = 0 the rule takes 20 points in the square root of the distance of psi from its
-   value at x = 0, because F may contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period, where the wave moves as x = A c, x' = -V s. Each quarter of the period
+   is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large alpha the velocity varies like
+   tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the distance of psi from its value
+   at x = 0, because F may contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -9366,7 +9480,7 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
 
 /* -- What averaging leaves out -- */
 
-/* Number of points of a period at which the exact rates are compared with their means */
+/* Number of phases in a period at which the exact rates of ln A and psi are compared with their means */
 enum { VMI_AVERAGING_POINTS = 64 };
 
 /* A time t between 0 and t_end, and the motion at t */
@@ -9399,7 +9513,7 @@ VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) {
         const vm_real way = 2 * p->ripple.pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
         vm_real ca, sa, F, time = at->t + side * (way - 2 * p->ripple.pi) / at->Om;
-        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* no force before the start */
+        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* there is no force before the start */
         if (VM_FABS(time) > VM_FABS(at->t_end)) time = at->t_end;
         if (frozen) time = at->t;
         vmi_osc_wave_at(&w, at->psi + way, &ca, &sa);
@@ -9443,7 +9557,7 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
-    const vm_real change = VM_C(0.02); /* the small change of ln A */
+    const vm_real change = VM_C(0.02); /* the change of ln A that is tried */
     const vm_real A = at->A * (1 + change), Om = at->Om * (1 + (w->alpha - 1) / 2 * change);
     const vmi_osc_wave exact = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     vm_real own_A, own_psi, exact_A, exact_psi, more_A, more_psi;
@@ -9478,7 +9592,7 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* factor of rate times ripple; Duffing's equation has 0.156 */
+    const vm_real second_order = VM_C(0.25); /* factor of rate times ripple; for Duffing's equation it is 0.156 */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -9511,6 +9625,7 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
    interval from 0 to t */
 enum { VMI_OSC_CHECKS = 8 };
 
+/* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
 VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 {
     if (i == VMI_OSC_CHECKS - 1) return t;
@@ -9519,7 +9634,7 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 
 /* Estimates the error at t of the averaged equations with a force, from the motions at the times of
    vmi_osc_check_time. Errors arise from the ripple at the start, which the equations take for a part of the mean, and
-   from the errors of the mean rates. These errors grow as small changes of the motion do, and an error of the
+   from errors of the mean rates. These errors grow as small changes of the motion do, and an error of the
    amplitude adds an error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not
    ca, and the effect of fast changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
@@ -9555,12 +9670,11 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
 #endif
 /* oscillators/integration.h - integration of an oscillator to a tolerance, with an estimate of its error
 
-   Three systems of two equations describe the same oscillator: the averaged equations of amplitude and phase, the exact
-   equations of amplitude and phase ((314), (315) with the term of omega' that they lack), and the equation of motion.
-   A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the numbers that suit this pair;
-   oscillators/routes.h lists the methods that are used. vmi_osc_integrate runs a method twice, the second time with a
-   stricter tolerance, and estimates the error by the difference of the two runs. It repeats this with stricter
-   tolerances until the error is within the tolerance of the motion.
+   Two systems of two equations describe the oscillator: the averaged equations of amplitude and phase, and the equation
+   of motion. A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the numbers that suit
+   this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a method twice, the second time
+   with a stricter tolerance, and estimates the error from the difference of the two runs. It repeats both runs with
+   stricter tolerances until the estimated error is within the tolerance of the motion.
        vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
        vm_osc_motion motion;
        int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
@@ -9572,16 +9686,16 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
 
 /* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
-    vm_real least;     /* least tolerance of a step that rounding errors within the step allow */
+    vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
     vm_real ratio;     /* tolerance of the loose run over that of the strict run */
     vm_real factor;    /* estimated error of the strict run over the difference of the two runs */
-    vm_real by_chance; /* least estimate of the error over the tolerance of the steps; a smaller one is chance */
+    vm_real by_chance; /* least ratio of estimated error to tolerance of the steps; less is taken for chance */
 } vmi_osc_tuning;
 
 /* How a route integrates */
 typedef struct VM_TAG(vmi_osc_method) {
-    ode_rhs rhs;  /* the right-hand side, one of the three vmi_osc_..._rhs; null where the route does not integrate */
-    int averaged; /* 1 where rhs is averaged, which adds an error of its own; else 0 */
+    ode_rhs rhs;  /* the right-hand side: vmi_osc_averaged_rhs or vmi_osc_direct_rhs */
+    int averaged; /* 1 where rhs is averaged, so that an error of averaging is added; else 0 */
     int direct;   /* 1 where the state of rhs is position and velocity, 0 where it is amplitude and phase */
     int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                 const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
@@ -9589,10 +9703,10 @@ typedef struct VM_TAG(vmi_osc_method) {
     vmi_osc_tuning tuning;                                           /* numbers for this pair */
 } vmi_osc_method;
 
-/* A method with rk45. rk45 keeps the length of its steps while their error stays within a factor of 3; ratio is
-   larger, so that the two runs take different steps. factor leaves room for errors that are not proportional to the
-   tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree well by chance; by_chance
-   allows for this. */
+/* A method with rk45. rk45 does not change the length of its steps while their error stays within a factor of 3.
+   `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves room for errors that
+   are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree
+   well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -9608,7 +9722,7 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
     return method;
 }
 
-/* A method with rk87, which keeps the length of its steps while their error stays within a factor of 7.5 */
+/* A method with rk87, which does not change the length of its steps while their error stays within a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -9621,8 +9735,8 @@ VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
     return method;
 }
 
-/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the other two
-   systems */
+/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the averaged
+   equations */
 enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_STATES = 2 };
 
 /* The longest step of the first loose run, in periods */
@@ -9638,7 +9752,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int status;       /* status of a law of m or k that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, as a part of the interval up to the next stop */
-    vm_real law_step; /* longest step, s, that skips no change of a user's law; it is halved whenever longest is */
+    vm_real law_step; /* longest step, s, that skips no change of a user's law; it is reduced as `longest` is */
     long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
@@ -9663,7 +9777,7 @@ VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return 0;
 }
 
-/* (m/m0)^reactive: the reactive force alone would divide the velocity by this number */
+/* (m/m0)^reactive: a body on which only the reactive force acts has a velocity proportional to the inverse of this. */
 VM_API vm_real vmi_osc_reactive_weight(const vm_osc_problem *o, vm_real mass_ratio)
 {
     if (o->reactive == 1) return mass_ratio;
@@ -9710,8 +9824,7 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
     return 2 * p->ripple.pi / (p->Om * vmi_exp(ln_Om, 0));
 }
 
-/* The time at which the run stops next on its way to t: the next point of a table, or 64 periods later if that is
-   earlier */
+/* The time at which the run stops next on its way to t: the next point of a table, but at most 64 periods later */
 VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period)
 {
     const vm_osc_problem *o = &c->plan->problem;
@@ -9787,7 +9900,7 @@ VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
     return VM_IS_FINITE(motion->amplitude) ? VM_OK : VM_NOT_FINITE;
 }
 
-/* Computes the motion at the VMI_OSC_CHECKS times of vmi_osc_check_time, by one run to t. */
+/* Makes one run from 0 to t, and writes the motions at the VMI_OSC_CHECKS times of vmi_osc_check_time. */
 VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_plan *p = c->plan;
@@ -9862,8 +9975,8 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     return VM_OK;
 }
 
-/* Makes a loose run, and a strict run with half the longest step. If a law of m or k stopped one of them, c->status
-   says so. */
+/* Makes a loose run, and a strict run with half the longest step. If a law of mass or stiffness stopped one of the
+   runs, c->status is the law's status. */
 VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, vm_real longest, vm_osc_motion *loose,
                             vm_osc_motion *strict)
 {
@@ -9967,16 +10080,17 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 }
 
 #endif
-/* oscillators/collocation.h - integration of an oscillator from zero to zero of x, to a tolerance
+/* oscillators/collocation.h - integration of an oscillator from each zero of x to the next, to a tolerance
 
-   The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F,
+   The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F, are
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
-   E = (p^2 - a p - p')/W^2, f = F/(m V), V = 2 A W/(alpha+1), are solved with psi as the independent variable: ln A and
-   t are integrated from one zero of x to the next. There |x|^(alpha-1) x has no derivatives for most alpha; since the
-   steps end there, no order is lost. In a step the method is Gauss' collocation of n points, with the values of the
-   last steps extrapolated as a start of its iteration. p' is the derivative of the polynomial through p at these
-   points, so that laws have to give f and f' only. Two runs with different n go side by side; by how much they differ
-   gives the error.
+     with E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
+   They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
+   At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
+
+   A step uses Gauss' collocation of n points. Its equations are solved by iteration, which starts from values that are
+   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points,
+   so that laws have to give only f and f'. Two runs with different n go side by side; their difference gives the error.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
@@ -9986,17 +10100,18 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 
 /* -- Gauss' rule of n points on [0, 1] -- */
 
-/* Most points, and steps whose values are extrapolated */
+/* The largest n, and from how many earlier steps a step is extrapolated */
 enum { VMI_NODES = VMI_GAUSS, VMI_HISTORY = 6 };
 
+/* Gauss' rule, and two matrices for polynomials of degree n - 1: polynomial j is 1 at node j, 0 at all other nodes */
 typedef struct VM_TAG(vmi_gauss_rule) {
-    int n;
+    int n; /* number of nodes */
     vm_real node[VMI_NODES], weight[VMI_NODES];
-    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral from 0 to node i of the polynomial that is 1 at node j */
-    vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of this polynomial at node i */
+    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral of polynomial j from 0 to node i */
+    vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
 } vmi_gauss_rule;
 
-/* Legendre's P_n(x), and its derivative in *slope */
+/* Returns Legendre's polynomial P_n(x), and writes its derivative to *slope. */
 VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
 {
     vm_real before = 0, now = 1;
@@ -10010,7 +10125,7 @@ VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
     return now;
 }
 
-/* Nodes and weights by Newton's method, from the nodes of Chebyshev's polynomial */
+/* Computes nodes and weights: zeros of Legendre's polynomial by Newton's method, from an approximation by cosines. */
 VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
 {
     const int rounds = 6;
@@ -10028,8 +10143,8 @@ VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
     }
 }
 
-/* Adds to the matrices what Legendre's polynomial of degree k, with values at the nodes, its integrals from 0 and its
-   derivatives by the node, contributes to the polynomial that is 1 at one node */
+/* Adds the part of Legendre's polynomial P_k to both matrices. values, integrals and derivatives are those of P_k at
+   the nodes, with integrals from 0 and derivatives by the variable of the nodes. */
 VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
                                const vm_real *derivatives)
 {
@@ -10043,7 +10158,7 @@ VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *value
     }
 }
 
-/* The rule of n points, 2 <= n <= VMI_NODES */
+/* Computes the rule of n points, 2 <= n <= VMI_NODES. */
 VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
 {
     vm_real before[VMI_NODES], now[VMI_NODES], slope_before[VMI_NODES], slope[VMI_NODES];
@@ -10061,7 +10176,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
             rule->derivative[i][j] = 0;
         }
     }
-    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals by the node are half of those by x, derivatives double */
+    for (k = 0; k < n; k++) { /* with x = 2 node - 1: node integrals are half of those over x, derivatives double */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
@@ -10086,34 +10201,36 @@ typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
 } vmi_step_waves;
 
-/* Derivatives of ln A and t by the phase at the nodes of a step */
+/* Rates: derivatives of ln A and t by the phase psi, at the nodes of a step */
 typedef struct VM_TAG(vmi_step_rates) {
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
 } vmi_step_rates;
 
-/* A run from 0 to t. A half period is one step, or two steps with a stop where x' = 0. */
+/* A run from 0 to t. A half period, from one zero of ca to the next, is one part, or it is two parts that meet where
+   sa = 0. Each step covers one part, unless it starts or ends inside a part. */
 typedef struct VM_TAG(vmi_osc_course) {
     const vm_osc_plan *plan;
     vmi_osc_wave wave;
     vmi_gauss_rule rule;
     int side;              /* 1 forward, -1 backward in time */
-    int parts;             /* steps of a half period, 1 or 2 */
-    vm_real stop;          /* laws are not asked beyond this time, s: a point of a table or the end */
+    int parts;             /* number of parts of a half period, 1 or 2 */
+    vm_real stop;          /* time, s, at which a step must end: a point of a table or the end. Laws are not
+                              evaluated beyond it */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this */
+    vm_real sweep_limit;   /* the iteration of a step ends when a round changes the phase by less than this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
-    vm_real t_low;         /* what t as one number loses, s */
-    vm_real left;          /* sum over the steps of what their iterations left to change, of the phase */
-    vm_real contraction;   /* by this factor each round of the iteration reduces its error */
-    vm_real rate;          /* of the phase at the end of the last step, 1/s */
-    vmi_step_waves waves[2];                        /* of the parts of a half period that starts at psi = -Pi/2 */
-    vmi_step_rates history[2][VMI_HISTORY];         /* of the last whole steps, by parts, the last one first */
-    int known[2];                                   /* how many of them there are */
+    vm_real t_low;         /* the exact time is t + t_low, s */
+    vm_real left;          /* sum over the steps of the change of phase that their iterations leave out */
+    vm_real contraction;   /* factor by which a round of the iteration reduces its error */
+    vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
+    vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
+    vmi_step_rates history[2][VMI_HISTORY];         /* rates of earlier whole steps over each part, the latest first */
+    int known[2];                                   /* number of earlier steps over each part that history holds */
     int status;
-    long evals;
+    long evals;            /* evaluations of the rates */
 } vmi_osc_course;
 
-/* sa and ca at the nodes between two phases */
+/* Writes sa and ca at the nodes of a step that starts at the phase `from`. */
 VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
 {
     int i;
@@ -10121,20 +10238,20 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
         vmi_osc_wave_at(&c->wave, from + length * c->rule.node[i], &w->ca[i], &w->sa[i]);
 }
 
-/* A step that is being made: from the state of the course over a length of phase */
+/* A step that is being computed; it starts at the present state of the course */
 typedef struct VM_TAG(vmi_osc_step) {
-    vm_real length;
-    vm_real sign;          /* factor of the waves: -1 in every second half period, where both have the other sign */
-    const vmi_step_waves *waves;
-    vmi_step_rates rates;
+    vm_real length;              /* length in phase */
+    vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
+    const vmi_step_waves *waves; /* sa and ca at the nodes, without the factor sign */
+    vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
 } vmi_osc_step;
 
-/* What ln A and t change by */
+/* Changes of ln A and of t, s, over a step or a part of it */
 typedef struct VM_TAG(vmi_osc_change) {
     vm_real ln_A, t;
 } vmi_osc_change;
 
-/* The changes over the whole step */
+/* The changes of ln A and t over the whole step */
 VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_osc_step *s)
 {
     vmi_osc_change sum;
@@ -10150,13 +10267,14 @@ VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_os
     return sum;
 }
 
-/* The rates by the phase at node i, where the laws say *now and p' = p_rate, at ln(A/A0) = ln_A and time t */
+/* Writes the rates of ln A and t by the phase at node i, where ln(A/A0) is ln_A and the time is t. *now holds mass,
+   stiffness and their rates at t, and p_rate is p'. */
 VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_osc_rates *now,
                                 vm_real p_rate, vm_real ln_A, vm_real t, vm_real *ln_A_by_psi, vm_real *t_by_psi)
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
-    const vm_real least_rate = VM_C(0.1); /* of the phase by W: below it this is no vibration */
+    const vm_real least_rate = VM_C(0.1); /* below this ratio of the phase's rate to W there is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
     const vm_real W = plan->Om * vmi_osc_Om_ratio(plan, now, ln_A);
     const vm_real E = (now->p * (now->p - now->a) - p_rate) / (W * W);
@@ -10173,7 +10291,7 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
     return VM_OK;
 }
 
-/* The changes from the start of the step to node i at these rates by the phase */
+/* The changes of ln A and t from the start of the step to node i, by integration of these rates */
 VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_step_rates *rates,
                                         int i)
 {
@@ -10191,13 +10309,15 @@ VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_s
     return sum;
 }
 
-/* The rates of a step go on by what a round found to be missing, and by what that changes in turn: `missing` moves ln A
-   and t, which moves the rates, mostly by the change of W with both. now: the laws at about the middle of the step */
+/* Adds to the rates of a step what a round found to be missing, and an estimate of what this changes in turn: `missing`
+   shifts ln A and t at the nodes, and these shift the rates, mostly because W depends on both. *now holds mass,
+   stiffness and rates at about the middle of the step. */
 VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_osc_rates *now,
                             const vmi_step_rates *missing, vmi_step_rates *rates)
 {
     const vm_real alpha = c->plan->problem.alpha;
-    const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2; /* of ln(dt/dpsi) */
+    /* derivatives of ln(dt/dpsi) by t and by ln A */
+    const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2;
     int i;
     for (i = 0; i < c->rule.n; i++) {
         const vmi_osc_change moved = vmi_osc_change_to(c, s, missing, i);
@@ -10207,7 +10327,7 @@ VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, cons
     }
 }
 
-/* One round of the iteration. *change: largest change of the phase over the step that it finds */
+/* Makes one round of the iteration. *change becomes the largest change of the rates, times the length of the step. */
 VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 {
     const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of p are rounding errors */
@@ -10242,8 +10362,8 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Rounds until what is left to change is below the limit of the course, from the rates in s->rates. One round leaves
-   the part `contraction` of the change that it made. */
+/* Makes rounds of the iteration, from the rates in s->rates, until the change of phase that they leave out is below the
+   limit of the course. A round leaves out the part `contraction` of the change that it makes. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
     const vm_real least_contraction = VM_C(0.02); /* in case the next steps are harder than this one */
@@ -10263,7 +10383,9 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
     return change * c->contraction <= c->sweep_limit || change <= rounding ? VM_OK : VM_NOT_INTEGRATED;
 }
 
-/* Start values of a step: extrapolated from whole steps of the same part, or else the rates at the start */
+/* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps of the same
+   part of a half period; if there are none, all are the rates at the start of the step, without the terms of
+   E and F. */
 VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 {
     vmi_osc_rates now;
@@ -10283,7 +10405,7 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
         s->rates.ln_A[i] = 0;
         s->rates.t[i] = 0;
     }
-    for (k = 0; k < c->known[part]; k++) { /* the polynomial through n values has the factors n, -n (n-1)/2, ... */
+    for (k = 0; k < c->known[part]; k++) { /* extrapolation of n values: factors n, -n (n-1)/2, ... */
         const vmi_step_rates *last = &c->history[part][k];
         factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
         for (i = 0; i < c->rule.n; i++) {
@@ -10295,7 +10417,7 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
     return VM_OK;
 }
 
-/* The state of the course goes on by the step */
+/* Advances the state of the course by the step. */
 VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
 {
     const vmi_osc_change moved = vmi_osc_whole_change(c, s);
@@ -10307,7 +10429,7 @@ VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
     c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
-/* Keeps the rates of a whole step for the next ones of the same part */
+/* Stores the rates of a whole step, from which later steps of the same part are extrapolated. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
     int i;
@@ -10318,7 +10440,8 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
 
 /* -- Landing on a time -- */
 
-/* The part of the step at which t is reached, by the polynomial of the step */
+/* Returns at which fraction of the step the time t is reached, by Newton's method for the polynomial of the step.
+   Writes the Legendre series of dt/dpsi to series. */
 VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
 {
     const int rounds = 8;
@@ -10344,7 +10467,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return part;
 }
 
-/* Makes a shorter step than the one that would go beyond c->stop, so that it ends there */
+/* Makes a step that ends at c->stop, in place of `beyond`, the longer step that would go past this time. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
 {
     const int rounds = 6;
@@ -10380,14 +10503,15 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
 
 /* -- Steps -- */
 
-/* The phase at which the next step ends: a multiple of Pi/2, that for one part is a zero of ca; *part: which part of a
-   half period the step is, -1 where it starts inside */
+/* Returns the phase at which the next step ends: a zero of ca, or with two parts a zero of ca or sa. *part becomes the
+   number of the part that the step covers, or -1 where the step starts inside a part; *sign becomes the factor of its
+   waves. */
 VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *sign)
 {
     const vm_real half = c->plan->ripple.pi, close = 64 * VM_EPSILON * (1 + VM_FABS(c->psi) / half);
     const vm_real per_step = (vm_real)c->parts / half, side = (vm_real)c->side;
-    const vm_real at = (c->psi + half / 2) * per_step; /* whole numbers are ends of steps */
-    const vm_real nearest = VM_FLOOR(at + VM_C(0.5)), next = VM_FLOOR(side * at + close) + 1; /* along the way */
+    const vm_real at = (c->psi + half / 2) * per_step; /* the phase, counted in steps; `next` is the end of the step */
+    const vm_real nearest = VM_FLOOR(at + VM_C(0.5)), next = VM_FLOOR(side * at + close) + 1;
     const vm_real cell = side > 0 ? side * next - 1 : side * next; /* the step lies between cell and cell + 1 */
     const vm_real turn = VM_FLOOR(cell / (vm_real)c->parts);
     *part = VM_FABS(at - nearest) <= close ? (int)(cell - turn * (vm_real)c->parts) : -1;
@@ -10395,13 +10519,13 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
     return side * next / per_step - half / 2;
 }
 
-/* Whether the step, as its rates are now, ends at or beyond c->stop */
+/* Whether the step, by its present rates, ends at or beyond c->stop */
 VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
 {
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
 }
 
-/* One step towards c->stop, which ends there at the latest */
+/* Makes one step. If it would go beyond c->stop, it is shortened to end there. */
 VM_API int vmi_osc_course_step(vmi_osc_course *c)
 {
     vmi_step_waves inside;
@@ -10431,7 +10555,8 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     return VM_OK;
 }
 
-/* A course of n points at t = 0 */
+/* Starts a course at t = 0 from the amplitude and phase in *start, with n points a step and `parts` parts a half
+   period. */
 VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
                                  int n, int parts, vm_real sweep_limit)
 {
@@ -10465,17 +10590,17 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
 
 /* -- Two runs side by side -- */
 
-/* The next point of a table on the way to t, or t */
+/* The next point of a table after `from` on the way to t, or t if there is none */
 VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
 {
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
-/* Both courses go on to t, a point of a table or the end. *difference becomes the largest difference of ln A and of the
-   phase on the way, if that is larger. */
+/* Advances both courses to t, a point of a table or the end. Raises *difference to the largest difference of ln A and
+   phase between the two courses on the way. */
 VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real *difference)
 {
-    const vm_real most_steps = VM_C(16777216.); /* 2^24: in float more hold no phase, in double they take minutes */
+    const vm_real most_steps = VM_C(16777216.); /* 2^24: with more, float has no digits for the phase */
     vm_real steps = 0;
     int status = VM_OK;
     loose->stop = t;
@@ -10495,7 +10620,7 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
     return status;
 }
 
-/* Runs of two numbers of points */
+/* Numbers of points a step of the loose and of the strict run, and parts of a half period in both runs */
 typedef struct VM_TAG(vmi_osc_points) {
     int loose, strict, parts;
 } vmi_osc_points;
@@ -10509,9 +10634,10 @@ VM_API vmi_osc_points vmi_osc_points_of(int loose, int strict, int parts)
     return points;
 }
 
-/* The pairs that are tried, one after the other; the last one is number VMI_OSC_PAIRS - 1 */
+/* The number of pairs of runs that are tried one after the other */
 enum { VMI_OSC_PAIRS = 5 };
 
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1; the last pair is the most accurate. */
 VM_API vmi_osc_points vmi_osc_pair(int i)
 {
     switch (i) {
@@ -10523,7 +10649,8 @@ VM_API vmi_osc_points vmi_osc_pair(int i)
     }
 }
 
-/* The pair that is tried first. With a force the rates may have kinks where x' = 0, so that two parts are better. */
+/* The number of the pair that is tried first. With a force the rates may have kinks where x' = 0; pairs with two parts
+   a half period end steps near there. */
 VM_API int vmi_osc_first_pair(const vm_osc_plan *plan, vm_real tolerance)
 {
     if (plan->problem.force) return 3;
@@ -10531,13 +10658,13 @@ VM_API int vmi_osc_first_pair(const vm_osc_plan *plan, vm_real tolerance)
     return tolerance >= VM_C(1e-10) ? 1 : 2;
 }
 
-/* One pair of runs from 0 to t: the state at t in *strict, the estimate of its error in *error */
+/* Makes one pair of runs from 0 to t. *strict becomes the strict run at t, *error the estimate of its error. */
 VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vm_real longest,
                                   vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
 {
     const int side = vmi_time_side(t);
-    const vm_real factor = VM_C(0.25); /* the error of the strict run is taken for this part of the difference */
-    const vm_real looser = 16;         /* so that errors of the iteration, too, make a difference */
+    const vm_real factor = VM_C(0.25); /* estimated error of the strict run over the difference of the two runs */
+    const vm_real looser = 16;         /* ratio of their sweep_limits, so that errors of the iteration differ, too */
     vmi_osc_rates now;
     vmi_osc_slow start;
     vmi_osc_reduced state;
@@ -10560,12 +10687,15 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     return status;
 }
 
-/* The motion at t by collocation. VM_TOLERANCE_MISSED: the motion is there, but the estimate of the error is larger than
-   the tolerance. VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, since mass, stiffness or force
-   change as fast as the phase, or after 2^23 periods; the statuses of the laws. */
+/* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
+   error is larger than the tolerance. Returns VM_NOT_INTEGRATED after 2^24 steps, and where amplitude and phase do not
+   describe the motion, because mass, stiffness or force change as fast as the phase. Also returns the statuses of the
+   laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real share = 4 * (2 + plan->Om * VM_FABS(t) / plan->ripple.pi); /* a step may take this part of the tolerance */
+    const vm_real knots = (vm_real)(plan->problem.mass.n + plan->problem.stiffness.n);
+    const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
+    const vm_real share = 4 * steps; /* the iterations of all steps may take a quarter of the tolerance */
     const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
     const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
@@ -10614,7 +10744,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 #ifndef VARMASS_OSCILLATORS_ROUTES_H
 #define VARMASS_OSCILLATORS_ROUTES_H
 
-/* -- Which route for what, and what the estimate of the error covers --
+/* -- What each route costs, which one is chosen, what its estimate covers, and how good the estimate is --
 
    Cost. Without a force F the first seven routes are averaged solutions in closed form: they need one or two
    evaluations of sa and ca and the integrals of the laws of mass and stiffness, whatever t and the tolerance are. The
@@ -10625,14 +10755,18 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
    Choice. vm_osc_within takes the first of these seven solutions that is within the tolerance. Where none is, or where
    F is given, it integrates by collocation, and where amplitude and phase do not describe the motion by rk87.
 
-   What the estimate covers. For averaged solutions it covers what the solution leaves out, and the fastest changes of
-   mass and stiffness between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from
-   point to point. A change within a period makes the estimate large; vm_osc_within then integrates, in steps of at
-   most a quarter of the shortest panel. For averaged equations with F the estimate covers the error of their
-   integration, of averaging, and of cos and cn in place of the Ateb functions. Averaging leaves out the ripple within
-   a period, its effect on phase and amplitude at the start, its square, and a force that changes within a period, as
-   in a resonance. For this estimate F is called over a period at the start and at eight later times: it misses a
-   force that acts only for a short time between them.
+   What the estimate of an averaged solution covers:
+     - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
+     - fast changes of mass and stiffness between 0 and t. The walk along the laws looks for them panel by panel (for
+       laws by functions see vm_law_user), and in tables from one point to the next. A change within a period makes the
+       estimate large, so that vm_osc_within integrates. For a law by a function its steps are then limited by the
+       shortest panel, so that no step skips the change.
+   What the estimate of averaged equations with F covers:
+     - the error of their integration, and the error of cos and cn in place of ca;
+     - what averaging leaves out: the ripple within a period, its effect on phase and amplitude at the start, and terms
+       of second order in this ripple;
+     - a force that changes within a period, as in a resonance. For this the estimate calls F over a period at the start
+       and over periods at eight later times, so it misses a force that acts only for a short time between them.
 
    How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
    1/8 to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. In double its bounds are, for
@@ -10645,11 +10779,11 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 
 /* -- The table of routes -- */
 
-/* The solution at t of averaged equations without a force; *mean is the mean motion at t */
+/* A function that computes the motion at t from the mean motion *mean at t, for a problem without a force */
 typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion);
 
-/* A function that integrates from 0 to t to a tolerance */
+/* A function that computes the motion at t by integration from 0 to t, to a tolerance */
 typedef int (*vmi_osc_integration)(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                    vm_osc_motion *motion);
 
@@ -10718,7 +10852,7 @@ VM_API const char *vm_osc_route_name(int route) { return vmi_osc_route_of(route)
 
 /* -- One route -- */
 
-/* Checks the arguments that all calls share, apart from the problem. */
+/* Checks the arguments that all calls share, except for the problem or the plan. */
 VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, const vm_osc_motion *motion)
 {
     if (!motion || route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
@@ -10738,8 +10872,8 @@ VM_API int vmi_osc_check_call(const vm_osc_plan *p, int route, vm_real t, vm_rea
     return vmi_first_error(status, vmi_osc_check_laws(&p->problem, t));
 }
 
-/* The motion of a body at rest at x = 0: it stays at rest, unless a force starts a motion, which no route can
-   compute */
+/* Writes the motion of a body at rest at x = 0, which stays at rest. With a force it returns VM_NO_LAW, since no route
+   can compute the motion that the force starts. */
 VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motion)
 {
     if (p->problem.force) return VM_NO_LAW;
@@ -10753,11 +10887,10 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. route is one of VM_ROUTE_....
-   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
-   it that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). The comment at
-   the top of this file says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but
-   the error of integration is larger than the tolerance.
-   An error leaves *motion untouched; it returns
+   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of it
+   that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment at the
+   start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
+   computed but the error of integration is larger than the tolerance. An error leaves *motion untouched; it returns
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -10786,7 +10919,7 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* Writes the motion at t by the averaged solution of the lowest order whose error is estimated to be within the
+/* Writes the motion at t by the first of cos, cn, ca and the orders 2 to 5 whose error is estimated to be within the
    tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
@@ -10796,7 +10929,7 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     int route, order, status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     first = vmi_osc_first_error(p, &mean);
-    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB, whose wave has no error */
+    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB: ca has no error */
         w = vmi_osc_wave_of(p, route);
         if (first + vmi_osc_wave_error(&w, p->ripple.mean2) <= tolerance)
             return vmi_osc_first_order(p, route, &w, &mean, motion);
@@ -10841,7 +10974,7 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 /* -- Without a plan -- */
 
 /* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
-   many calls. `complete` asks for the polynomials that orders 3 to 5 need. */
+   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
@@ -11032,7 +11165,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 of each method. For cn (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
+/* Writes the mean values a1, a2, a3 for the oscillator's method. With cn, a1 of (411) is simplified by
+   (1 - m) + m C4 = 2 a2. */
 VM_API void vmi_vdp_means(vm_vdp *v)
 {
     v->a1 = 1;
@@ -11075,7 +11209,7 @@ VM_API int vm_vdp_init(vm_vdp *v)
     return VM_OK;
 }
 
-/* The drive 2 feed - (2r - 1) m', N s/m, which on average feeds a small vibration */
+/* The drive 2 feed - (2r - 1) m', N s/m, which on average feeds energy to a small vibration */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
@@ -11088,7 +11222,7 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
-/* Whether the closed forms hold: they know the terms feed and c, of an oscillator that is prepared */
+/* Whether the closed forms below may be used: whether vm_vdp_init has prepared the oscillator */
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.
@@ -11228,7 +11362,7 @@ typedef struct VM_TAG(vm_jeffcott) {
     vm_jeffcott_force force; /* external force F_z, or null; it must be small where equations are averaged */
     void *force_ctx;         /* the user's pointer, handed to force */
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
-    vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where with the disc's own velocity */
+    vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
     int nodes;               /* number of phases in a mean over a period; 0 means 32 */
 } vm_jeffcott;
@@ -11431,7 +11565,7 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
 /* Number of phases of a period that enter a mean value */
 VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
-    const int usual = 32; /* then the mean is exact for polynomials of degree 15 in z and z' */
+    const int usual = 32; /* exact means for forces that are polynomials in z and z' of degree <= 15 */
     if (r->nodes > 0) return r->nodes;
     return usual;
 }
@@ -11569,16 +11703,16 @@ VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *d
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87. State, error and statuses are those of
-   vm_jeffcott_forward_whirl_rhs, but W < 0. */
+/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87. State, error and statuses are as in
+   vm_jeffcott_forward_whirl_rhs, except that the whirl's frequency W is negative. */
 VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* The search for the radius A of circular whirl after a change of the mass: A^4 (g^2 + m F_e'(A)) is an invariant,
-   which keeps its value */
+/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m F_e'(A)) is an invariant: it
+   keeps its value during the change. */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
@@ -11604,9 +11738,9 @@ typedef struct VM_TAG(vmi_jeffcott_bracket) {
     vm_real a, b, at_a, at_b;
 } vmi_jeffcott_bracket;
 
-/* Walks from x = 0, where vmi_jeffcott_invariant is b->at_a, until its sign changes, with steps that double. A step
-   to a place where it is NaN is halved, and from then on steps no longer double. Returns 0 where the walk ends at
-   such a place, and 1 where it finds a change of sign. */
+/* Searches from x = 0, where vmi_jeffcott_invariant is b->at_a, until the sign of this function changes, with steps
+   that double. A step to an x where the function is NaN is halved, and from then on steps no longer double. Returns 1
+   where a change of sign is found, and 0 where halved steps still lead to NaN. */
 VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
 {
     vm_real step = VM_C(0.0625); /* changes the radius by 6 % */
@@ -11636,8 +11770,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
      A^4 (g^2 + m F_e'(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius changes by vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
    error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, since the radius then depends on all
-   masses between; where no radius is found on the way from first_A; for null pointers, for a rotor without stiffness,
-   and for a radius or masses that are not positive and finite. */
+   masses in between; where no radius is found on the way from first_A; for null pointers, for a rotor without
+   stiffness, and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -11650,7 +11784,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
     o.r = r;
     o.first_A = first_A;
     o.mass = mass;
-    if (r->gyro == 0) { /* m^(2r-1) replaces m in the invariant */
+    if (r->gyro == 0) { /* for g = 0, m^(2r-1) replaces m in the invariant */
         o.mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
         first_mass = 1;
     }
@@ -11699,8 +11833,8 @@ enum {
     VMI_PAIR_MODES = 4
 };
 
-/* Writes the mass and its rate at time t, and checks them, the pair and the four numbers of a state. A right-hand
-   side gives no state to check: where a trial step of an integrator overflows, the integrator repeats the step. */
+/* Writes the mass and its rate at time t, and checks them, the pair and the four numbers of a state. Right-hand
+   sides pass NULL for the state: where a trial step of an integrator overflows, the integrator repeats the step. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
     const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
@@ -11885,7 +12019,7 @@ typedef struct VM_TAG(vm_forced) {
     vm_law frequency;  /* frequency nu of the force, rad/s, > 0 */
     vm_law force;      /* amplitude F of the force, N, of either sign */
     vm_real pi;        /* Pi_alpha; vm_forced_init writes this field and those below */
-    vm_real Om1;       /* factor of the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
+    vm_real Om1;       /* the constant of the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
     vm_real G;         /* share of the force that acts on the mean motion */
     /* Fourier coefficients: ca is the sum of c[j] cos((2j+1) phi), sa the sum of s[j] sin((2j+1) phi). */
     vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS];
@@ -11922,7 +12056,7 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
     const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* number of points of the rule in an interval of t of length 1 */
-    const int n = 13 * steps / 4;                /* |t| is at most 3.25; beyond, the integral is below eps */
+    const int n = 13 * steps / 4;                /* |t| is at most 3.25; the rest of the integral is below eps */
     vm_real sum[VMI_FORCED_HARMONICS] = {0, 0, 0, 0, 0}, total = 0;
     int i, j;
     for (i = -n; i <= n; i++) {
@@ -12083,7 +12217,7 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     phi *= VM_PI / f->pi;
     A = exact;
     for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
+    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* then the motion is smaller than its ripple */
     y[0] = A;
     y[1] = phi - theta;
     y[2] = theta;
@@ -12137,11 +12271,11 @@ typedef struct VM_TAG(vm_steady_state) {
 /* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
     vm_real A;              /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
-    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can hold. Below 1 the vibration
-                               may be captured and follow A; above 1 it passes through the resonance */
+    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can balance. Below 1 the vibration
+                               may be captured, so that it follows A; above 1 it passes through the resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
-    vm_real amplitude_jump; /* relative change of the amplitude in a quick passage (drift_ratio much larger than 1):
-                               half its range over all phases at the start */
+    vm_real amplitude_jump; /* relative change of the amplitude in a quick passage (drift_ratio much larger than 1).
+                               It depends on the phase at the start; this is half of its range */
 } vm_passage;
 
 /* The quantities that determine the resonance at one time */
@@ -12358,13 +12492,13 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Whether the kind exists, and there may be `room` samples */
+/* Whether the kind of sample exists and `room` is not negative; for room > 0 samples must not be null. */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
 }
 
-/* A search for samples along a trajectory */
+/* A search for turning points or zero crossings along a trajectory */
 typedef struct VM_TAG(vmi_sample_search) {
     vm_motion_function motion;
     void *ctx;
@@ -12387,7 +12521,7 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
    written to samples, in the order in which they are met. Returns how many samples there are, which may be more than
    room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an unknown kind or a negative room, VM_NOT_FINITE for
    a step of 0, of the wrong sign or infinite, for more than 2e9 steps, or where the trajectory is not finite. Samples
-   found before such a place stay in samples. */
+   found before the error stay in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -12444,7 +12578,7 @@ VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
    those of vm_find_samples. Returns VM_BAD_ARGUMENT also for indices outside the state, and 0 before the first step. */
 VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *samples)
 {
-    const vm_real parts = 4; /* the step is searched for changes of sign in 4 equal parts */
+    const vm_real parts = 4; /* a change of sign is looked for in each of 4 equal parts of the step */
     vmi_step_motion m;
     vm_real length;
     if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;
@@ -12499,9 +12633,10 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 #endif
 /* scenes/scene.h - what a scene is made of: bodies, effects, events
 
-   A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that change
-   them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers only to the
-   functions that its body, effect or event needs, so that the executable holds no others. All arrays are the caller's.
+   A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that
+   change them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers
+   only to the functions that its body, effect or event needs, so that the executable holds no others. All arrays are
+   the caller's.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s, which keeps its velocity
@@ -12519,24 +12654,26 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
        if (status < 0) printf("%s %d: %s\n", fault.kind, fault.index, vm_strerror(status));
        else status = vm_scene_run(&scene, &t, 10, y, work, NULL);            // y[0] = x(10), y[1] = v(10)
 
-   Bodies, effects and events are known by their index. A scene with events also needs scene.events, scene.n_events and
-   scene.located, an array of n_events elements, before the start. After the start all arrays must stay where they are.
-   vm_scene_start sets all to what the constructors have made; a second vm_scene_run continues where the first ended.
-   A listed motor, for example, adds at most 35 machine instructions to an evaluation of the right-hand side.
+   Functions refer to a body, an effect or an event by its index in its array. A scene with events also needs
+   scene.events, scene.n_events and scene.located, an array of n_events elements, before the start. After the start
+   all arrays must stay where they are. A second vm_scene_run continues where the first ended; vm_scene_start begins
+   anew, with everything as the constructors have made it. A listed motor, for example, adds at most 35 machine
+   instructions to an evaluation of the right-hand side.
 
    The state y has these numbers for body i, from y[bodies[i].at] on, positions first. r is the position of the mass
    centre, v its velocity, q the attitude and omega the angular velocity:
      line   x, v                                 point  r (3), v (3)
      axle   angle, omega                         free   r (3), q (4), v (3), omega (3, in body axes)
      plane  x, y, angle, vx, vy, omega
-   If the mass is a state, it is one more number. A growing body has two further groups of numbers: the displacement of
-   the mass centre in the body since the start, in body axes (2 numbers in the plane, else 3), and the inertia about the
-   mass centre (1 number in the plane, else xx, yy, zz, xy, xz, yz).
+   If the mass is a state (vm_scene_body_with_mass_state), it follows as one more number. A growing body has two
+   further groups of numbers: the displacement of the mass centre in the body since the start, in body axes (2 numbers
+   in the plane, else 3), and the inertia about the mass centre (1 number in the plane, else xx, yy, zz, xy, xz, yz).
 
-   An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z of
-   a point or a free body. On an axle, a moment of inertia replaces the mass, and a torque replaces the force.
+   An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z
+   of a point or a free body. On an axle, a moment of inertia replaces the mass, and a torque replaces the force.
 
-   Tests: tests/test_scenes.c and tests/test_scene_*.c. Flash that each part takes: docs/scene-sizes.md. */
+   Tests: tests/test_scenes.c and tests/test_scene_*.c. docs/scene-sizes.md lists the flash memory that each part
+   takes. */
 #ifndef VARMASS_SCENES_SCENE_H
 #define VARMASS_SCENES_SCENE_H
 
@@ -12554,54 +12691,54 @@ enum { VM_GROUND = -1 }; /* stands for the ground where an index of a body is ex
    part. */
 typedef struct VM_TAG(vm_load) {
     vm_real mass;       /* kg (on an axle kg m^2): the present mass */
-    vm_real extra_mass; /* kg: M'(v) (reactive v - u) of a mass law M(v), added to the mass that is accelerated */
+    vm_real extra_mass; /* kg: dM/dv (reactive v - u) of a mass law M(v), which acts like further mass */
     vm_real mass_rate;  /* kg/s: rate of the mass, if the mass is a state */
-    vm_real force[6];   /* N (N m on an angle) on each coordinate; 3 to 5: torque on a free body, inertial axes */
+    vm_real force[6];   /* N (N m on an angle) on each coordinate; [3] to [5]: torque on a free body, inertial axes */
     vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
     vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
-    /* only for growing bodies */
+    /* fields for growing bodies only */
     vm_vec3 drift;           /* m/s, inertial axes: velocity of the mass centre relative to the body */
     vm_vec3 centre_rate;     /* m/s, body axes: velocity of the mass centre relative to the body */
     vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia */
-    /* only if the scene keeps a budget */
+    /* fields used only if the scene keeps a budget */
     vm_real reactive[6];    /* N, N m: the reactive part of `force` */
     vm_real brought[6];     /* N, N m: momentum and angular momentum that streams bring per second */
     vm_real brought_energy; /* W: kinetic energy that streams bring per second */
-    vm_real mixing;         /* W: kinetic energy lost per second as mass of streams takes on the body's velocity */
+    vm_real mixing;         /* W: kinetic energy lost per second because mass of streams takes on the body's velocity */
 } vm_load;
 
 typedef struct VM_TAG(vm_scene_body) vm_scene_body;
 
 /* A body of a scene. A constructor such as vm_scene_body_line makes it; the caller changes no field. */
 struct VM_TAG(vm_scene_body) {
-    /* set by the constructor */
+    /* fields set by the constructor */
     int motion;        /* VM_LINE, VM_AXLE, VM_PLANE, VM_POINT or VM_FREE */
     int mass_is_state; /* 1: the mass is a number of the state, so that streams can change it */
     int grows;         /* 1: mass centre and inertia are numbers of the state too */
     int absent;        /* 1: the body is not present until an event brings it in */
     int positions;     /* number of positions in the state of the body */
     int coordinates;   /* number of velocities in the state of the body */
-    /* set by vm_scene_start, and kept up to date by a run */
+    /* fields set by vm_scene_start and kept up to date by a run */
     int at;      /* index in y of the first number of the body */
     int mass_at; /* index in y of the mass, if the mass is a state */
     int away;    /* 1 while the body is not present */
     /* The functions of the motion. They are pointers, so that a program links only those for the motions of its bodies.
        accelerate computes the derivatives of the state from the load and returns a status. begin is NULL, or prepares a
-       growing body before the effects of an evaluation. */
+       growing body in each evaluation, before the effects act. */
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
     void (*begin)(vm_scene_body *b, const vm_real *state);
     vm_real mass; /* kg: the mass, if it is neither a state nor given by a law */
     vm_load load; /* the loads on the body at the last evaluation */
-    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes `now` to the state */
-    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads `now` from the state */
+    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes *now to the state */
+    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads *now from the state */
     int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
-    vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (in kg m^2), omega.z */
+    vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
-    vm_real law_offset;     /* kg: mass that jumps and switches of the mass law have added to the mass by the law */
+    vm_real law_offset;     /* kg: added to the value of the mass law, which does not know of jumps and switching */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
-    int listed_orders;      /* bits (1 << order) of the effects on the body that vm_scene_check has seen */
+    int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass before an event that must not change it */
 };
@@ -12620,7 +12757,7 @@ typedef struct VM_TAG(vm_mass_law_values) {
     vm_real by_v; /* kg s/m (on an axle kg m^2 s/rad): dM/dv */
 } vm_mass_law_values;
 
-/* The place of an effect among the effects on its body */
+/* Where an effect has to stand in the list of effects, among the effects on its body */
 enum {
     VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
@@ -12636,30 +12773,30 @@ enum { VMI_IDLE_SWITCHED_OFF = 1, VMI_IDLE_BODY_AWAY = 2 };
 /* An effect. A constructor such as vm_effect_spring makes it. The comment above vmi_effect in effects.h explains how to
    write a new one. */
 struct VM_TAG(vm_effect) {
-    /* set by the constructor */
+    /* fields set by the constructor */
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
-    int variant; /* its variant, such as the kind of a mass law, a band in layers, a cord */
-    /* found once by vm_scene_start, so that evaluations are fast */
+    int variant; /* which variant of the effect: for example which mass law, or whether a band lies in layers */
+    /* fields set once by vm_scene_start, so that evaluations are fast */
     int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
     int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
     int other_x, other_v; /* indices in y: position and velocity of the coordinate that takes the reaction */
     vm_load *load;        /* load of the body on which the effect acts */
     vm_load *other_load;  /* load of the body that takes the reaction; NULL for the ground */
-    /* also set by the constructor */
+    /* further fields set by the constructor */
     int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
     int other, other_coordinate; /* index and coordinate of the body that takes the reaction, or VM_GROUND */
-    vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their places */
-    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function of vm_effect_force */
-    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function of vm_effect_mass_law */
+    vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
+    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function given to vm_effect_force */
+    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function given to vm_effect_mass_law */
     vm_moving_point point;                                          /* NULL, or the moving end of vm_effect_link */
-    const vm_stream *stream;                                        /* stream of vm_effect_stream_mass and its like */
-    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function of vm_effect_varying */
+    const vm_stream *stream;                                        /* stream of vm_effect_stream_mass, _force, ... */
+    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function given to vm_effect_varying */
     int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
     void *ctx;                             /* pointer that the caller's function receives */
     unsigned motions;                      /* bit (1 << motion) for each motion on which the effect can act */
     unsigned other_motions;                /* bit (1 << motion) for each motion that can take the reaction */
-    int needs;                             /* what it needs of the mass of its body: VMI_NEEDS_... */
-    int order;                             /* its place among the effects on its body: VMI_ORDER_... */
+    int needs;                             /* what the effect needs of the mass of its body: VMI_NEEDS_... */
+    int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
 };
@@ -12670,22 +12807,22 @@ enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 /* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop what it
    does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or it crosses zero at the event */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or this function is 0 at the event */
     /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
        run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
-    vm_real time;  /* s: when it happens, if `when` is NULL; else when it last happened, or the start of the scene */
+    vm_real time;  /* s: time of the event if `when` is NULL; else when it last happened, or the start of the scene */
     int direction; /* > 0: `when` rises through zero; < 0: `when` falls; 0: both count */
-    /* for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
+    /* fields for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
     int watches; /* 1: the event watches a body */
     int body, coordinate;
     vm_real value;
-    /* for an event that switches an effect */
+    /* fields for an event that switches an effect */
     int switches; /* 1: the event switches an effect */
     int effect;   /* index of the effect */
     int off;      /* 1: the effect is switched off; 0: on */
-    /* for a jump: check returns a status; jump computes the motion after the jump on a line, in the plane, or for any
-       motion */
+    /* fields for a jump: check returns a status, and jump computes the motion after the jump on a line, in the plane,
+       or for any motion */
     int (*check)(const vm_scene *scene, const vm_event *event);
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
@@ -12695,15 +12832,15 @@ struct VM_TAG(vm_event) {
     vm_body part;        /* the part that separates */
     int relative;        /* 1: the motion of `part` is relative to the body, in body axes */
     vm_impulse external; /* impulse from outside during the jump; the caller may set it */
-    /* for vm_event_user and vm_then_user */
+    /* fields for vm_event_user and vm_then_user */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
     void *ctx;      /* pointer that user_when receives */
     void *then_ctx; /* pointer that user_then receives */
-    /* for the caller */
+    /* fields for the caller */
     long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
     long count; /* how often the event has happened */
-    /* set by vm_scene_start, and kept up to date by a run */
+    /* fields set by vm_scene_start and kept up to date by a run */
     long seen;       /* number of crossings by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
@@ -12711,11 +12848,11 @@ struct VM_TAG(vm_event) {
 
 typedef struct VM_TAG(vm_budget) vm_budget;
 
-/* The budget of momentum, angular momentum and energy of a scene: what the bodies have, what came in from outside, and
-   the difference. vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
+/* The budget of momentum, angular momentum and energy of a scene: the amounts of the bodies, the supply from outside,
+   and the difference. vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
     vm_vec3 impulse;          /* N s: impulse of the effects and of the external impulses of jumps */
-    vm_vec3 angular_impulse;  /* N m s: angular impulse of the effects and of jumps about the origin */
+    vm_vec3 angular_impulse;  /* N m s: angular impulse about the origin of effects and of external impulses of jumps */
     vm_vec3 brought;          /* N s: momentum that streams and mass laws brought */
     vm_vec3 brought_angular;  /* N m s: angular momentum about the origin that streams and mass laws brought */
     vm_real work;             /* J: work of the effects, without reactive forces */
@@ -12726,7 +12863,7 @@ struct VM_TAG(vm_budget) {
     vm_real energy;           /* J: kinetic energy of all bodies that are present */
     vm_real jump_energy;      /* J: kinetic energy that jumps have added */
     vm_vec3 momentum_defect;  /* N s: momentum - momentum at the start - impulse - brought */
-    vm_vec3 angular_defect;   /* N m s: this difference for the angular momentum, angular_impulse and brought_angular */
+    vm_vec3 angular_defect;   /* N m s: angular_momentum - its value at the start - angular_impulse - brought_angular */
     vm_real energy_defect;    /* J: energy - energy at the start - work - brought_energy + mixing - jump_energy */
     /* internal functions; they are pointers, so that a program without a budget does not link them */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
@@ -12736,7 +12873,7 @@ struct VM_TAG(vm_budget) {
 
 /* A scene. Every field that is 0 or NULL means that the scene has no such part. */
 struct VM_TAG(vm_scene) {
-    /* set by the caller before vm_scene_start */
+    /* fields set by the caller before vm_scene_start */
     vm_scene_body *bodies; /* array of n_bodies bodies */
     int n_bodies;
     vm_effect *effects; /* array of n_effects effects */
@@ -12745,17 +12882,17 @@ struct VM_TAG(vm_scene) {
     ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
     vm_budget *budget; /* set by vm_scene_keep_budget: the budget at the start; it adds VM_BUDGET_STATES numbers to y */
-    /* NULL, or a function of the caller. It is called when a run starts and after each step, or at `times`. The run
-       stops if it returns a number other than 0. */
+    /* NULL, or a function of the caller. It is called when a run starts and after each step, or only at `times` if they
+       are given. The run stops if it returns a number other than 0. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times rising times at which output is called, not after steps */
+    const vm_real *times; /* s: NULL, or n_times increasing times of output, which is then not called after steps */
     int n_times;
     void *output_ctx; /* pointer that output receives */
-    int y_size;       /* number of elements of y, which a start and a run check; 0 means no check */
-    int work_size;    /* number of elements of work, which a run checks; 0 means no check */
-    /* set by vm_scene_start and by a run, for the caller to read */
-    int status;     /* of the right-hand side: VM_OK, or why a body cannot be accelerated or an effect cannot act */
-    int ode_status; /* of the integrator: ODE_OK or another status of ode.h */
+    int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
+    int work_size;    /* number of elements of work, which vm_scene_run checks; 0 means no check */
+    /* fields set by vm_scene_start and by a run, for the caller to read */
+    int status;     /* VM_OK, or why the right-hand side cannot accelerate a body or apply an effect */
+    int ode_status; /* status of the integrator: ODE_OK or another status of ode.h */
     int size;       /* number of elements of the state; 0 before the start */
 };
 
@@ -12766,7 +12903,7 @@ enum {
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 
-/* The place of the mass among the numbers of a body, if the mass is a state */
+/* The index of the mass among the numbers of a body, if the mass is a state */
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
 /* The number of elements of the state that belong to the body */
@@ -12923,8 +13060,8 @@ VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
-/* Reads a body in the plane. As in a lamina, the moments of inertia about x and y, which no motion in the plane needs,
-   have the sum zz, so that such a body is possible. */
+/* Reads a body in the plane. Motion in the plane does not depend on the moments of inertia about x and y. They get
+   the sum zz, as in a lamina, so that a body with this inertia is possible. */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
@@ -13008,8 +13145,8 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
 /* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
-   includes the dummy moments of b->invertible; therefore the spin of a rod about its own axis stays, since no load
-   turns a rod about it. */
+   includes the dummy moments of b->invertible; therefore the equations can be solved for a rod, too. The spin of a
+   rod about its own axis stays constant, since no load turns the rod about this axis. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -13073,8 +13210,8 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* A body that moves and turns freely in space. *start is its motion at the start. It may be a rod, whose spin about its
-   own axis then stays. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
+/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod, whose spin
+   about its own axis then stays constant. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
@@ -13105,15 +13242,15 @@ VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
     return body;
 }
 
-/* The number of coordinates along which the mass moves; on an axle 1, the coordinate about which the inertia turns */
+/* The number of coordinates on which the mass, or on an axle the moment of inertia, resists acceleration */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;
     return motion == VM_PLANE ? 2 : 3;
 }
 
-/* The vector, in inertial axes, of the numbers in a, one for each coordinate, that belong to the motion of the mass
-   centre */
+/* The array a has a number for each coordinate. Returns the vector of those for the motion of the mass centre, in
+   inertial axes. */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -13122,8 +13259,8 @@ VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
     return vmi_get3(a);
 }
 
-/* The vector of the numbers in a, one for each coordinate, that belong to the rotation of the body, in the axes of
-   these numbers */
+/* The array a has a number for each coordinate. Returns the vector of those for the rotation of the body, in the axes
+   in which the array has them. */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
@@ -13142,8 +13279,8 @@ VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
     return vmi_times(&axes, omega);
 }
 
-/* Adds two vectors to the numbers in a, one for each coordinate: `moving` to those of the mass centre, `turning` to
-   those of the rotation. So it is the inverse of vmi_scene_moving and vmi_scene_turning. */
+/* The array a has a number for each coordinate. Adds the vector `moving` to those for the motion of the mass centre
+   and the vector `turning` to those for the rotation. vmi_scene_moving and vmi_scene_turning read these numbers. */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {
@@ -13175,10 +13312,10 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
 #ifndef VARMASS_SCENES_GROWING_H
 #define VARMASS_SCENES_GROWING_H
 
-/* The index of the mass centre in the state of a growing body: it follows the mass */
+/* The index of the mass centre in the state of a growing body; the mass centre follows the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
-/* The index of the inertia in the state of a growing body: it follows the 2 or 3 numbers of the mass centre */
+/* The index of the inertia in the state of a growing body; the inertia follows the mass centre (2 or 3 numbers) */
 VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
 {
     const int directions = b->motion == VM_PLANE ? 2 : 3;
@@ -13248,7 +13385,7 @@ VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
     body.mass_is_state = body.grows = 1;
     body.begin = vmi_plane_growing_begin;
     body.accelerate = vmi_plane_growing_accelerate;
-    body.put = NULL; /* refused by vm_scene_check */
+    body.put = NULL; /* vm_scene_check then refuses the body */
     if (body.motion == VM_PLANE) body.put = vmi_plane_growing_put;
     body.get = vmi_plane_growing_get;
     return body;
@@ -13264,7 +13401,7 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* only for the check: vmi_free_accelerate solves Euler's equations with pivots */
+    vmi_inertia_ldl factors; /* not used further; vmi_free_accelerate solves Euler's equations with pivoting */
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
@@ -13298,16 +13435,16 @@ VM_API int vmi_free_growing_check(const vm_body *start)
     return VM_OK;
 }
 
-/* A growing body in space, made of a body by vm_scene_body_free. A run ends with VM_BAD_INERTIA when no body can have
-   the inertia any longer. vm_scene_start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for a rod or a
-   point. */
+/* A growing body in space, made of a body by vm_scene_body_free. A run ends with VM_BAD_INERTIA when the inertia
+   becomes one that no body can have. vm_scene_start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for
+   a rod or a point. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.check = vmi_free_growing_check;
     body.begin = vmi_free_growing_begin;
     body.accelerate = vmi_free_growing_accelerate;
-    body.put = NULL; /* refused by vm_scene_check */
+    body.put = NULL; /* vm_scene_check then refuses the body */
     if (body.motion == VM_FREE) body.put = vmi_free_growing_put;
     body.get = vmi_free_growing_get;
     return body;
@@ -13316,10 +13453,10 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 #endif
 /* scenes/forces.h - the forces of effects, as functions of numbers
 
-   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
-   return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v its
-   rate (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6 VM_EPSILON times the sum
-   of the absolute values of the terms, if the angle of a sine or cosine is exact.
+   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well.
+   They return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v
+   the rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6
+   VM_EPSILON times the sum of the absolute values of the terms, if the angle of a sine or cosine is exact.
 
        vm_real x = VM_C(0.1), v = 2, mass = 3;
        vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
@@ -13386,9 +13523,9 @@ VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm
     *fy = f * y;
 }
 
-/* The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase). unbalance is the mass m times its
-   eccentricity e in kg m, and frequency is the angular velocity Omega in rad/s. The components are written to *fx and
-   *fy; if one of these pointers is NULL, nothing is written. */
+/* The force of a rotating unbalance, m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase. unbalance is the
+   mass m times its eccentricity e in kg m, and frequency is the angular velocity Omega in rad/s. The components are
+   written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
 {
@@ -13400,9 +13537,9 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
-   equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are written to
-   *fx and *fy; if one of these pointers is NULL, nothing is written. */
+/* The gyroscopic force normal to a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor,
+   whose equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are
+   written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -13434,7 +13571,7 @@ VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real
 #include <string.h>
 
 /* To add an effect, write one block like that of the spring (vm_effect_spring), and nothing else in the headers:
-     an enum          names the places of the parameters in p[6];
+     an enum          names the indices of the parameters in p[6];
      vmi_apply_NAME   adds the force to the loads, at each evaluation;
      vmi_NAME_check   returns a status, if not all finite parameters are allowed;
      vm_effect_NAME   is the constructor: it calls vmi_effect and sets the parameters and all that differs from the
@@ -13634,9 +13771,9 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle).
-   x and v are position and velocity relative to other_coordinate of the body `other`, which takes the reaction.
-   vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
+/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an
+   angle). x and v are position and velocity of the coordinate, relative to other_coordinate of the body `other`,
+   which takes the reaction. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -13654,14 +13791,19 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
     return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
-/* An effect that the caller's function applies. It may depend on the whole state. apply adds to
-   effect->load->force[coordinate]; if the mass is a state, also to effect->load->mass_rate; if the mass is neither a
-   state nor given by a law, also to effect->load->mass. apply may read effect->load->mass; y[effect->x] and
-   y[effect->v], position and velocity of coordinate 0; the state of body i from y[scene->bodies[i].at] on; effect->p
-   and effect->ctx; and effect->load->force, the sum of the effects that stand before it in the list. So a stop that is
-   listed last can take away the force that presses on it. other is another body, or VM_GROUND. The effect acts only
-   while both bodies are present; effect->other_load, effect->other_x and effect->other_v belong to the body `other`.
-   vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
+/* An effect that the caller's function applies. It may depend on the whole state. The function `apply` adds to
+     effect->load->force[coordinate]   the force;
+     effect->load->mass_rate           the rate of the mass, only if the mass is a state;
+     effect->load->mass                further mass, only if the mass is neither a state nor given by a law.
+   It may read
+     y[effect->x], y[effect->v]        position and velocity of coordinate 0;
+     y[scene->bodies[i].at], ...       the state of body i;
+     effect->load->mass                the present mass;
+     effect->load->force               the sum of the forces of the effects that stand before it in the list;
+     effect->p, effect->ctx            parameters, and a pointer of the caller.
+   Therefore a stop that is listed last can take away the force that presses on it. other is another body, or
+   VM_GROUND. The effect acts only while both bodies are present; effect->other_load, effect->other_x and
+   effect->other_v belong to the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -13708,9 +13850,9 @@ VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y,
     e->load->force[1] += fy;
 }
 
-/* A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance is the mass m times its
-   eccentricity e in kg m, frequency the angular velocity Omega in rad/s, and phase is in rad. The effect acts on
-   coordinates 0 and 1 of a body in the plane or of a point. */
+/* A rotating unbalance, the force m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase. unbalance is the mass
+   m times its eccentricity e in kg m, frequency the angular velocity Omega in rad/s, and phase is in rad. The effect
+   acts on coordinates 0 and 1 of a body in the plane or of a point. */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_unbalance);
@@ -13733,9 +13875,9 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation has
-   the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the plane or
-   of a point. It does no work. */
+/* A gyroscopic force normal to the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation
+   has the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the
+   plane or of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
@@ -13747,27 +13889,28 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 #endif
 /* scenes/mass.h - mass that follows a law, and its reactive force
 
-   A mass law M(t, x, v) gives the mass of a body at any time; the mass is then no number of the state. The mass that
-   joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. So the equation of motion
-   under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
+   A mass law M(t, x, v) gives the mass of a body at any time; the mass is then not a number of the state. The mass
+   that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. Therefore the
+   equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
      reactive = 1  the absolute velocity u: the full reactive force (156), with u = 0 Levi-Civita's (167)-(169);
      reactive = 0  the velocity u relative to the body: no reactive force if u = 0 (166).
-   A law may depend on position x and velocity v only on a line or an axle, where it is J(phi) or J(omega). u is in m/s;
-   on a line only u.x is used, and on an axle too, in rad/s.
+   Only on a line or an axle may a law depend on position x and velocity v; on an axle it gives the moment of inertia
+   J from the angle or the angular velocity. u is in m/s. On a line and on an axle only u.x is used, on an axle in
+   rad/s.
 
        vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0); // body 0 loses 10 g/s, which keeps its velocity
 
-   A law stands before all other effects on its body, and a body has at most one law. Mass that jumps add is added to
-   the mass of the law. If an event switches a law off, the mass remains constant; if it switches a law on, the law
-   continues from the present mass (for the law M0 + c t then only c has an effect). So a switch never changes a mass
-   suddenly.
+   A law stands before all other effects on its body, and a body has at most one law. Mass that a jump adds to the
+   body is added to the mass of the law. If an event switches a law off, the mass remains constant; if it switches a
+   law on, the law continues from the present mass (of a law M0 + c t only c then has an effect). Therefore switching
+   never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
 #define VARMASS_SCENES_MASS_H
 
-/* Places of the parameters of mass laws and of streams: the velocity u (three numbers), `reactive`, and the coefficient
-   of a law or the rate of a stream */
+/* Indices of the parameters of mass laws and of streams: the velocity u (three numbers), `reactive`, and the
+   coefficient of a law or the rate of a stream */
 enum { VMI_MASS_U = 0, VMI_MASS_REACTIVE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
 
 /* Adds the reactive force rate (u - reactive v) on each coordinate along which the mass moves, and adds to the budget
@@ -13791,8 +13934,8 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
 }
 
 /* Gives the body the mass of a law. The rate is M' = by_t + by_x v + by_v v'. The acceleration v' is not known yet;
-   therefore its reactive force by_v v' (u - reactive v) moves to the left side of the equation of motion, as the mass
-   extra_mass = by_v (reactive v - u). */
+   therefore the reactive force of the last term, by_v v' (u - reactive v), is moved to the left side of the equation
+   of motion, where it acts as the mass extra_mass = by_v (reactive v - u). */
 VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_law_values *now,
                                 const vm_real *u, vm_real reactive)
 {
@@ -13811,10 +13954,11 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of the
-   mass that joins or leaves is u + (1 - reactive) v. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run ends
-   with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + M'(v) (reactive v - u) is not
-   positive. */
+/* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
+   the mass that joins or leaves is u + (1 - reactive) v, where v is the velocity of the body: u is absolute if
+   reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run
+   ends with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + dM/dv (reactive v - u) is
+   not positive. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {
@@ -13856,12 +14000,13 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 
 /* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. M0 is the mass with which the body was
    made. kind is VM_MASS_OF_T, VM_MASS_OF_X or VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of
-   the mass that joins or leaves is u + (1 - reactive) v, with u along coordinate 0. vm_scene_start returns
-   VM_BAD_ARGUMENT for an unknown kind; a run ends with the errors of vm_effect_mass_law. */
+   the mass that joins or leaves is u + (1 - reactive) v along coordinate 0, where v is the velocity of the body: u is
+   absolute if reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT for an
+   unknown kind; a run ends with the errors of vm_effect_mass_law. */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass);
-    if (kind < VM_MASS_OF_T || kind > VM_MASS_OF_V2) e.apply = NULL; /* refused by vm_scene_check */
+    if (kind < VM_MASS_OF_T || kind > VM_MASS_OF_V2) e.apply = NULL; /* vm_scene_check then refuses the effect */
     e.variant = kind;
     e.p[VMI_MASS_U] = u;
     e.p[VMI_MASS_REACTIVE] = reactive;
@@ -13874,9 +14019,10 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 #endif
 /* scenes/mass_of_time.h - mass that follows a vm_law, and its reactive force
 
-   A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table, or
-   a function. vm_effect_mass_of_time makes it the mass of a body of any motion. mass.h explains u, reactive and the
-   switching of a law. For a law that depends on position or velocity use vm_effect_mass_law.
+   A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table,
+   or a function. vm_effect_mass_of_time makes this number the mass of a body, which may have any motion. mass.h
+   explains u, reactive and the switching of a law. For a law that depends on position or velocity use
+   vm_effect_mass_law.
 
        vm_vec3 zero = {0, 0, 0};
        vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
@@ -13886,7 +14032,7 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 #ifndef VARMASS_SCENES_MASS_OF_TIME_H
 #define VARMASS_SCENES_MASS_OF_TIME_H
 
-/* Gives the body the mass of its law. If the law fails at t, the scene has the status of the law, so that the
+/* Gives the body the mass of its law. If the law fails at t, the scene receives the status of the law, and the
    integrator refuses the step. */
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
@@ -13902,15 +14048,16 @@ VM_API int vmi_check_mass_of_time(const vm_effect *e)
     return ((const vm_law *)e->ctx)->derivatives ? VM_OK : VM_BAD_ARGUMENT;
 }
 
-/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass with
-   which the body was made has no effect. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law is
-   not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL or no constructor made
-   it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of vm_law_at if this function
-   fails. */
+/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass that
+   was given to the constructor of the body has no effect. The velocity of the mass that joins or leaves is
+   u + (1 - reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body
+   if it is 0. *law is not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL or
+   no constructor made it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of vm_law_at
+   if this function fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
-    if (!law) e.apply = NULL; /* refused by vm_scene_check */
+    if (!law) e.apply = NULL; /* vm_scene_check then refuses the effect */
     e.p[VMI_MASS_U] = u.x;
     e.p[VMI_MASS_U + 1] = u.y;
     e.p[VMI_MASS_U + 2] = u.z;
@@ -13951,9 +14098,10 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 }
 
 /* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
-   negative for mass that leaves; the velocity of the mass is u + (1 - reactive) v, as in vm_effect_mass_law. The
-   inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a
-   state. */
+   negative for mass that leaves. If reactive is 1, u is the absolute velocity of the mass; if reactive is 0, u is
+   relative to the body. In general the velocity of the mass is u + (1 - reactive) v, where v is the velocity of the
+   body. The inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body
+   is not a state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -13966,8 +14114,8 @@ VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real rea
     return e;
 }
 
-/* A stream at a point of a growing body: the motion of the body, as vmi_stream_sums needs it, and the sums of this
-   function */
+/* A stream at a point of a growing body: the motion of the body, as vmi_stream_sums needs it, and the sums that this
+   function computes */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
@@ -13992,9 +14140,9 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT;
 }
 
-/* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget. What the mass of the
-   stream brings is entered in the budget with the mass (vmi_apply_stream_mass); the power of force and torque is
-   subtracted from `mixing`. */
+/* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget.
+   vmi_apply_stream_mass enters in the budget the energy of the mass, and its momentum as if it had the velocity of
+   the body. This function adds force and torque to the momentum brought, and subtracts their power from `mixing`. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -14051,8 +14199,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene does not account for mass on
-   the way to or from a store */
+/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene neglects the momentum of mass
+   that flows between a store and the surface */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
@@ -14070,11 +14218,11 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes it,
-   the run continues with the change. stream->at is in body axes, from the place of the mass centre at the start.
-   `mixing` of the budget is right if the effects for mass, force, moment and torque of the stream are all listed.
-   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown, VM_STORED_STREAM if it has a
-   store, and VM_DOES_NOT_GROW if the body is not a growing body. */
+/* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes
+   it, the run continues with the change. stream->at is in body axes, from the position of the mass centre at the
+   start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
+   stream are all listed. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown,
+   VM_STORED_STREAM if it has a store, and VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -14123,9 +14271,10 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
    inertia of the bare drum. The band comes or goes at the radius
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (by_layer),
-   and the inertia grows by rho b h radius^3 per radian: R is the radius of the drum, h the thickness of the band, b its
-   width and rho its density. In layers, the torque has a kink at each complete turn. vm_band_at computes what is wound
-   up at any angle; vm_effect_band is the mass law of the drum in a scene.
+   and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b
+   its width and rho its density. If the band lies in layers, its rate jumps at each complete turn, and with it the
+   reactive torque. vm_band_at computes the part that is wound up at any angle; vm_effect_band is the mass law of the
+   drum in a scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
@@ -14149,15 +14298,15 @@ typedef struct VM_TAG(vm_band) {
 /* The part of a band that is wound up at an angle */
 typedef struct VM_TAG(vm_band_now) {
     vm_real radius;  /* m: radius at which the band comes or goes */
-    vm_real rate;    /* kg/rad: mass mu that comes per radian at this radius (181) */
+    vm_real rate;    /* kg/rad: mass mu per radian that is wound up at this radius (181) */
     vm_real mass;    /* kg: mass of the part that is wound up */
     vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
 } vm_band_now;
 
-/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass and
-   inertia are line times the integrals of the radius and of its cube over phi; over n complete layers these are 2 pi
-   times the sums of R + i h and of its cube for i = 0 ... n - 1. The sums of i, i^2 and i^3 are sum1, sum2 and
-   sum1^2. */
+/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass
+   and inertia are line times the integrals of the radius and of its cube over phi; over n complete layers these
+   integrals are 2 pi times the sums of R + i h and of (R + i h)^3 for i = 0 ... n - 1. The sums of i, i^2 and i^3 are
+   sum1, sum2 and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -14176,8 +14325,8 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-/* The result for a drum without a band: its radius is `radius`, and all other numbers are `others`. If a result does
-   not exist, both arguments are NaN, else `others` is 0. */
+/* A result whose radius is `radius` and whose other numbers are `others`. For a bare drum `others` is 0; for a result
+   that does not exist both arguments are NaN. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -14206,7 +14355,7 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     return now;
 }
 
-/* Places of the parameters of the effect; its variant is by_layer */
+/* Indices of the parameters of the effect; its variant is by_layer */
 enum {
     VMI_BAND_RADIUS,
     VMI_BAND_THICKNESS,
@@ -14229,8 +14378,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the angular
-   velocity about the axle at which the band arrives. */
+/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the speed of
+   the band divided by its radius, an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -14285,7 +14434,7 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 /* An end of a link: a body, which can accelerate, or a point whose motion is given */
 typedef struct VM_TAG(vmi_link_end) {
     vm_real r[3], v[3];
-    vm_real a[3];        /* acceleration without the link */
+    vm_real a[3];        /* acceleration without the link, m/s^2 */
     vm_real mobility[3]; /* acceleration per force along each coordinate: 1/mass, or 0 where the end cannot move */
 } vmi_link_end;
 
@@ -14320,20 +14469,22 @@ VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
     for (i = 0; i < 3; i++) end->mobility[i] = 0;
 }
 
-enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* places of the parameters; the variant is 1 for a cord */
+enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* indices of the parameters in p; the variant is 1 for a cord */
 
 /* Computes the factor lambda of the force lambda d on the end `here`, where d leads from `there` to `here`. With the
-   length l of the link, the deviation C = (d^2 - l^2)/2 obeys C'' + 2 rate C' + rate^2 C = 0. In this equation C' = d v
-   and C'' = d a + v^2, where v and a are relative velocity and acceleration; the link adds lambda times the sum of
-   mobility d^2 to d a. lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are in one place or cannot move
-   along the link, and VM_NOT_FINITE if a number is not finite. */
+   length l of the link, the deviation C = (d^2 - l^2)/2 obeys C'' + 2 rate C' + rate^2 C = 0. In this equation
+   C' = d v and C'' = d a + v^2, where v and a are the velocity and acceleration of `here` relative to `there`. The
+   link adds lambda times the sum of mobility d^2, over both ends and all coordinates, to d a. lambda is 0 for a slack
+   cord. Returns VM_SINGULAR if the ends are in one place or cannot move along the link, and VM_NOT_FINITE if a number
+   is not finite. */
 VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const vmi_link_end *there, vm_real *lambda)
 {
-    /* A cord does not pull while it is shorter than its length by this fraction. The fraction is larger than the
-       uncertainty of the length, so that the cord does not alternate between taut and slack. */
+    /* A cord does not pull while the distance of its ends is shorter than its length by more than this fraction. The
+       fraction is larger than the uncertainty of the length, so that the cord does not alternate between taut and
+       slack. */
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
     const vm_real length = e->p[VMI_LINK_LENGTH], rate = e->p[VMI_LINK_RATE];
-    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products of d, v and a */
+    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products of d, v, a; sum of mobility d^2 */
     int i;
     for (i = 0; i < 3; i++) {
         const vm_real v = here->v[i] - there->v[i], d = here->r[i] - there->r[i];
@@ -14377,14 +14528,15 @@ VM_API int vmi_link_check(const vm_effect *e)
     return VM_DOMAIN;
 }
 
-/* A rigid link of a given length, or a cord, which can only pull. It holds the mass centre of `body`, a point or a body
-   in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other mass centre is
-   that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the function `point`
-   gives the motion of the point, which may lie above the plane. cord = 1 makes the link a cord. Deviations of the
-   length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that becomes taut at the speed v is stretched by about
-   v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested for a cord of 1 m at
-   6 m/s. vm_scene_start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose
-   mass centre moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the
+/* A rigid link of a given length, or a cord, which can only pull. The link holds the mass centre of `body`, a point
+   or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other
+   mass centre is that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the
+   function `point` gives the motion of the point, which may lie above the plane. cord = 1 makes the link a cord.
+   Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that becomes taut at the speed v
+   is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested
+   for a cord of 1 m at 6 m/s.
+   vm_scene_start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass
+   centre moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the
    ends are in one place or cannot move along the link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
@@ -14421,7 +14573,11 @@ enum { VM_BUDGET_STATES = 15 }; /* number of elements that a budget adds to the 
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
 /* Whether a list can have n elements: n is not negative, and list is not NULL unless n is 0 */
-VM_INLINE int vmi_scene_is_list(int n, const void *list) { return n == 0 || (n > 0 && list); }
+VM_INLINE int vmi_scene_is_list(int n, const void *list)
+{
+    if (n > 0) return list != NULL;
+    return n == 0;
+}
 
 /* Whether the lists of bodies and effects, which an evaluation reads, have possible lengths and are not NULL */
 VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
@@ -14477,8 +14633,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Makes effects idle whose body, or whose body that takes the reaction, is not present, and makes all other effects
-   active unless they are switched off */
+/* Updates the field `idle` of all effects. An effect is idle if its body, or the body that takes the reaction, is not
+   present, or if the effect is switched off. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
@@ -14506,7 +14662,8 @@ VM_API void vmi_scene_presence(vm_scene *s)
 
 #include <string.h>
 
-/* Sets the load of a body to 0 before the effects add to it, and of the forces only those on coordinates of the body */
+/* Prepares the load of a body before the effects add to it: the mass is the present one, and all sums are 0. Of the
+   forces it sets only those on coordinates that the body has. */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -14526,8 +14683,9 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budg
 /* Computes the loads of all bodies in the state y */
 VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 {
+    const int with_budget = s->budget != NULL;
     int i;
-    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->budget != NULL);
+    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, with_budget);
     for (i = 0; i < s->n_effects; i++) {
         const vm_effect *e = s->effects + i;
         if (!e->idle) e->apply(e, t, y, s);
@@ -14535,15 +14693,15 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 }
 
 /* The status that says why a body with this load cannot be accelerated */
-VM_API int vmi_scene_mass_status(const vm_load *load)
+VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
     if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
     if (load->mass > 0) return VM_NO_EFFECTIVE_MASS;
     return VM_BAD_MASS;
 }
 
-/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in y
-   as well, because load->mass may include what an effect has added. */
+/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in
+   y as well, because an effect may have added to load->mass. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
@@ -14557,13 +14715,20 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
 }
 
 /* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
-   is the status of the evaluation before; if that failed too, its status is kept, because its NaN has caused this
+   is the status of the preceding evaluation. If that failed too, its status is kept, because its NaN has caused this
    failure. */
 VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 {
     int k;
     for (k = vm_scene_size(s) - 1; k >= 0; k--) dydt[k] = VM_NAN;
     if (before) s->status = before;
+}
+
+/* Writes the derivatives of a body that is not there: 0 */
+VMI_APART void vmi_scene_clear_derivatives(const vm_scene_body *b, vm_real *dydt)
+{
+    int k;
+    for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
 }
 
 /* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
@@ -14573,19 +14738,16 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
-    int i, k, before;
+    int i, before;
     if (!s || !y || !dydt || !vmi_scene_has_lists(s)) return VM_BAD_ARGUMENT;
     before = s->status;
     s->status = VM_OK;
     vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
-        int status;
-        if (b->away) {
-            for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
-            continue;
-        }
-        status = vmi_scene_accelerate(b, y, dydt);
+        int status = 0;
+        if (b->away) vmi_scene_clear_derivatives(b, dydt);
+        else status = vmi_scene_accelerate(b, y, dydt);
         if (status && !s->status) s->status = status;
     }
     if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET_STATES);
@@ -14609,7 +14771,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* The part of a scene that is wrong */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect", "event", or "scene" for its arrays and if nothing is wrong */
+    const char *kind; /* "body", "effect" or "event"; "scene" for a fault of its arrays and if nothing is wrong */
     int index;        /* index of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
@@ -14618,7 +14780,7 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_is_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
-    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* `mass` is the inertia on an axle */
+    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* on an axle `mass` is the inertia */
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->check) return (b->check)(&b->start);
     return VM_OK;
@@ -14634,8 +14796,9 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
     return VM_OK;
 }
 
-/* Checks the place of an effect among the effects on a body: a mass law stands first and a link last, and there is at
-   most one of each. b->listed_orders has a bit for each order that stands on the body so far. */
+/* Checks where an effect stands in the list, among the effects on a body: a mass law stands first and a link last,
+   and there is at most one of each. b->listed_orders has a bit for the order of each effect on the body that stands
+   before. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
@@ -14685,14 +14848,14 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     return status;
 }
 
-/* Whether a body of one motion can take up or give off a body of another motion. On a line or an axle both must have
-   the same motion. In the plane or in space one of them may be a point, since a point has no rotation. */
+/* Whether a body of one motion can take up or give off a body of another motion. Both must have the same motion,
+   except that a body in the plane or in space can also take up or give off a point, which has no rotation. */
 VM_API int vmi_scene_can_jump(int motion, int other)
 {
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Checks a jump. The part that separates must be a possible body for the motion of the body that it becomes. */
+/* Checks a jump. A part that separates must be possible as the body of the scene that it becomes. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -14744,9 +14907,9 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
     fault_or_NULL->index = index;
 }
 
-/* The first thing that is wrong with a scene, or VM_OK. Returns the status of this fault, and writes to *fault_or_NULL
-   in which body, effect or event it is. The time is proportional to the number of bodies, effects and events. The
-   statuses are those in the comments of the constructors, and
+/* The first thing that is wrong with a scene, or VM_OK. Returns the status of this fault, and writes to
+   *fault_or_NULL in which body, effect or event it is. The time of this check is proportional to the number of
+   bodies, effects and events. The statuses are those in the comments of the constructors, and
      VM_BAD_ARGUMENT        if a pointer is NULL, a count is negative, or a body or a function is missing;
      VM_NOT_FINITE          if a parameter, a time or a number of a body is infinite or NaN;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;
@@ -14795,8 +14958,8 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 
 #include <string.h>
 
-/* Whether the scene was started and its lists are, as far as can be seen, those of the start. The state may have become
-   shorter, since a scene may end its budget. */
+/* Whether the scene was started, and its lists still seem to be those of the start. The state may be shorter than at
+   the start, since a scene may end its budget. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -14816,8 +14979,8 @@ VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
     return 1;
 }
 
-/* Prepares the integrator's event i. It has the action ODE_RECORD, which does not end a step, if the event is only
-   counted, without limit. */
+/* Prepares the event i of the integrator. If the event of the scene is only counted, and has no limit, the action is
+   ODE_RECORD, which does not end a step; else it is ODE_STOP. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -14829,8 +14992,8 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     if (!s->events[i].then && !s->events[i].most) located->action = ODE_RECORD;
 }
 
-/* Stores in an effect where its coordinates and loads are. If it acts against the ground, other_coordinate may be any
-   number. */
+/* Stores in an effect where its coordinates and loads are. If the effect acts against the ground, other_coordinate is
+   not used. */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
     vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
@@ -14876,10 +15039,10 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
     }
 }
 
-/* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns VM_OK,
-   or a status of vm_scene_check, with the place of the fault in *fault_or_NULL; VM_BAD_ARGUMENT if y is NULL;
-   VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the start
-   fails. After the start the arrays of the scene must stay where they are. */
+/* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns
+   VM_OK, or a status of vm_scene_check, which writes to *fault_or_NULL where the fault is; VM_BAD_ARGUMENT if y is
+   NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the
+   start fails. After the start the arrays of the scene must stay where they are. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);
@@ -14901,10 +15064,10 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 #endif
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates, together with the motion of its bodies, what comes in from outside: the
-   impulse and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of
-   the bodies must equal those at the start plus what came in. The difference, the defect, shows the error of a run and
-   the reactions of constraints.
+   A scene that keeps a budget integrates its supply from outside together with the motion of its bodies: the impulse
+   and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of the
+   bodies must equal those at the start plus this supply. The difference is called the defect. It shows the error of a
+   run and the reactions of constraints.
 
        vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
@@ -14920,7 +15083,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 
 #include <string.h>
 
-/* Places of the sums in the VM_BUDGET_STATES numbers of the state */
+/* Indices of the sums of the budget among its VM_BUDGET_STATES numbers of the state */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -14956,8 +15119,8 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds the contribution of a body to the rates of the budget's sums. The term M'(v) v' of the mass rate can be computed
-   only now, since the acceleration v' is known. */
+/* Adds the contribution of a body to the rates of the budget's sums. For a mass law M(v) the term dM/dv v' of the
+   mass rate is added only here, because the acceleration v' is not known before. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -14971,7 +15134,7 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
     vmi_scene_enter_loads(b, y, rates);
 }
 
-/* Computes the rates of the budget's sums after an evaluation */
+/* Computes the rates of the budget's sums after an evaluation of the loads */
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
@@ -15017,9 +15180,9 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 }
 
 /* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
-   none. To be called before vm_scene_start; the state then has VM_BUDGET_STATES further numbers. *budget_or_NULL must
-   stay where it is; the scene stores in it the values at the start. Between two runs a scene may end its budget, but
-   not begin one. */
+   none. Call this function before vm_scene_start. The state then has VM_BUDGET_STATES further numbers.
+   *budget_or_NULL must stay where it is; the scene stores in it its momentum and energy at the start. Between two
+   runs a scene may end its budget, but not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -15031,10 +15194,11 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t: what the bodies have, what came in since the start, and the defects.
-   Defects come from rounding, from the errors of the integrator, and from constraints: a line, an axle and the plane
-   hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative,
-   VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite, and else VM_OK. */
+/* The budget of a scene in the state y at time t. It has the momentum and energy of the bodies, the supply from
+   outside since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
+   constraints: a line, an axle and the plane hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget,
+   a pointer is NULL or a count is negative, VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite,
+   and else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
@@ -15066,8 +15230,8 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
 /* scenes/events.h - when an event happens, and what it does
 
    An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what happens then. An event
-   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often it
-   has happened and event.time when it last happened, and the motion is the same as without the event.
+   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often
+   it has happened and event.time when it last happened, and the motion is the same as without the event.
 
        vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
                             vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
@@ -15078,12 +15242,12 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
        scene.located = located;
        scene.n_events = 2;
 
-   An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if this is
-   0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only motion crosses a
-   value: an event that moves a coordinate beyond the value causes no crossing, and neither does a body that is not
-   present. Events at one instant happen in the order of the list; if a jump and a crossing are within rounding of each
-   other, either of the two may be the first. To get the times (or states) of all events of one run, set
-   scene.located[i].times (or .states) and .room after the start.
+   An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
+   event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
+   motion causes a crossing: there is none if an event moves a coordinate beyond the value, or while the body is not
+   present. Events at one instant happen in the order of the list; if the times of a jump and of a crossing differ
+   only by rounding errors, either of the two may happen first. To get the times (or states) of all events of one run,
+   set scene.located[i].times (or .states) and .room after the start.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
@@ -15199,10 +15363,11 @@ VM_API void vmi_scene_note_masses(vm_scene *s)
     for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
-/* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass law,
-   would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find by how
-   much the masses of the laws differ from the stored ones, then again with the corrected masses. A body uses only one
-   of the fields `mass` and `law_offset`, the latter if it has a mass law, so that both may be corrected. */
+/* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass
+   law, would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find
+   by how much the masses of the laws differ from the stored ones, then again with the corrected masses. A body with a
+   mass law uses the field `law_offset`, any other body the field `mass`. Both fields are corrected, because the
+   unused one has no effect. */
 VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
@@ -15258,7 +15423,8 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 /* scenes/jumps.h - separation and attachment as events of a scene
 
    An event can separate a part from a body, or attach one body to another, by the laws of mechanics/jumps.h. A part
-   that separates becomes another body of the scene, which must be absent before; an attached body is absent afterwards.
+   that separates becomes another body of the scene, which must be absent before; an attached body is absent
+   afterwards.
 
        vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
        vm_body part;
@@ -15267,19 +15433,22 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
        part.v.x = 2;    // m/s faster than the body
        vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);
 
-   A part is described by its motion just after the jump: in inertial axes, or, if relative is 1, in the axes of the
-   body, with r from the mass centre of the body, and q, v and omega relative to the motion of the body at this point.
-   In the plane and on an axle the new body has the angle of the body from which it separates, plus the angle with which
-   it was made. event.external is an impulse that acts from outside during the jump.
+   The caller gives the motion of a part just after the jump. If relative is 0, it is given in inertial axes. If
+   relative is 1, it is given in the axes of the body: r leads from the mass centre of the body to the part, and q, v
+   and omega are relative to the motion of the body at this point. In the plane and on an axle the new body has the
+   angle of the body from which it separates, plus the angle with which it was made. event.external is an impulse that
+   acts from outside during the jump.
 
-   Two bodies can jump together if they have the same motion, or if one of them is a point and the other is in the plane
-   or free. The functions whose names end in _on_line and _in_plane are vm_then_separate and vm_then_attach for these
-   motions alone, and link less code (docs/scene-sizes.md). A point that takes up a body at another place loses the
-   angular momentum of the two about their mass centre; angular_defect of the budget shows this.
+   Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
+   give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as
+   vm_then_separate and vm_then_attach for these motions only, and link less code (docs/scene-sizes.md). A point that
+   takes up a body at another place loses the angular momentum of the two about their mass centre; angular_defect of
+   the budget shows this.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
    jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
-   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a body.
+   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a
+   body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
@@ -15287,8 +15456,9 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 
 /* Computes the jump on a line and on an axle. With sign = -1 for a part that separates and 1 for a body that is
    attached, the velocity becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and the mass centre moves by the
-   fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v belong to the body, m and v2 to
-   the part. Line and axle use the same formulas: the numbers that a motion does not need are 0. */
+   fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v belong to the body, m and v2
+   to the part; on an axle M and m are moments of inertia. Line and axle use the same formulas: the numbers that a
+   motion does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
@@ -15328,8 +15498,8 @@ VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
     return j;
 }
 
-/* Computes the jump in the plane. Returns VM_BAD_INERTIA if the rest has no inertia: it is then a point, which cannot
-   be a body in the plane. */
+/* Computes the jump in the plane. Returns VM_BAD_INERTIA if the remaining body has no inertia, because it is then a
+   point and cannot be a body in the plane. */
 VM_API int vmi_event_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_impulse2 external = vmi_event_impulse2(&e->external);
@@ -15362,15 +15532,16 @@ VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *o
     return vm_attach(body, other, &e->external, b);
 }
 
-/* The angle of a body in the plane or on an axle, complete turns included. For all other bodies it is a number that put
-   ignores. */
+/* The angle of a body in the plane or on an axle, complete turns included. For all other bodies the result is a
+   number that the function `put` of the body ignores. */
 VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* Changes the place of the mass centre in a growing body after a jump, which has moved the mass centre to r */
+/* Updates the position of the mass centre in body axes after a jump, which has moved the mass centre of a growing
+   body to r */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -15382,7 +15553,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Then corrects the masses of the mass laws, which the jump does not change. */
+   NULL if the body `other` was attached. Then adjusts the masses of bodies with a mass law, because the laws do not
+   know of the jump. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -15537,14 +15709,15 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 /* How quickly events follow each other in a run */
 typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
-    vm_real gap;   /* s: the shortest time between a crossing at this instant and the one before; VM_MAX if none */
-    int crowded;   /* number of successive instants with a gap that the time hardly resolves */
+    vm_real gap;   /* s: of all crossings at this instant, the shortest time since the last crossing by the same event;
+                      VM_MAX if none */
+    int crowded;   /* number of successive instants whose gap is too short for the precision of the time */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* events at one instant; if there are more, they cause each other without end */
-    VMI_SCENE_MOST_CROWDED = 3,    /* successive instants with a gap that the time hardly resolves */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, to see the next one even if gaps shrink */
+    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more would cause each other without end */
+    VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants with a gap too short for the precision of time */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, so that the next is seen even if gaps shrink */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
@@ -15560,8 +15733,9 @@ VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
     return *times > 0;
 }
 
-/* Applies to y, in the order of the list, each event that is due at the time t. Returns VM_OK, or the first status that
-   is not VM_OK, or an error of a later event. */
+/* Applies to y, in the order of the list, each event that is due at the time t. Returns the first status other than
+   VM_OK, or VM_OK if there is none. An error (a negative status) of an event ends the loop, and is returned even if
+   an earlier event has stopped the run. */
 VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
@@ -15586,8 +15760,9 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
 }
 
 /* Applies all events of an instant, including those that an event causes at the same instant. Events may follow each
-   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the time no longer
-   resolves them; until then the step after such an event is made so short that the next event is seen. */
+   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the precision of the
+   time no longer separates them. Until then the step after such an event is made so short that the next event is
+   seen. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
     const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap has fewer than two digits */
@@ -15624,7 +15799,7 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return VM_OK;
 }
 
-/* The next time at which an event or an output is due, or t_end if that is earlier */
+/* The next time for which an event or an output is set, or t_end if that is earlier */
 VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 {
     vm_real due = t_end;
@@ -15640,8 +15815,8 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 /* Finds the reason why a run ends: whether a mass or an inertia would soon reach 0 if the state continued at its
    present rates. It tries longer and longer steps, up to 1e-6 of the time (float: 1e-3). The first failure becomes
    s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that no step
-   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is over,
-   so that its work has room for a state and its rates. */
+   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is
+   over, so that parts of the integrator's work space are free for a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -15657,7 +15832,7 @@ VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
     }
 }
 
-/* The status of a scene for an error of the integrator */
+/* The status of a scene that reports an error of the integrator */
 VM_API int vmi_scene_status_of_ode(int ode_status)
 {
     switch (ode_status) {
@@ -15670,8 +15845,8 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
     }
 }
 
-/* Makes one step, at most to the next time at which something is due. If the integrator fails, returns the reason why a
-   body cannot be accelerated rather than the status of the integrator. */
+/* Makes one step, at most to the next time for which an event or an output is set. If the integrator fails, returns
+   the reason why a body cannot be accelerated rather than the status of the integrator. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
     const int ode_status = vmi_rk45_run(r, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
@@ -15718,9 +15893,9 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
 }
 
 /* Run of a scene from *t to t_end, with its events and its output. The integrator is rk45. The scene must have been
-   started, and t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of
-   rk45, without events. *t and y become the time and the state at which the run ended. Returns VM_OK at t_end,
-   VM_STOPPED if an event or the output ended the run, or
+   started, and t_end must not be before *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The
+   options are those of rk45, without events. *t and y become the time and the state at the end of the run. Returns
+   VM_OK at t_end, VM_STOPPED if an event or the output ended the run, or
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
                            if a mass or an inertia ran out, even if the steps became too short just before that;

@@ -625,7 +625,9 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
    laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real share = 4 * (2 + plan->Om * VM_FABS(t) / plan->ripple.pi); /* a step may take this part of the tolerance */
+    const vm_real knots = (vm_real)(plan->problem.mass.n + plan->problem.stiffness.n);
+    const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
+    const vm_real share = 4 * steps; /* the iterations of all steps may take a quarter of the tolerance */
     const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
     const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
