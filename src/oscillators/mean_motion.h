@@ -60,7 +60,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     }
 }
 
-/* The mean motion at a time so close to 0 that the laws do not change until then */
+/* Computes the mean motion at a time t so close to 0 that the laws do not change between 0 and t. */
 VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     int status = VM_OK;
@@ -72,7 +72,7 @@ VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *me
     return status;
 }
 
-/* The mean motion at t */
+/* Computes the mean motion at t, by closed forms if there are any, else by a walk along the laws. */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of the laws are rounding errors */
@@ -120,9 +120,10 @@ VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
-/* The error of first order, to first order: the solution leaves out how far the start is from its mean motion, the
-   ripple of a period, and the second order of the mean phase. The phase multiplies errors of ln J by gamma Om t. The
-   phase of x and x' is that of x and V plus (alpha+1)/2 p/Om ca^2, of which the mean belongs to both ends alike. */
+/* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution takes the amplitude and
+   the phase at the start for their mean values, and leaves out the ripple within a period and the term E_0 of the mean
+   phase. An error of ln J makes an error of the phase that is larger by the factor gamma Om t. The phase of x and x' is
+   that of x and V plus (alpha+1)/2 p/Om ca^2; the mean of this difference is the same at the start and at t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;

@@ -348,7 +348,8 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
 
 /* -- The walk -- */
 
-/* The start of a walk backward in time: the plan starts with the laws just after t = 0, this with those just before */
+/* Sets the mean motion at the start of a walk backward in time. The plan has the mean motion that belongs to the laws just
+   after t = 0; this is the one that belongs to the laws just before. */
 VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;
@@ -365,7 +366,7 @@ VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
     return VM_OK;
 }
 
-/* The mean motion at t by a walk along both laws of the plan, from one point of a table to the next */
+/* Computes the mean motion at t by a walk along both laws of the plan, from one point of a table to the next. */
 VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;
