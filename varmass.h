@@ -7468,6 +7468,12 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
     return (t_end - knot) * (vm_real)side > 0 ? knot : t_end;
 }
 
+/* Whether t is a point of a table inside it, where the second derivative may jump */
+VM_API int vmi_law_has_knot(const vm_law *law, vm_real t)
+{
+    return law->time && vmi_law_interval(law, t, 1) != vmi_law_interval(law, t, -1);
+}
+
 /* -- Functions of the user -- */
 
 /* The series of the rate f' over the time from t to t + length, as short as it must be for the series to end in rounding
@@ -8516,6 +8522,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real knots_psi[4];  /* and of psi */
     vm_real largest;       /* largest |E_0| between 0 and t */
     vm_real change[VMI_WALK_ORDERS]; /* integral of |d^i E_0/dpsi^i| dpsi; 0 for closed forms, which have no fast part */
+    vm_real dropped;       /* integral of the part of |E_0| dpsi that is left out of change */
     vm_real shortest;      /* shortest panel that the laws of m and k took, s */
     vm_real error;         /* of `phase`, s */
 } vmi_osc_mean;
@@ -8551,6 +8558,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
         mean.knots_psi[i] = 0;
     }
     for (i = 0; i < VMI_WALK_ORDERS; i++) mean.change[i] = 0;
+    mean.dropped = 0;
     mean.shortest = VM_INFINITY;
     mean.error = 0;
     return mean;
@@ -8609,6 +8617,7 @@ typedef struct VM_TAG(vmi_osc_panel) {
     vm_real inverse[VMI_GAUSS]; /* 1/m */
     vm_real ratio[VMI_GAUSS];   /* k at first, then the rate of the phase over that at t = 0 */
     vm_real E[VMI_GAUSS];       /* E_0 */
+    vm_real noise;              /* what rounding errors of p' put into coefficients of E */
     vm_real first, second;      /* integrals of E_0 and E_0^2 by the phase */
     vm_real cube;               /* integral of |E_0|^3 by the phase */
     vm_real largest;            /* largest |E_0| */
@@ -8644,16 +8653,22 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
+/* What rounding errors of p put into p' on a panel of 1 s, by the rates. In float they are too large to be told from
+   fast changes, and are taken for these. */
+VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
+
 /* The panel of a length (with its sign) from start on, where the mean motion at start is *mean */
 VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_real start, vm_real length,
                             vmi_osc_panel *panel)
 {
     const int damped = p->problem.damping != 0;
     const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
+    const vm_real p_noise = vmi_osc_rate_noise() / VM_FABS(length);
     vmi_osc_panel_laws at;
     vm_real ratios[VMI_GAUSS], E[VMI_GAUSS];
     int i, status = vmi_osc_read_laws(&p->problem, vmi_time_side(length), start, length, &at, panel);
     if (status) return status;
+    panel->noise = 0;
     panel->first = 0;
     panel->second = 0;
     panel->cube = 0;
@@ -8667,6 +8682,7 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
         ratios[i] = vmi_exp(ln_Om, 0);
         W = W0 * ratios[i];
         E[i] = (now->p * (now->p - now->a) - at.p_rate[i]) / (W * W);
+        panel->noise = vmi_larger(p_noise * (VM_FABS(now->p) + VM_FABS(now->a)) / (W * W), panel->noise);
         share = vmi_gauss_weight(i) / 2 * length * W;
         panel->first += share * E[i];
         panel->second += share * E[i] * E[i];
@@ -8693,15 +8709,22 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
 }
 
 /* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, by the root of the mean square, and to
-   mean->third. Coefficients of E_0 that are rounding errors are dropped before; the series is destroyed. */
+   mean->third. Coefficients of E_0 that may be rounding errors are dropped before, and their integral is added to
+   mean->dropped; the series is destroyed. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], radians = W * VM_FABS(length);
-    const vm_real least = noise * VM_SQRT(vmi_legendre_square(panel->E));
+    const vm_real least = vmi_larger(noise * VM_SQRT(vmi_legendre_square(panel->E)), panel->noise);
     vm_real rate = 1, size[VMI_WALK_ORDERS]; /* (dx/dpsi)^i with x in [-1, 1] on the panel */
+    vm_real dropped[VMI_GAUSS];
     int i;
-    for (i = 0; i < VMI_GAUSS; i++)
-        if (VM_FABS(panel->E[i]) <= least) panel->E[i] = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        dropped[i] = 0;
+        if (VM_FABS(panel->E[i]) > least) continue;
+        dropped[i] = panel->E[i];
+        panel->E[i] = 0;
+    }
+    mean->dropped += radians * VM_SQRT(vmi_legendre_square(dropped));
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
         size[i] = rate * VM_SQRT(vmi_legendre_square(panel->E));
         mean->change[i] += radians * size[i];
@@ -8824,7 +8847,8 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     int status = VM_OK;
     *mean = vmi_osc_mean_at_0(p);
     mean->shortest = longest;
-    if (side < 0) status = vmi_osc_walk_past_knot(p, 0, side, mean); /* the plan starts with the laws after t = 0 */
+    if (side < 0 && (vmi_law_has_knot(mass, 0) || vmi_law_has_knot(stiffness, 0)))
+        status = vmi_osc_walk_past_knot(p, 0, side, mean); /* the plan starts with the laws after t = 0 */
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
         status = vmi_osc_walk_piece(p, at, next, longest, whole, mean);
@@ -8913,7 +8937,8 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real turn = r->pi / (2 * VM_PI);
-    vm_real size = (r->alpha + 3) / 4, least = VM_INFINITY; /* (alpha+3)/2 |sa ca|; then terms of the transformation */
+    const vm_real first = (r->alpha + 3) / 4; /* (alpha+3)/2 |sa ca|; after it terms of the transformation */
+    vm_real size = first, least = VM_INFINITY;
     int i;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
         const vm_real bound = size * mean->change[i];
@@ -8921,7 +8946,7 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
         if (i == 0) size = r->scale / 4;
         else size *= turn;
     }
-    return least;
+    return least + first * mean->dropped;
 }
 
 /* What all solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t */
@@ -8943,30 +8968,38 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return phase + ln_A + e / (n + 2) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* The error of order 2, 3, 4 or 5: terms of the next weight at the start, which the phase multiplies, and at t, at the
-   points of tables, and in the mean rate of the phase. The factor 2 fits what tests/test_slow_motion.c finds. */
+/* What the transformation of an order leaves out at t, where the disturbances are e: terms of the next weight and, since
+   these may vanish, of the one after it; of the phase in *psi, of ln J in *J */
+VM_API void vmi_osc_left_out(const vmi_ripple *r, int order, const vm_real *e, vm_real *psi, vm_real *J)
+{
+    *psi = vmi_osc_size_psi(r, order, e);
+    *J = vmi_osc_size_J(r, order, e) + vmi_osc_size_J(r, order + 1, e);
+    if (order < 5) *psi += vmi_osc_size_psi(r, order + 1, e);
+}
+
+/* The error of order 2, 3, 4 or 5: what the transformation leaves out at t; and what the mean motion leaves out, which
+   is of the order of the start: terms of the next weight at the start, which the phase multiplies, at the points of
+   tables, and in the mean rate of the phase. The factor 2 fits what tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
     const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
-    const int start_order = order < p->start_order ? order : p->start_order;
     const vm_real largest_known = VM_C(0.25); /* a larger estimate means that the motion is not slow: nothing is known */
-    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error, rate = mean->third;
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error;
     int i;
     vmi_osc_disturbance(&mean->now, state.W, e);
     for (i = 0; i < VMI_OSC_G; i++) {
         e0[i] = VM_FABS(p->E[i]);
         e[i] = VM_FABS(e[i]);
     }
-    start_J = vmi_osc_size_J(r, start_order + 1, e0);
-    knot_J = VM_SQRT(mean->knots_J[start_order - 2]);
-    if (order == 5) rate *= 2;
-    if (order < 4) rate = VM_FABS(mean->second) + mean->third;
     if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* not slow: no power of E_0 is small */
-    phase = vmi_osc_size_psi(r, order, e0) + vmi_osc_size_psi(r, order, e) + g * turns * (start_J + knot_J) + rate +
-            VM_SQRT(mean->knots_psi[start_order - 2]);
-    amplitude = vmi_osc_size_J(r, order, e) + start_J + knot_J;
+    vmi_osc_left_out(r, order, e, &phase, &amplitude);
+    start_J = vmi_osc_size_J(r, p->start_order + 1, e0);
+    knot_J = VM_SQRT(mean->knots_J[p->start_order - 2]);
+    phase += vmi_osc_size_psi(r, p->start_order, e0) + g * turns * (start_J + knot_J) + 2 * mean->third +
+             VM_SQRT(mean->knots_psi[p->start_order - 2]);
+    amplitude += start_J + knot_J;
     error = 4 / n * phase + 4 / (n + 2) * amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
     return error < largest_known ? error : VM_INFINITY;
 }

@@ -42,6 +42,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real knots_psi[4];  /* and of psi */
     vm_real largest;       /* largest |E_0| between 0 and t */
     vm_real change[VMI_WALK_ORDERS]; /* integral of |d^i E_0/dpsi^i| dpsi; 0 for closed forms, which have no fast part */
+    vm_real dropped;       /* integral of the part of |E_0| dpsi that is left out of change */
     vm_real shortest;      /* shortest panel that the laws of m and k took, s */
     vm_real error;         /* of `phase`, s */
 } vmi_osc_mean;
@@ -77,6 +78,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
         mean.knots_psi[i] = 0;
     }
     for (i = 0; i < VMI_WALK_ORDERS; i++) mean.change[i] = 0;
+    mean.dropped = 0;
     mean.shortest = VM_INFINITY;
     mean.error = 0;
     return mean;
@@ -135,6 +137,7 @@ typedef struct VM_TAG(vmi_osc_panel) {
     vm_real inverse[VMI_GAUSS]; /* 1/m */
     vm_real ratio[VMI_GAUSS];   /* k at first, then the rate of the phase over that at t = 0 */
     vm_real E[VMI_GAUSS];       /* E_0 */
+    vm_real noise;              /* what rounding errors of p' put into coefficients of E */
     vm_real first, second;      /* integrals of E_0 and E_0^2 by the phase */
     vm_real cube;               /* integral of |E_0|^3 by the phase */
     vm_real largest;            /* largest |E_0| */
@@ -170,16 +173,22 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
+/* What rounding errors of p put into p' on a panel of 1 s, by the rates. In float they are too large to be told from
+   fast changes, and are taken for these. */
+VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
+
 /* The panel of a length (with its sign) from start on, where the mean motion at start is *mean */
 VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_real start, vm_real length,
                             vmi_osc_panel *panel)
 {
     const int damped = p->problem.damping != 0;
     const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
+    const vm_real p_noise = vmi_osc_rate_noise() / VM_FABS(length);
     vmi_osc_panel_laws at;
     vm_real ratios[VMI_GAUSS], E[VMI_GAUSS];
     int i, status = vmi_osc_read_laws(&p->problem, vmi_time_side(length), start, length, &at, panel);
     if (status) return status;
+    panel->noise = 0;
     panel->first = 0;
     panel->second = 0;
     panel->cube = 0;
@@ -193,6 +202,7 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
         ratios[i] = vmi_exp(ln_Om, 0);
         W = W0 * ratios[i];
         E[i] = (now->p * (now->p - now->a) - at.p_rate[i]) / (W * W);
+        panel->noise = vmi_larger(p_noise * (VM_FABS(now->p) + VM_FABS(now->a)) / (W * W), panel->noise);
         share = vmi_gauss_weight(i) / 2 * length * W;
         panel->first += share * E[i];
         panel->second += share * E[i] * E[i];
@@ -219,15 +229,22 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
 }
 
 /* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, by the root of the mean square, and to
-   mean->third. Coefficients of E_0 that are rounding errors are dropped before; the series is destroyed. */
+   mean->third. Coefficients of E_0 that may be rounding errors are dropped before, and their integral is added to
+   mean->dropped; the series is destroyed. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], radians = W * VM_FABS(length);
-    const vm_real least = noise * VM_SQRT(vmi_legendre_square(panel->E));
+    const vm_real least = vmi_larger(noise * VM_SQRT(vmi_legendre_square(panel->E)), panel->noise);
     vm_real rate = 1, size[VMI_WALK_ORDERS]; /* (dx/dpsi)^i with x in [-1, 1] on the panel */
+    vm_real dropped[VMI_GAUSS];
     int i;
-    for (i = 0; i < VMI_GAUSS; i++)
-        if (VM_FABS(panel->E[i]) <= least) panel->E[i] = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        dropped[i] = 0;
+        if (VM_FABS(panel->E[i]) > least) continue;
+        dropped[i] = panel->E[i];
+        panel->E[i] = 0;
+    }
+    mean->dropped += radians * VM_SQRT(vmi_legendre_square(dropped));
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
         size[i] = rate * VM_SQRT(vmi_legendre_square(panel->E));
         mean->change[i] += radians * size[i];
@@ -350,7 +367,8 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     int status = VM_OK;
     *mean = vmi_osc_mean_at_0(p);
     mean->shortest = longest;
-    if (side < 0) status = vmi_osc_walk_past_knot(p, 0, side, mean); /* the plan starts with the laws after t = 0 */
+    if (side < 0 && (vmi_law_has_knot(mass, 0) || vmi_law_has_knot(stiffness, 0)))
+        status = vmi_osc_walk_past_knot(p, 0, side, mean); /* the plan starts with the laws after t = 0 */
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
         status = vmi_osc_walk_piece(p, at, next, longest, whole, mean);
