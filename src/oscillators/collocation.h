@@ -150,6 +150,7 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
     vm_real t_low;         /* what t as one number loses, s */
     vm_real contraction;   /* by this factor each round of the iteration reduces its error */
+    vm_real left;          /* sum over the steps of the square of what the iteration leaves of the phase */
     vm_real rate;          /* of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                        /* of the parts of a half period that starts at psi = -Pi/2 */
     vmi_step_rates history[2][VMI_HISTORY];         /* of the last whole steps, by parts, the last one first */
@@ -275,7 +276,11 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
         status = vmi_osc_sweep(c, s, &change);
         if (status) return status;
         if (round > 0 && before > 0) c->contraction = vmi_larger(change / before, least_contraction);
-        if (change * c->contraction <= c->sweep_limit) return VM_OK;
+        if (change * c->contraction <= c->sweep_limit) {
+            const vm_real left = change * c->contraction;
+            c->left += left * left;
+            return VM_OK;
+        }
         if (round > 2 && !(change < before)) break;
         before = change;
     }
@@ -368,8 +373,10 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return part;
 }
 
-/* Makes a shorter step than the one that would go beyond c->stop, so that it ends there */
-VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
+/* Makes a shorter step than the one that would go beyond c->stop, so that it ends there. certain: 0 where the longer step
+   is a prediction only; if it turns out that it does not reach c->stop, the course stays where it is. No step may cross a
+   zero of x. */
+VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
     const vm_real way = (c->stop - c->t) - c->t_low;
@@ -394,6 +401,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
         if (VM_FABS(missing) <= c->sweep_limit / 4) break;
         s.length += missing;
     }
+    if (!certain && VM_FABS(s.length) > VM_FABS(beyond->length)) return VM_OK;
     vmi_osc_take(c, &s);
     c->t = c->stop;
     c->t_low = 0;
@@ -446,10 +454,13 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
         s.waves = &inside;
         vmi_osc_course_waves(c, c->psi, s.length, &inside);
     }
-    if (vmi_osc_is_beyond(c, &s)) return vmi_osc_land(c, &s);
+    if (vmi_osc_is_beyond(c, &s)) {
+        status = vmi_osc_land(c, &s, 0);
+        if (status || c->t == c->stop) return status;
+    }
     status = vmi_osc_iterate(c, &s);
     if (status) return status;
-    if (vmi_osc_is_beyond(c, &s)) return vmi_osc_land(c, &s);
+    if (vmi_osc_is_beyond(c, &s)) return vmi_osc_land(c, &s, 1);
     vmi_osc_take(c, &s);
     if (part >= 0) vmi_osc_remember(c, part, &s.rates);
     return VM_OK;
@@ -475,6 +486,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->t = 0;
     c->t_low = 0;
     c->contraction = VM_C(0.1);
+    c->left = 0;
     c->rate = 0;
     for (part = 0; part < parts; part++) {
         from = half * ((vm_real)part / (vm_real)parts - VM_C(0.5));
@@ -571,7 +583,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     while (!status && strict->t != t)
         status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
     strict->evals += loose.evals;
-    *error = factor * difference + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
+    *error = factor * difference + 2 * VM_SQRT(strict->left) + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
     return status;
 }
 
