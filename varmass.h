@@ -9760,7 +9760,7 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
-   Tests: tests/test_slow_motion.c, tests/test_routes.c. */
+   Tests: tests/test_collocation.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_COLLOCATION_H
 #define VARMASS_OSCILLATORS_COLLOCATION_H
 

@@ -86,7 +86,7 @@ static void test_ripple_values(void)
         functions_at(&r, 5, row->psi, f, &C);
         for (j = S; j < FUNCTIONS; j++)
             check_error("vmi_ripple_at", function_names[j], "eps size", fabs(f[j] - row->values[j]) / (eps * size[j]),
-                        by_precision(600, 12), row->psi, alpha);
+                        by_precision(2500, 100), row->psi, alpha);
         check_error("vmi_ripple_at", "C", "eps",
                     fabs(C - (row->values[CA] * row->values[CA] - ripple_constant_rows[row->alpha].values[1])) / eps, 6,
                     row->psi, alpha);
@@ -106,11 +106,11 @@ static void test_ripple_constants(void)
         const double alpha = ripple_constant_rows[i].alpha, *c = ripple_constant_rows[i].values, g = (alpha - 1) / (alpha + 3);
         const double L = (alpha + 1) * (alpha + 3) / 4, second = -L * L / 8 * c[3] * (2 - 3 * g) * (1 - 3 * g);
         ripple_of(alpha, &r);
-        check_error("ripple", "mean of ca^2", "eps", fabs((double)r.mean2 / c[1] - 1) / eps, 8, alpha, 0);
-        check_error("ripple", "mean of ca^4", "eps", fabs((double)r.mean4 / c[2] - 1) / eps, 8, alpha, 0);
+        check_error("ripple", "mean of ca^2", "eps", fabs((double)r.mean2 / c[1] - 1) / eps, 4, alpha, 0);
+        check_error("ripple", "mean of ca^4", "eps", fabs((double)r.mean4 / c[2] - 1) / eps, 4, alpha, 0);
         check_error("ripple", "mean of C^2", "eps", fabs((double)r.variance / c[3] - 1) / eps, 16, alpha, 0);
-        check_error("ripple", "S2 at sa = 0", "eps", fabs((double)r.at_sa_0 / c[4] - 1) / eps, 60, alpha, 0);
-        check_error("ripple", "S2 at ca = 0", "eps", fabs((double)r.at_ca_0 / c[5] - 1) / eps, 60, alpha, 0);
+        check_error("ripple", "S2 at sa = 0", "eps", fabs((double)r.at_sa_0 / c[4] - 1) / eps, by_precision(1500, 12), alpha, 0);
+        check_error("ripple", "S2 at ca = 0", "eps", fabs((double)r.at_ca_0 / c[5] - 1) / eps, by_precision(400, 8), alpha, 0);
         check_error("mean rate", "E0", "eps", fabs((double)vmi_expansion_first(&r) / ((alpha + 1) / 2 * c[1]) - 1) / eps, 8,
                     alpha, 0);
         check_error("mean rate", "E0^2", "eps", fabs((double)vmi_expansion_second(&r) - second) / (eps * L * L), 4, alpha, 0);
@@ -149,11 +149,11 @@ static void test_ripple_relations(void)
             }
             for (n = 0; n < 4; n++)
                 check_error("ripple", "derivatives", "size", fabs(after[S + n] - before[S + n] - integral[n]) / size[S + n],
-                            by_precision(1e-6, 2e-6), from, alpha);
+                            by_precision(3e-9, 2e-5), from, alpha);
         }
-        check_error("ripple", "means", "size", fabs(mean_C), by_precision(1e-6, 1e-6), alpha, 0);
-        check_error("ripple", "means", "size", fabs(mean_C2 - variance), by_precision(1e-6, 1e-6), alpha, 0);
-        check_error("ripple", "means", "size", fabs(mean_S2) / size[S2], by_precision(1e-6, 1e-6), alpha, 0);
+        check_error("ripple", "means", "size", fabs(mean_C), by_precision(5e-10, 1e-6), alpha, 0);
+        check_error("ripple", "means", "size", fabs(mean_C2 - variance), by_precision(5e-10, 1e-6), alpha, 0);
+        check_error("ripple", "means", "size", fabs(mean_S2) / size[S2], by_precision(5e-10, 1e-6), alpha, 0);
     }
 }
 
@@ -183,13 +183,18 @@ static void test_law_derivatives(void)
         for (k = 0; k < VMI_LAW_ORDERS; k++) {
             const double scale = fabs(row->f[k]) + pow(rate, k) * (fitted ? 1 : 0.0625);
             check_error(names[row->law.kind], k < 2 ? "f, f'" : k < 5 ? "f'' to f4" : "f5, f6", "eps size",
-                        fabs((double)f[k] - row->f[k]) / (eps * scale), fitted && k > 1 ? 1e6 : 16, row->t, k);
+                        fabs((double)f[k] - row->f[k]) / (eps * scale), !fitted || k < 2 ? 16 : k < 5 ? by_precision(2e7, 3e5)
+                                                                                              : by_precision(5e10, 4e7),
+                        row->t, k);
         }
     }
 }
 
 static void test_reduction(void)
 {
+    static const char *const numbers[VMI_OSC_G] = {"G_0", "G_1", "G_2", "G_3", "G_4"};
+    static const double fit_in_double[VMI_OSC_G] = {1e3, 2e5, 2e7, 1e9, 3e10}; /* eps */
+    static const double fit_in_float[VMI_OSC_G] = {400, 1e4, 2e5, 2e6, 8e6};
     const double rate = 0.125; /* of the laws of the table, 1/s */
     int i, k;
     for (i = 0; i < COUNT(reduction_rows); i++) {
@@ -204,15 +209,14 @@ static void test_reduction(void)
         CHECK(vmi_osc_slow_at(&o, R(row->t), row->side, R(sampling), &now) == VM_OK);
         CHECK(vmi_osc_rates_at(&o, R(row->t), row->side, &rates) == VM_OK);
         CHECK(rates.m == now.m && rates.k == now.k);
-        check_error("reduction", "a, p", "eps rate", fabs((double)now.a - row->values[0]) / (eps * rate), 16, i, 0);
-        check_error("reduction", "a, p", "eps rate", fabs((double)rates.a - row->values[0]) / (eps * rate), 16, i, 1);
-        check_error("reduction", "a, p", "eps rate", fabs((double)now.p - row->values[1]) / (eps * rate), 16, i, 2);
-        check_error("reduction", "a, p", "eps rate", fabs((double)rates.p - row->values[1]) / (eps * rate), 16, i, 3);
+        check_error("reduction", "a, p", "eps rate", fabs((double)now.a - row->values[0]) / (eps * rate), 8, i, 0);
+        check_error("reduction", "a, p", "eps rate", fabs((double)rates.a - row->values[0]) / (eps * rate), 8, i, 1);
+        check_error("reduction", "a, p", "eps rate", fabs((double)now.p - row->values[1]) / (eps * rate), 8, i, 2);
+        check_error("reduction", "a, p", "eps rate", fabs((double)rates.p - row->values[1]) / (eps * rate), 8, i, 3);
         for (k = 0; k < VMI_OSC_G; k++) {
-            static const char *const numbers[VMI_OSC_G] = {"G_0", "G_1", "G_2", "G_3", "G_4"};
             check_error(kind, numbers[k], "eps size",
                         fabs((double)now.G[k] - row->values[2 + k]) / (eps * (size + fabs(row->values[2 + k]))),
-                        fitted ? 1e6 : 64, i, row->alpha);
+                        fitted ? by_precision(fit_in_double[k], fit_in_float[k]) : 60, i, row->alpha);
             size *= (k + 2) * rate;
         }
     }
@@ -284,11 +288,11 @@ static void judge(judgement *j, double error, double estimate)
     j->beyond += error > 3 * estimate;
 }
 
-static void report(const char *name, judgement *j, double sharp)
+static void report(const char *name, judgement *j, double sharp, double unknown)
 {
     check_error(name, "true > 3 est", "%", 100. * j->beyond / j->count, 1, j->count, 0);
     check_error(name, "true/est, worst", "", j->worst, 10, 0, 0);
-    check_error(name, "unknown", "%", 100. * j->unknown / (j->count + j->unknown), 5, j->unknown, 0);
+    check_error(name, "unknown", "%", 100. * j->unknown / (j->count + j->unknown), unknown, j->unknown, 0);
     check_error(name, "est/true, median", "", median(j->sharp, j->count), sharp, 0, 0);
 }
 
@@ -329,19 +333,41 @@ static void test_estimates(void)
             judge_table(slow_wide, COUNT(slow_wide), order, backward, &laws);
             judge_table(slow_random, COUNT(slow_random), order, backward, &laws);
         }
-        report(names[order - 2], &laws, 10);
+        report(names[order - 2], &laws, by_precision(12, 30), 2);
         for (backward = 0; backward <= 1; backward++) judge_table(slow_tables, COUNT(slow_tables), order, backward, &knots);
-        report(tables[order - 2], &knots, 10);
+        report(tables[order - 2], &knots, by_precision(40, 1500), by_precision(4, 15));
     }
 }
 
-/* At eps = 0.01 order five errs by less than 1e-9 A in 95 % of the problems. */
+/* The larger of the changes of ln(mu kappa) within a radian at the start and at T */
+static double change_of_radian(const slow_case *s)
+{
+    const vm_osc_problem o = problem_of(&s->c);
+    vm_osc_plan p;
+    vmi_osc_mean mean;
+    const double n = s->c.alpha + 3;
+    CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+    mean = vmi_osc_mean_at_0(&p);
+    CHECK(vmi_osc_mean_at(&p, R(s->c.T), &mean) == VM_OK);
+    return n * fmax(fabs((double)(p.slow.p / p.Om)), fabs((double)(mean.now.p / (p.Om * mean.ratio))));
+}
+
+/* Where mass and stiffness change by 2 % within a radian at most, order five errs by less than 1e-9 A in 95 % of the
+   problems, and by less than 3e-6 A in all. */
 static void test_size(void)
 {
-    int i, larger = 0;
+    int i, count = 0, larger = 0;
     if (is_float) return;
-    for (i = 0; i < COUNT(slow_random); i++) larger += largest_error(slow_random + i, 5) > 1e-9;
-    check_error("order 5", "error > 1e-9", "%", 100. * larger / COUNT(slow_random), 5, larger, 0);
+    for (i = 0; i < COUNT(slow_random); i++) {
+        double error;
+        if (change_of_radian(slow_random + i) > 0.02) continue;
+        error = largest_error(slow_random + i, 5);
+        count++;
+        larger += error > 1e-9;
+        check_error("order 5", "error", "A", error, 3e-6, i, slow_random[i].c.alpha);
+    }
+    CHECK(count > 90);
+    check_error("order 5", "error > 1e-9", "%", 100. * larger / count, 5, larger, count);
 }
 
 /* ---- Solved motions ---- */
@@ -354,8 +380,8 @@ static void test_solved(void)
         vm_osc_motion m = {0, 0, 0, 0, 0, 0};
         for (order = 2; order <= 5; order++) {
             CHECK(vm_osc_by_route(&o, vmi_osc_route_of_order(order), R(solved_rows[i].T), 0, &m) == VM_OK);
-            check_error("solved", "G_0 = 0", "eps", case_error(solved_rows + i, &o, m.x, m.v) / eps, 200, i, order);
-            check_error("solved", "estimate", "eps", (double)m.error / eps, 2000, i, order);
+            check_error("solved", "G_0 = 0", "eps", case_error(solved_rows + i, &o, m.x, m.v) / eps, 250, i, order);
+            check_error("solved", "estimate", "eps", (double)m.error / eps, 1500, i, order);
         }
     }
     for (i = 0; i < COUNT(duffing_rows); i++) {
@@ -363,11 +389,11 @@ static void test_solved(void)
         vm_osc_motion m = {0, 0, 0, 0, 0, 0};
         for (order = 2; order <= 5; order++) {
             CHECK(vm_osc_by_route(&o, vmi_osc_route_of_order(order), R(duffing_rows[i].T), 0, &m) == VM_OK);
-            check_error("Duffing", "true/est", "", case_error(duffing_rows + i, &o, m.x, m.v) / (double)m.error, 3, i, order);
-            check_error("Duffing", "estimate", "4^-order", (double)m.error * pow(4, order), by_precision(1, 1), i, order);
+            check_error("Duffing", "true/est", "", case_error(duffing_rows + i, &o, m.x, m.v) / (double)m.error, 1.5, i, order);
+            check_error("Duffing", "estimate", "4^-order", (double)m.error * pow(4, order), by_precision(0.01, 0.04), i, order);
         }
         CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, R(duffing_rows[i].T), R(by_precision(1e-12, 1e-5)), &m) >= 0);
-        check_error("Duffing", "collocation", "eps", case_error(duffing_rows + i, &o, m.x, m.v) / eps, 200, i, 0);
+        check_error("Duffing", "collocation", "eps", case_error(duffing_rows + i, &o, m.x, m.v) / eps, 60, i, 0);
     }
 }
 
@@ -392,9 +418,10 @@ static void agree(const char *words, const vm_osc_problem *closed, const vm_osc_
         const int route = vmi_osc_route_of_order(order);
         CHECK(vm_osc_plan_by_route(&one, route, R(t), 0, &a) == VM_OK);
         CHECK(vm_osc_plan_by_route(&two, route, R(t), 0, &b) == VM_OK);
-        check_error("closed, walked", words, "eps", fabs((double)(a.x - b.x)) / eps, 1000, t, order);
-        check_error("closed, walked", words, "eps", fabs((double)(a.v - b.v)) / eps, 1000, t, order);
-        check_error("closed, walked", "estimates", "", fabs(log((double)(b.error / a.error))), 0.5, t, order);
+        check_error("closed, walked", words, "eps", fabs((double)(a.x - b.x)) / eps, words[0] == 'f' ? 1000 : 100, t, order);
+        check_error("closed, walked", words, "eps", fabs((double)(a.v - b.v)) / eps, words[0] == 'f' ? 1000 : 100, t, order);
+        if (!is_float) /* in float rounding errors of the walk are taken for changes that are not slow */
+            check_error("closed, walked", "estimates", "log", fabs(log((double)(b.error / a.error))), 3, t, order);
     }
 }
 
