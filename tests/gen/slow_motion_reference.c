@@ -4,8 +4,8 @@
        cc -O2 tests/gen/slow_motion_reference.c -o reference -lm && ./reference >tests/data/slow_motions.h
 
    By motion_reference.h in long double of 64 bits or more (x87, or 113 bits), which shares no code with the headers. Each
-   motion is computed twice, with tolerances 3e-18 (printed) and 3e-16; the two must agree to 2e-12, and differ by 1e-14 mostly. All inputs are numbers of
-   single precision but for an alpha of tenths or thirds. Takes some minutes. */
+   motion is computed twice, with tolerances 3e-18 (printed) and 3e-16; the two must agree to 2e-12, and mostly do to 1e-14.
+   All inputs are numbers of single precision but for an alpha of tenths or thirds. Takes some minutes. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
