@@ -20,6 +20,7 @@
 #   make coverage   lines and branches that the tests execute       make test-mutate SEED=n MUTANTS=n   wrong headers
 #   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
+#   make law       docs/law.md, the law of order five, with its figures
 #   make toronto   the Toronto test set of initial value problems, docs/toronto.md
 #   make clean    remove build/
 
@@ -38,12 +39,12 @@ TESTS = jacobi ateb rk4 pairs adaptive dense events coincidences bodies jumps ju
     dissertation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
 SCRIPTS = headers parts errors snippets options avr plans package scene_cost golden sweep errata documents first_steps languages readme fuzz hard_cases sanitize
-EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
+EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum solvable
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table toronto test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: headers part parts-table law toronto test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -232,6 +233,13 @@ figures: run
 
 first-steps: build/command
 	CC="$(CC)" sh examples/first_steps/steps.sh build write
+
+# docs/law.md: the law of order five; its text is bench/law.md
+law: build/law build/examples/solvable
+	@sh tests/install.sh "command -v gnuplot" gnuplot-nox
+	sh bench/law.sh build
+build/law: bench/law.c build/command $(HEADERS)
+	$(COMPILE) bench/law.c -o $@ -lm
 
 # docs/toronto.md: the Toronto test set, beside version 0.1 and DOP853
 toronto: build/toronto

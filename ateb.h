@@ -32,11 +32,11 @@
    WHAT TO CALL
      ateb_saca             sa and ca for one s and one alpha; ateb_sa and ateb_ca return one of them
      ateb_pi               Pi_alpha, half the period
-     ateb_plan_init        where alpha stays: the plan is prepared once; then ateb_plan_saca, or ateb_plan_saca_array
+     ateb_plan_init        prepares a plan for one alpha; then call ateb_plan_saca for one s, or ateb_plan_saca_array
                            for many s. ateb_plan_init_to makes a shorter and quicker plan of less accuracy. A plan is
                            plain data and may be a constant in flash; examples/ateb_plan prints one. On AVR copy it
                            from there to RAM, by memcpy_P, before it is used.
-     ateb_phase            s from sa and ca, as atan2 gives an angle
+     ateb_phase            s from sa and ca, as atan2 computes an angle from its sine and cosine
      ateb_mean             the mean of |sa|^p |ca|^q over a period (316)
      ateb_integral_...     integrals from 0 to s
      ateb_saca_nm          sa(n, m, s) and ca(m, n, s) with any two indices
@@ -45,29 +45,30 @@
    ERRORS
      alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
      outside 1e-4 to 1e5, and whatever else lies outside the domain that the comment of a function gives. A plan
-     refuses a bad alpha with -1 and stays as it was. Nothing else can fail. No allocation, no state; errno says
-     nothing.
+     refuses a bad alpha with -1 and stays as it was. Nothing else can fail. The functions allocate no
+     memory and keep no state; the value of errno means nothing.
 
    METHOD
      s is reduced to the first quarter by Pi_alpha, which comes from a table of polynomials, or, where s is large or
-     close to a zero, from one polynomial in two or three words. There the incomplete beta function is inverted: an
-     approximation of sa is taken as exact, its s is computed by a continued fraction of 12 levels (float 6) and one
-     power, and Taylor's series leads to the given s. A plan has polynomials for two parts of a quarter: Taylor series
-     from (275), economised to the accuracy that is wanted.
+     close to a zero, from one polynomial in two or three words. In the first quarter the incomplete beta function is
+     inverted: an approximation of sa is taken as exact, the s that belongs to it is computed by a continued fraction
+     of 12 levels (float 6) and one power, and a Taylor series corrects sa and ca for the difference from the given s.
+     A plan has polynomials for two parts of a quarter: Taylor series from (275), shortened to the accuracy that is
+     wanted.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
      VM_API               linkage of every function, default static inline
-     VM_INLINE            linkage of the functions that are fast only if they are inlined; VM_API makes smaller code
-                          with the same results
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
+                          the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
-                          They are exact, so that results are the same on every machine where the compiler does not
-                          contract products and sums
+                          These functions are exact, so that results are the same on every machine, unless the compiler
+                          fuses products and sums.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where none of the bounds below holds
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although none of the bounds below holds then
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -75,7 +76,7 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
      On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
      below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
 
@@ -84,26 +85,27 @@
                             |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. sa and ca are monotone
                             between their extremes apart from 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to within
                             1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
-     the zeros              of sa and ca are right to a relative error of 2^-125 (float 2^-58); for alpha above 5e8
-                            (float 2e4) and for plans, of 2^-102 (float 2^-44). This error, times |s| and the slope,
-                            comes on top of the others. It is felt only where s is within an ulp of a zero.
+     the zeros              of sa and ca: relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4) and
+                            for plans, <= 2^-102 (float 2^-44). This error, times |s| and the slope, adds to the errors
+                            above. It matters only where s is within an ulp of a zero.
      Pi_alpha               <= 1 ulp
-     by a plan              <= 2 ulp for these s and alpha up to 1e6, or the absolute error that the plan was made for
-     phase                  <= 4 ulp and what one ulp of sa and of ca moves it
+     sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
+                            was made for
+     phase                  <= 8 ulp plus the change that 6 ulp of sa and of ca make, for the sa and ca of ateb_saca
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
      beta_inc               <= 30 ulp of p and of q
-     beta_inc_inv           <= 16 ulp of x and of y, and what one ulp of the smaller of p and q moves them
-     sa(n, m), ca(m, n)     <= 8 ulp, apart from an error of the phase of 2^-102 |s| (float 2^-44 |s|)
-     integrals              some 10 ulp
+     beta_inc_inv           <= 16 ulp of x and of y plus the change that one ulp of the smaller of p and q makes
+     sa(n, m), ca(m, n)     <= 8 ulp plus the change that an error of 2^-102 |s| (float 2^-44 |s|) in s makes
+     integrals              those of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
-     docs/cost.md has the times, docs/counts.md the instructions of each function. The direct call takes some ten
-     sines, a plan two to seven, in arrays one. An ateb_plan has 552 bytes (float 184). The largest stack frame is
-     below 2 kB.
+     docs/cost.md has the times, docs/counts.md the instructions of each function. An ateb_plan has 552 bytes (float
+     184). The largest stack frame is below 2 kB.
 
    REFERENCES
-     [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (277) are its, in
-         corrected form where they are misprinted: (278), (280) mix up the indices and a sign, (279) lacks the bars.
+     [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]
+         has a misprint, the corrected equation is meant: (278) and (280) mix up the indices and have a wrong sign,
+         (279) lacks the bars of |u|.
      [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
      [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.7 (continued fractions), 15.8(iii) (quadratic
          transformations).
@@ -113,7 +115,7 @@
 
    INDEX
      base/self_check: whether this compiler and this processor compute as varmass needs
-       vm_self_check                  1 where the compiler and the processor compute as varmass needs, else 0
+       vm_self_check                  Returns 1 if the compiler and the processor compute as varmass needs, else 0
 
      ateb/period: Pi_alpha, half the period of the Ateb functions
        ateb_pi                        Pi_alpha, half the period of sa and ca, for alpha >= 0
@@ -140,8 +142,8 @@
        ateb_beta                      The complete beta function B(a, b), for a and b from 1e-4 to 1e5
        ateb_beta_inc_both             The regularised incomplete beta function p = I_x(a, b) and q = 1 - p
        ateb_beta_inc                  The regularised incomplete beta function I_x(a, b), for 0 <= x <= 1
-       ateb_beta_inc_inv_both         The inverse of ateb_beta_inc_both, x with I_x(a, b) = p, and y = 1 - x and ln x
-       ateb_beta_inc_inv              The inverse of ateb_beta_inc, x with I_x(a, b) = p, for 0 <= p <= 1
+       ateb_beta_inc_inv_both         The inverse of ateb_beta_inc_both
+       ateb_beta_inc_inv              The inverse of ateb_beta_inc
        ateb_mean                      The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1
 
      ateb/two_indices: Ateb functions with two indices, sa(n, m, s) and ca(m, n, s)
@@ -152,7 +154,7 @@
 
 /* base/real.h - the number type, the macros that a user may set, the functions of the C library
 
-   Everything else is built on this file. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
+   All other files are built on this one. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
    each macro that the user has not set its default, refuses compilers whose options change the values of results, and
    names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
 
@@ -187,14 +189,14 @@
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* slower, with the same results */
+#define VM_INLINE VM_API /* slower than with inlining, with the same results */
 #endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
 #define VM_C(x) x##f            /* the constant x as a vm_real */
 #define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
-#define VM_TAG(tag) tag##_float /* the tag of a struct: each precision has its own, so that C++ programs can mix them */
+#define VM_TAG(tag) tag##_float /* the tag of a struct, one for each precision: a C++ program can use both */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
 #define VM_MIN FLT_MIN /* the smallest normal number */
@@ -210,7 +212,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is as short as float (AVR); table lengths depend on it */
+#define VM_MANT_DIG DBL_MANT_DIG /* digits; 24 where double is as short as float (AVR). Table lengths depend on it. */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
@@ -231,12 +233,12 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_READ(x) (x)        /* reads x, an element of a table, which is always written as table[i] or table[i][j] */
 #endif
 
-#ifndef VM_SQRT /* To use another library, define all four. The casts keep C++ from choosing a template. */
+#ifndef VM_SQRT /* To use another library, define all four macros. The casts keep C++ from choosing a template. */
 #define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
-#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* here gcc compiles "x = copysign(x, y)" to x = y */
+#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* for this processor gcc compiles "x = copysign(x, y)" to x = y */
 #else
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)((vm_real)(x), (vm_real)(y))
 #endif
@@ -247,7 +249,7 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
-/* |x| with the sign of y, which may be -0 */
+/* Returns |x| with the sign of y, which may be -0. */
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
     const int negative = y < 0 || (y == 0 && 1 / y < 0);
@@ -256,7 +258,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers; b where one of them is NaN */
+/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
@@ -284,8 +286,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps them in
-   variables. */
+/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
+   additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -296,7 +298,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* a + b as an exact pair (Knuth) */
+/* Returns the exact sum a + b as a pair (by Knuth). */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -307,7 +309,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a + b as an exact pair, for |a| >= |b| (Dekker) */
+/* Returns the exact sum a + b as a pair, for |a| >= |b| (by Dekker). */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -316,7 +318,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* The pair hi, lo as it is */
+/* Makes a pair from its words hi and lo, which are not changed. */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -339,8 +341,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
-/* Whether sums are computed in the order in which they are written, as arithmetic in two words needs, and whether
-   adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
+/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
+   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
+   two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -354,8 +357,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
-   instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
+/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
+   instead of dividing gets 1 - eps/2 instead of 1 for some of the quotients tested here. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -368,8 +371,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Whether sums next to 1 are rounded to the nearest number, in the middle between two to the even one, and are not
-   kept with more digits than vm_real has */
+/* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
+   the middle between two numbers must be rounded to the even number. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -378,7 +381,7 @@ VM_API int vmi_rounds(vm_real one, vm_real eps)
            minus_above + one == -eps;
 }
 
-/* Whether NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should */
+/* Returns 1 if NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should. */
 VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
 {
     const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
@@ -388,10 +391,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* 1 where the compiler and the processor compute as varmass needs, else 0: results would be wrong.
-   It returns
-   0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
-   processor takes subnormal numbers for zero. Call it once, when the program starts. */
+/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results are wrong.
+   This happens, for example, with options of clang that its macros do not show, with another rounding mode, or where
+   the processor takes subnormal numbers for zero. Call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
@@ -417,15 +419,15 @@ VM_API int vm_self_check(void)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* bits of the mantissa that are stored */
-#define VMI_BIAS 1023     /* the stored exponent of the number 1 */
+#define VMI_STORED_DIG 52 /* number of bits of the mantissa that are stored */
+#define VMI_BIAS 1023     /* stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
 #define VMI_BIAS 127
 #endif
 
-/* The bits of x as an integer */
+/* Returns the bits of x as an integer. */
 VM_API vmi_bits vmi_to_bits(vm_real x)
 {
     vmi_bits bits;
@@ -433,7 +435,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
-/* The number that has these bits */
+/* Returns the number that has these bits. */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -441,8 +443,8 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* x 2^k, rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. The product
-   is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
+/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
+   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -455,11 +457,12 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* (y + y_lo) 2^k for y between 1/2 and 2, rounded only once, also where the result is subnormal */
+/* Returns (y + y_lo) 2^k for y between 1/2 and 2. The result is rounded only once, also where it is subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits. Adding a power of two to y removes the same digits with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
+           superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -469,7 +472,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* The bits of a number as a signed integer, and the bits of the number 1 */
+/* The signed integer type that holds the bits of a vm_real, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
@@ -482,8 +485,9 @@ typedef int32_t vmi_signed_bits;
 /* base/words.h - products, quotients and roots with two and three times the digits
 
    Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
-   number in three words (vmi_three, hi + mid + lo) three times. p is the number of digits of vm_real, 53 or 24 bits.
-   Errors are relative to the result of a product, quotient or root, and to the larger term of a sum.
+   number in three words (vmi_three, hi + mid + lo) has three times as many. p is the number of digits of vm_real, 53 or
+   24 bits. The error of a product, quotient or root is given relative to the result; that of a sum, relative to its
+   larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -491,17 +495,17 @@ typedef int32_t vmi_signed_bits;
 #ifndef VARMASS_BASE_WORDS_H
 #define VARMASS_BASE_WORDS_H
 
-/* Multiplying by this number and subtracting cuts a vm_real into two halves of p/2 digits each (Veltkamp). */
+/* The factor of Veltkamp's method, which splits a vm_real into two halves of p/2 digits each */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
 #define VM_SPLIT VM_C(4097.0)
 #endif
 
-/* a b as an exact pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor underflows. A fused
-   multiply-add gives it where the processor has one; else both factors are split into halves, with the same result.
-   "+ 0" makes a product a sum, so that a compiler that fuses operations cannot put the unrounded product into a later
-   sum. */
+/* Returns the exact product a b as a pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor
+   underflows. Where the processor has a fused multiply-add, this is used; elsewhere both factors are split into halves,
+   with the same result. Each "+ 0" makes a product a sum: a compiler that fuses operations then cannot use the
+   unrounded product in a later sum. */
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
@@ -518,8 +522,8 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 }
 
 /* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
-   apart from rounding, with an error of 2^-(2p) x, and in *quarter this multiple modulo 4. Beyond 2^(p-1) quarter
-   periods the digits of x say nothing about the phase: then both results are 0. */
+   apart from rounding, with an error of 2^-(2p) x, and writes the number of this multiple modulo 4 to *quarter.
+   Beyond 2^(p-1) quarter periods the digits of x say nothing about the phase: then both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -535,28 +539,28 @@ VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
     return vmi_two(p.hi / scale, p.lo / scale);
 }
 
-/* x with the second half of its digits set to zero */
+/* Returns x with the second half of its digits set to zero. */
 VM_API vm_real vmi_head(vm_real x)
 {
     const vmi_bits above = (vmi_bits)1 << ((VM_MANT_DIG + 1) / 2);
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of two words each; the relative error is below 2^-(2p - 4) */
+/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of two words each; the error is below 2^-(2p - 4) of the larger term */
+/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of two words each; the relative error is below 2^-(2p - 4) */
+/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -564,13 +568,13 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* The number hi + mid + lo, where each word is below an ulp of the word before it. The relative error of each
-   operation below is less than 2^-(3p - 4). */
+/* The number hi + mid + lo, where each word is below an ulp of the word before it. Each operation on such numbers has
+   a relative error below 2^-(3p - 4). */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
-/* a + b + c as a number in three words, for |a| >= |b| >= |c| or nearly so */
+/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c|, at least approximately */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -581,7 +585,7 @@ VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
     return x;
 }
 
-/* x + y */
+/* The sum x + y of numbers in three words */
 VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
 {
     const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
@@ -589,7 +593,7 @@ VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
     return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
 }
 
-/* x y */
+/* The product x y of numbers in three words */
 VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
 {
     const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
@@ -599,7 +603,7 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
-/* x / y by long division: each of three steps gives a word of the quotient */
+/* The quotient x / y by long division: each of three steps gives a word of the quotient */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -611,10 +615,10 @@ VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
     return vmi_three_words(quotient[0], quotient[1], quotient[2]);
 }
 
-/* x^4 */
+/* The fourth power of x */
 VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
-/* x times a power of two, without rounding */
+/* The product of x and a power of two, which is exact */
 VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
 {
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
@@ -633,7 +637,7 @@ VM_API vmi_three vmi_three_sqrt(vmi_three a)
     return x;
 }
 
-/* pi/2 in three words */
+/* The number pi/2 in three words */
 VM_API vmi_three vmi_half_pi(void)
 {
 #if VM_MANT_DIG > 24
@@ -645,7 +649,7 @@ VM_API vmi_three vmi_half_pi(void)
 #endif
 }
 
-/* a - root^2 without loss of digits, for root = sqrt(a) rounded */
+/* Returns a - root^2 without loss of digits, where root is sqrt(a) after rounding. */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
     const vm_real head = vmi_head(root), tail = root - head;
@@ -659,7 +663,7 @@ VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
     return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
 }
 
-/* x, or the bound that it lies beyond; NaN stays NaN */
+/* Returns x if it lies between low and high, else the bound that x exceeds. A NaN stays NaN. */
 VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
 {
     if (x > high) x = high;
@@ -667,20 +671,20 @@ VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
     return x;
 }
 
-/* x times a power of two, without rounding */
+/* The product of x and a power of two, which is exact */
 VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
 
-/* x - y */
+/* The difference x - y of numbers in two words */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* The square root of x >= 0. Below 2^-500 (float 2^-80) the low word is lost. */
+/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word is lost. */
 VM_API vm_two vmi_two_root(vm_two x)
 {
     if (x.hi > 0) return vmi_root(x.hi, x.lo);
     return vmi_two(0, 0);
 }
 
-/* -x */
+/* The number -x */
 VM_API vm_two vmi_minus(vm_two x)
 {
     x.hi = -x.hi;
@@ -688,7 +692,7 @@ VM_API vm_two vmi_minus(vm_two x)
     return x;
 }
 
-/* x / 2 */
+/* The number x / 2 */
 VM_API vm_two vmi_half(vm_two x)
 {
     x.hi /= 2;
@@ -696,7 +700,7 @@ VM_API vm_two vmi_half(vm_two x)
     return x;
 }
 
-/* x times factor, a number of one word */
+/* The product of x and a factor of one word */
 VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 {
     vm_two p = vmi_two_product(x.hi, factor);
@@ -706,22 +710,22 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 #endif
 /* ateb/period.h - Pi_alpha, half the period of the Ateb functions
 
-   sa and ca have the period 2 Pi_alpha, where Pi_alpha = B(1/(alpha + 1), 1/2) by (277): 2 for alpha = 0, pi for 1.
-   ateb_pi returns it; the internal functions return a quarter of the period, Pi_alpha/2, in as many words as the
-   reduction of an argument needs.
+   sa and ca have the period 2 Pi_alpha, where Pi_alpha = B(1/(alpha + 1), 1/2) by (277). It is 2 for alpha = 0 and pi
+   for alpha = 1. ateb_pi returns Pi_alpha; the internal functions return a quarter of the period, Pi_alpha/2, in as
+   many words as the reduction of an argument needs.
 
        vm_real period = 2 * ateb_pi(3);
 
    Two methods: a table of polynomials for Pi_alpha - (alpha + 1), which is quick and enough for most arguments, and
-   one polynomial of degree 33 (float 17) in two or three words. In the comments n = alpha + 1 and q = 1/n.
-   The tables are computed by tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
+   one polynomial of degree 33 (float 17) in two or three words. In the comments of this file n = alpha + 1 and
+   q = 1/n. The tables are computed by tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
 
-/* Coefficient i of the polynomial in t = 2q - 1 for (1 + q)(2 + q)(3 + q) f(q), where
+/* Returns coefficient i of the polynomial in t = 2q - 1 that equals (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha, between 1 and 2 for 0 < q <= 1.
-   It is the interpolation in Chebyshev's points; each coefficient is about 1/18 of the one before it. Each has up to
-   three words; which_word 0 is the largest. Words that would change nothing are 0. */
+   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A
+   coefficient has up to three words; which_word = 0 selects the largest. Words that would change nothing are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
@@ -771,12 +775,12 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
     return i < (int)(sizeof lowest / sizeof *lowest) ? VM_READ(lowest[i]) : 0;
 }
 
-/* The degree of this polynomial */
+/* The degree of the polynomial of vmi_ateb_coefficient */
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
-/* The polynomial of vmi_ateb_coefficient in two words. The coefficients from the one at TWO_WORDS on are small enough
-   for one word. Each coefficient exceeds the sum of the terms behind it, so that two operations a step are enough for
-   the high words. */
+/* The polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small that one
+   word is enough. Each coefficient exceeds the sum of the terms after it, so that Dekker's sum of two numbers is
+   enough for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
     enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };
@@ -795,7 +799,7 @@ VM_API vm_two vmi_ateb_polynomial(vm_two t)
     return sum;
 }
 
-/* f(q) = q Pi_alpha to a relative error of 2^-102 (float 2^-44) */
+/* Returns f(q) = q Pi_alpha with a relative error of 2^-102 (float 2^-44) */
 VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 {
     const vm_two one = {1, 0}, minus_one = {-1, 0}, twice_q = vmi_two(2 * q.hi, 2 * q.lo);
@@ -805,8 +809,8 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
     return vmi_two_over(vmi_ateb_polynomial(vmi_two_plus(minus_one, twice_q)), divisor);
 }
 
-/* Pi_alpha/2 in three words, to a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float 3e4). The
-   product n f(q)/2, where 1/(i + q) = n/(i n + 1). */
+/* Returns Pi_alpha/2 in three words, with a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float
+   3e4). It is the product n f(q)/2, where each factor 1/(i + q) of f is computed as n/(i n + 1). */
 VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 {
     const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
@@ -826,7 +830,7 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 }
 
 /* The columns of the table of g(q) = Pi_alpha - (alpha + 1): the low words of g and of its slope at q = row/32, g and
-   its slope there, and the further coefficients of the Taylor series. The slope has half of the digits. */
+   its slope at that q, and the further coefficients of the Taylor series. The slope has half of the digits. */
 enum {
     VMI_ATEB_G_LOW,
     VMI_ATEB_G_SLOPE_LOW,
@@ -836,7 +840,7 @@ enum {
     VMI_ATEB_G_COLUMNS = VM_MANT_DIG > 24 ? 12 : 8
 };
 
-/* A number from the table of g(q). Row 0 is for q = 0 (g = 2 ln 2), row 32 for q = 1 (g = 1). */
+/* Returns a number from the table of g(q). Row 0 is for q = 0 (g = 2 ln 2), row 32 for q = 1 (g = 1). */
 VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -1045,22 +1049,22 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
     return VM_READ(table[row][column]);
 }
 
-/* g(q) = Pi_alpha - (alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute error below 2^-66 (float
-   2^-36). It is a polynomial in the distance h of q from the nearest multiple of 1/32. The low word may be as large
-   as 2^-13. */
+/* Returns g(q) = Pi_alpha - (alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute error below 2^-66
+   (float 2^-36). g is computed as a polynomial in the distance h of q from the nearest multiple of 1/32. Its low word
+   may be as large as 2^-13. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24
-    const vm_real to_row = VM_C(211106232532992.0); /* 1.5 2^47: the last digit of a sum with it is worth 1/32 */
+    const vm_real to_row = VM_C(211106232532992.0); /* 1.5 2^47; adding it rounds a number to a multiple of 1/32 */
 #else
-    const vm_real to_row = VM_C(393216.0); /* 1.5 2^18 */
+    const vm_real to_row = VM_C(393216.0); /* 1.5 2^18; adding it rounds a number to a multiple of 1/32 */
 #endif
     enum { S = VMI_ATEB_G_SERIES };
     const vm_real shifted = vmi_rounded(q.hi + to_row), h = q.hi - vmi_rounded(shifted - to_row);
     const vm_real h_head = vmi_head(h), hh = (h + q.lo) * (h + q.lo);
     const int row = (int)(vmi_to_bits(shifted) & 63);
     const vm_real slope = vmi_ateb_g_constant(row, VMI_ATEB_G_SLOPE);
-    vm_two g = vmi_fast_two_sum(vmi_ateb_g_constant(row, VMI_ATEB_G_VALUE), slope * h_head); /* an exact product */
+    vm_two g = vmi_fast_two_sum(vmi_ateb_g_constant(row, VMI_ATEB_G_VALUE), slope * h_head); /* the product is exact */
     vm_real series = (vmi_ateb_g_constant(row, S) + h * vmi_ateb_g_constant(row, S + 1)) +
                      hh * (vmi_ateb_g_constant(row, S + 2) + h * vmi_ateb_g_constant(row, S + 3));
 #if VM_MANT_DIG > 24
@@ -1073,7 +1077,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* What the functions need of alpha. A low word may exceed an ulp of its high word where a function says so. */
+/* The numbers that the functions need for one alpha. A low word may exceed an ulp of its high word where a function
+   says so. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -1081,7 +1086,8 @@ typedef struct VM_TAG(vmi_ateb) {
     vm_two quarter; /* Pi_alpha/2, a quarter of the period */
 } vmi_ateb;
 
-/* Sets n and q, and the rest to 0. The remainder 1 - n q is exact, since n and q are cut into halves. */
+/* Sets the fields n = alpha + 1 and q = 1/n, and sets g and quarter to 0. The remainder 1 - n q is exact, since n and q
+   are split into halves. */
 VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
 {
     vm_real n_head, n_tail, q_head;
@@ -1095,8 +1101,8 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets g and quarter, whose low words may be as large as 2^-13. The phase has the absolute error of
-   Pi_alpha, however large Pi_alpha is; as a sum of n and g it has a small one for a large alpha too. */
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. The absolute error of Pi_alpha enters the
+   phase. It is small for a large alpha too, since Pi_alpha is the sum of n and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -1114,22 +1120,24 @@ VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
     c->quarter = vmi_fast_two_sum(c->quarter.hi, c->quarter.lo);
 }
 
-/* Pi_alpha, half the period of sa and ca, for alpha >= 0. Pi_alpha = B(1/(alpha + 1), 1/2), a pure number: 2 for
-   alpha = 0, pi for 1, close to alpha + 1 + 2 ln 2 for a large alpha. Within 1 ulp. NaN for alpha < 0, NaN and
-   infinite alpha. Time: 1.5 sines. Equation (277). */
+/* Pi_alpha, half the period of sa and ca, for alpha >= 0. Pi_alpha = B(1/(alpha + 1), 1/2) is a pure number: 2 for
+   alpha = 0, pi for alpha = 1, and close to alpha + 1 + 2 ln 2 for a large alpha. The error is at most 1 ulp. Returns
+   NaN for alpha < 0, NaN and infinite alpha. docs/cost.md has the time. Equation (277). */
 VM_API vm_real ateb_pi(vm_real alpha)
 {
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
-    vmi_ateb_constants(&c, alpha);
-    return 2 * c.quarter.hi;
+    vmi_ateb_index_constants(&c, alpha);
+    vmi_ateb_period_constants(&c);
+    return 2 * vmi_fast_two_sum(c.quarter.hi, c.quarter.lo).hi;
 }
 
-/* Whether alpha is so large that three terms of g(q) at q = 0 give the quarter period in two words */
+/* Returns 1 if alpha is so large that three terms of g(q) at q = 0 give the quarter period in two words, else 0. */
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
-/* Pi_alpha/2 to a relative error of 2^-102 (float 2^-44). Pi_alpha is n + g(q), with g(q) = 2 ln 2 + q g'(0) + q^2
-   g''(0)/2, for a large alpha, and n f(q) for others. */
+/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
+   Pi_alpha is n + g(q), with g(q) = 2 ln 2 + q g'(0) + q^2 g''(0)/2; for any other alpha it is n f(q), where f is
+   vmi_ateb_gamma_ratio. */
 VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 {
     const vm_two one = {1, 0};
@@ -1148,9 +1156,9 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 #endif
 /* ateb/powers.h - a logarithm and an exponential that are quicker and have one word only
 
-   vmi_log and vmi_exp (base/elementary.h) return two words. The functions here return one, with an error of one or
-   two ulp. They serve where the result is multiplied by less than about 1/2 before it counts: in the inversion of the
-   incomplete beta function and in plans.
+   vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
+   of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in the inversion of
+   the incomplete beta function and in plans.
 
        vm_real y = vmi_ateb_exp(vmi_ateb_ln(3) / 2); // the square root of 3
 
@@ -1160,7 +1168,7 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 
 #include <stdint.h>
 
-/* ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2) for |t| < 0.18, where L is a polynomial */
+/* Returns ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2) for |t| < 0.18, where L is a polynomial. */
 VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
 {
     const vm_real x = t * t;
@@ -1176,8 +1184,8 @@ VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
     return 2 * t + t * x * L;
 }
 
-/* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2), and returns z. Subtracting the bits of
-   sqrt(1/2) makes the exponent of the difference k. */
+/* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2). Returns z, and k in *k. When the bits
+   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. */
 VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
 {
 #if VM_MANT_DIG > 24
@@ -1190,7 +1198,7 @@ VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
     return vmi_from_bits((above & (one - 1)) + least);
 }
 
-/* ln(2^k (1 + t)/(1 - t)) for |t| < 0.18. The product of k and the first word of ln 2 has no rounding error. */
+/* Returns ln(2^k (1 + t)/(1 - t)) for |t| < 0.18. The product of k and the first word of ln 2 has no rounding error. */
 VM_API vm_real vmi_ateb_ln_of(vm_real k, vm_real t)
 {
 #if VM_MANT_DIG > 24
@@ -1201,7 +1209,7 @@ VM_API vm_real vmi_ateb_ln_of(vm_real k, vm_real t)
     return k * ln2_hi + (vmi_ateb_ln_ratio(t) + k * ln2_lo);
 }
 
-/* ln x for a normal number x > 0 */
+/* Returns ln x for a normal number x > 0. */
 VM_API vm_real vmi_ateb_ln(vm_real x)
 {
     vm_real k;
@@ -1209,7 +1217,7 @@ VM_API vm_real vmi_ateb_ln(vm_real x)
     return vmi_ateb_ln_of(k, (z - 1) / (z + 1));
 }
 
-/* (e^z - 1 - z)/z^2 for |z| < 0.36, a polynomial */
+/* Returns (e^z - 1 - z)/z^2 for |z| < 0.36, by a polynomial. */
 VM_API vm_real vmi_ateb_exp_series(vm_real z)
 {
     const vm_real zz = z * z;
@@ -1225,11 +1233,11 @@ VM_API vm_real vmi_ateb_exp_series(vm_real z)
     const vm_real E01 = VM_C(0.500000001824) + z * VM_C(0.166666664398);
     const vm_real E23 = VM_C(0.0416664198173) + z * VM_C(0.00833340486371);
     const vm_real E45 = VM_C(0.00139382863335) + z * VM_C(1.98219343782e-4);
-    return E01 + zz * (E23 + zz * E45); /* z^4 could be subnormal, which is slow */
+    return E01 + zz * (E23 + zz * E45); /* this form avoids z^4, which could be subnormal and slow */
 #endif
 }
 
-/* e^x for an x whose result is a normal number. x = k ln 2 + z, so that e^x = 2^k (1 + z + z^2 E(z)). */
+/* Returns e^x if this is a normal number. Method: x = k ln 2 + z, so that e^x = 2^k (1 + z + z^2 E(z)). */
 VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;
@@ -1256,27 +1264,28 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
      2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
 
-   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v, beyond it the second for p; at the
-   change-over w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and its r (or d) is computed. It differs
-   little from the given one, and a Taylor series corrects v (or p) for the difference. So one continued fraction for
-   2F1 and one power are enough.
+   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v; for larger r the second is solved for p; at
+   the change-over w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
+   computed. The computed r (or d) differs little from the given one, and a Taylor series corrects v (or p) for the
+   difference. Therefore one continued fraction for 2F1 and one power are enough.
 
    Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_INVERSION_H
 #define VARMASS_ATEB_INVERSION_H
 
-/* Up to this distance from a zero of sa the first equation above is used, beyond it the second. */
+/* Up to this distance r from a zero of sa, sa is computed by vmi_ateb_near_sa_zero; for larger r by
+   vmi_ateb_near_ca_zero. */
 #define VMI_ATEB_CHANGE_OVER VM_C(0.55)
 
 /* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
      e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
      e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
-   Two levels gain 7 bits or more for z < 0.303. e_j tends to z/4, which gives a start for the last Y. These are the
-   numbers of levels. */
+   Two levels gain 7 bits or more for z < 0.303. e_j tends to z/4, which gives a start for the last Y. The constants
+   are the numbers of levels of the two fractions, in w and in p. */
 enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
-/* Y_1 = P/Q from Y, the one after the last level, and from e_(j+1)/z = e_by_z[j]. There is no division. The e_j/z do
-   not depend on z, so that they are computed while the processor waits for z. */
+/* Computes Y_1 = P/Q from Y, the value after the last level, and from e_(j+1)/z = e_by_z[j], without a division. The
+   numbers e_j/z do not depend on z, so that the processor computes them while it waits for z. */
 VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
 {
     int j;
@@ -1289,7 +1298,8 @@ VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, v
     }
 }
 
-/* (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. Here e_j/w = constant + q slope. */
+/* Returns (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. Each e_j/w is linear in q: an element of
+   `constant` plus q times one of `slope`. */
 VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
 {
     VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,    VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
@@ -1308,8 +1318,9 @@ VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
     return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
 }
 
-/* Numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. Here e_(j+1)/p is
-   (constant + q slope + q^2 square)/((q + index)(q + index + 1)), each at j. */
+/* Computes two numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. e_(j+1)/p is
+   (constant + q slope + q^2 square)/((q + index)(q + index + 1)), where each name stands for element j of the table
+   with this name. */
 VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
 {
     VM_TABLE vm_real index[13] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
@@ -1324,16 +1335,17 @@ VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
     vmi_ateb_fraction(e_by_p, p, VMI_ATEB_P_LEVELS, 1 - p * (1 + p / 2) / 4, P, Q);
 }
 
-/* (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits cancel. */
+/* Returns (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits cancel. */
 VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
 {
     const vm_real l = vmi_ateb_ln_ratio(t), z = q * l;
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* sa and ca for 0 <= r <= VMI_ATEB_CHANGE_OVER. The guess v is the series of sa up to r^9, within 1e-5, with
-   coefficients in k = 1 - q, cut to half of the digits so that w = v^2 is exact. h is r minus the r that belongs to
-   v; Taylor's series in e = h/u leads to sa and ca. */
+/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). The guess v
+   of sa is the series of sa up to r^9, which is right to 1e-5 and whose coefficients are polynomials in k = 1 - q. v is
+   shortened to half of its digits, so that w = v^2 is exact. h is r minus the r that belongs to v; a Taylor series in
+   e = h/u, where u is the ca that belongs to v, gives sa and ca. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
@@ -1349,8 +1361,8 @@ VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca
     *ca = 1 - (one_minus_u + h * q * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667))));
 }
 
-/* (2^k (1 + t)/(1 - t))^n/4 to a relative error of 2e-7 (1 + |logarithm of the result|), for a result that is a
-   normal number. It is 2^power/4, where power is split into an integer and z between -1/2 and 1/2. */
+/* Returns (2^k (1 + t)/(1 - t))^n/4 with a relative error of 2e-7 (1 + |logarithm of the result|), if the result is a
+   normal number. The result is 2^power/4, where power is split into an integer and z between -1/2 and 1/2. */
 VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
 {
     const vm_real to_integer = VM_C(1.5) / VM_EPSILON, tt = t * t;
@@ -1364,15 +1376,16 @@ VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
                          (vmi_to_bits(shifted) << VMI_STORED_DIG));
 }
 
-/* The number y = 2 q d in two words, whose power n is X; its logarithm is vmi_ateb_ln_of(k, t). */
+/* The number y = 2 q d in two words, whose power y^(alpha + 1) is X; ln y is vmi_ateb_ln_of(k, t) */
 typedef struct VM_TAG(vmi_ateb_base) {
     vm_two y;
     vm_real k, t;
 } vmi_ateb_base;
 
-/* The base from r and d, where z = 2 r - (Pi_alpha - (alpha + 1)), so that y = 1 - q z. It is taken from the
-   smaller of r and d; for r < d y > 1/2. The low word of y counts: where alpha is large, a small change of y is a
-   large one of X = y^(alpha+1). For y < 1/2 X is so small that y.lo need not be scaled by 2^-k. */
+/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y is 1 - q z, where
+   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; for r < d, y > 1/2. The low word of
+   y matters: where alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so
+   small that y.lo need not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
@@ -1384,15 +1397,16 @@ VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, v
     } else if (d < 1 / VM_EPSILON) {
         base.y = vmi_two_product(twice_q.hi, d);
         base.y.lo += twice_q.lo * d + twice_q.hi * d_lo;
-    } else base.y = vmi_two(twice_q.hi * d, 0); /* here X underflows, and the low word does not count */
+    } else base.y = vmi_two(twice_q.hi * d, 0); /* here X underflows, and the low word does not matter */
     mantissa = vmi_ateb_mantissa(base.y.hi, &base.k);
     scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), base.y.hi - sqrt_half); /* 2^-k for y > 1/2 */
     base.t = ((mantissa - 1) + scale * base.y.lo) / (mantissa + 1);
     return base;
 }
 
-/* p within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). It is the (1, 1) Pade approximant of p/X4 and what it
-   lacks, X4^3 q (1 - q) times a polynomial fitted by tests/gen/ateb_coefficients.py. */
+/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed by its (1, 1) Pade
+   approximant and a correction, which contains X4^3 q (1 - q) and a polynomial fitted by
+   tests/gen/ateb_coefficients.py. */
 VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 {
     const vm_real k = 1 - q, m = (1 + q) * (2 + q);
@@ -1402,21 +1416,21 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
            (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
 }
 
-/* sa and ca for r >= VMI_ATEB_CHANGE_OVER, in terms of y = 2 q d and ln X = (alpha + 1) ln y. The equation to solve
-   is
-     ln X = ln x + (alpha + 1) ln(1 + q T), and its derivatives, with E = 1 + q T, are
+/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from that of ca. q is 1/(alpha + 1),
+   y = 2 q d, and ln X = (alpha + 1) ln y. The equation
+     ln X = ln x + (alpha + 1) ln(1 + q T) is solved for p. Its derivatives, with E = 1 + q T, are
      dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
-   rho is what ln X has more than the ln X of the guess; Taylor's series in rho leads to sa and ca. */
+   rho is ln X minus the ln X that belongs to the guess; a Taylor series in rho gives sa and ca. */
 VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
 {
-    const vm_real least_ln = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8): X is negligible */
+    const vm_real least_ln = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* X < eps/8 may be neglected */
     const vm_real n = c->n.hi, q = c->q.hi, twice_q = 2 * q;
     const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(twice_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
     const vm_real y = base.y.hi, ln_X = n * vmi_ateb_ln_of(base.k, base.t);
-    vm_real p, v, P, Q;       /* the guess of p, its v, and E = P/(P - B) */
+    vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and E = P/(P - B) */
     vm_real B, E, E_loss;     /* E_loss = 1 - 1/E, so that u/y of the guess is 1 - E_loss */
     vm_real rho, vE;          /* vE = v E */
-    vm_real sa_rate, ca_rate; /* -dv/d(ln X) and -d ln(u/y)/d(ln X) */
+    vm_real sa_rate, ca_rate; /* -d(sa)/d(ln X) and -d ln(ca/y)/d(ln X) */
     vm_real sa_change, ca_change;
     *sa = 1;
     *ca = y + base.y.lo;
@@ -1441,32 +1455,31 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
 /* ateb/functions.h - the Ateb functions sa and ca for any real argument and any alpha >= 0
 
    v = sa(1, alpha, s) and u = ca(alpha, 1, s) solve v' = u|u|^(alpha-1), u' = -2 v/(alpha + 1) with v(0) = 0 and
-   u(0) = 1: equations (275), (276). They have the period 2 Pi_alpha (ateb/period.h) and make up the motion of the
-   oscillator with the restoring force x|x|^(alpha-1). Who needs one alpha for many arguments prepares a plan
-   (ateb/plans.h).
+   u(0) = 1: equations (275), (276). They have the period 2 Pi_alpha (ateb/period.h) and describe the motion of the
+   oscillator with the restoring force x|x|^(alpha-1). For many arguments and one alpha prepare a plan (ateb/plans.h).
 
        vm_real sa, ca;
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
 
    Method: s is reduced to the first quarter of the period, where an incomplete beta function is inverted
-   (ateb/inversion.h). r is the distance of s from the nearest zero of sa, d that from the nearest zero of ca, so that
-   r + d = Pi_alpha/2. Tests: tests/test_ateb.c. */
+   (ateb/inversion.h). r is the distance of s from the nearest zero of sa, and d the distance from the nearest zero of
+   ca, so that r + d = Pi_alpha/2. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_FUNCTIONS_H
 #define VARMASS_ATEB_FUNCTIONS_H
 
-/* Where s lies: s is `quarter` quarters of the period plus rest, and quarter counts modulo 4. r and d are its
-   distances from the nearest zeros of sa and ca. */
+/* The position of s in the period. s is `quarter` quarters of the period plus rest, where whole periods (4 quarters)
+   are left out. r and d are the distances of s from the nearest zeros of sa and ca. */
 typedef struct VM_TAG(vmi_ateb_place) {
     vm_real rest, r, d;
     int quarter;
 } vmi_ateb_place;
 
-/* The rest of s > 0 beyond the nearest multiple of the quarter period, for an s that is large or close to a zero.
-   c->quarter is replaced by two words that are right to 2^-102 (float 2^-44). Where the rest is so small that their
-   error would be felt, three words are used. */
+/* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large or close to a zero.
+   c->quarter is replaced by two words with a relative error of 2^-102 (float 2^-44). If the result is so small that
+   this error would matter, three words are used. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
-    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* 2^-44, 2^-16 */
+    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* about 2^-44 (float 2^-16) */
     vm_real rest, count;
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
@@ -1477,16 +1490,19 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
         if (count * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + count * Q.lo);
     }
     if (VM_FABS(rest) < c->quarter.hi) return rest;
-    return 0; /* s is beyond 2^52 quarters */
+    return 0; /* s is above 2^52 quarters: its digits do not give the phase */
 }
 
-/* a for the weight 1, b for the weight 0. A condition would become a branch, which is mispredicted half the time. */
+/* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, which is mispredicted half
+   the time. */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
-/* The place of s >= 0, by the quickest of three ways. 1. For s <= (alpha + 1)/2, s lies in the first quarter, and r =
-   s does not have to wait for Pi_alpha. 2. For s <= 128 (alpha + 1), the quick quarter period of c is enough, unless
-   s is close to a zero. Its products with the number of quarters are exact. The number comes from its high word
-   alone, so that the rest may be a little longer than half a quarter. 3. Any other s is reduced finely. */
+/* Returns the position of s >= 0 in the period, by the quickest of three ways.
+     1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
+     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero. Its products with the
+        number of quarters are exact. This number comes from the high word of c->quarter alone, so that the rest may be
+        a little longer than half a quarter.
+     3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
     const vm_real n = c->n.hi, to_integer = VM_C(1.5) / VM_EPSILON;
@@ -1501,7 +1517,7 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
         at.d = (c->quarter.hi - s) + c->quarter.lo;
         return at;
     }
-    if (is_coarse) { /* a quotient that is rounded to an integer counts the quarters in its last bits */
+    if (is_coarse) { /* the last bits of the rounded quotient are the number of quarters */
         const vm_real high = vmi_head(c->quarter.hi), low = c->quarter.hi - high;
         const vm_real shifted = vmi_rounded(s / c->quarter.hi + to_integer);
         const vm_real count = vmi_rounded(shifted - to_integer);
@@ -1518,8 +1534,8 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     return at;
 }
 
-/* Gives sa and ca of the first quarter the signs that they have at s, where |s| is so many quarters plus rest. It
-   works on the bits of the signs, without a branch. */
+/* Gives sa and ca of the first quarter the signs that they have at s, where |s| is `quarter` quarters plus rest. The
+   function works on the bits of the signs, without a branch. */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
     const int last = 8 * (int)sizeof(vm_real) - 1;
@@ -1529,10 +1545,10 @@ VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real
     *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd << last)));
 }
 
-/* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. Any real s and alpha >= 0, pure numbers. |sa| <= 1,
-   |ca| <= 1; sa is odd in s and ca is even, to the last bit. Within 4 eps for |s| <= 1e9 (float 1e4); within 8 ulp
-   for |s| <= 100 Pi_alpha, next to the zeros too. NaN for alpha < 0, NaN and infinite arguments. Time: about 10
-   sines. Equations (275), (276). */
+/* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. s is any real number and alpha >= 0; both are pure
+   numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 eps for
+   |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, next to the zeros too. The results are NaN for
+   alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275), (276). */
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     vmi_ateb c;
@@ -1557,7 +1573,7 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 }
 
 /* sa(1, alpha, s), the Ateb sine, alone.
-   Domain and accuracy are those of ateb_saca, which computes both in the same time. */
+   Domain and accuracy are those of ateb_saca, which computes both functions in the same time. */
 VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
 {
     vm_real sa, ca;
@@ -1566,7 +1582,7 @@ VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
 }
 
 /* ca(alpha, 1, s), the Ateb cosine, alone.
-   Domain and accuracy are those of ateb_saca, which computes both in the same time. */
+   Domain and accuracy are those of ateb_saca, which computes both functions in the same time. */
 VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 {
     vm_real sa, ca;
@@ -1577,9 +1593,10 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 #endif
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
-   The C library's functions differ from machine to machine in the last bits. These do not: they use the basic
-   operations alone. Most of them return a low word too, so that a power has all its digits. They have no branch but
-   where a result is subnormal, so that a compiler can vectorise loops over them.
+   The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
+   bits everywhere: they use only basic operations, which every machine rounds in the same way. Most of them return a
+   result in two words, so that a power made from them has all its digits. They branch only where a result is subnormal,
+   so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
@@ -1589,8 +1606,10 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 
 #include <stdint.h>
 
-/* Constants of vmi_log for the interval `row` of 32: column 0 is 1/c, columns 1 and 2 are ln c in two words, the
-   first a multiple of 2^-42 (float 2^-16) as the first word of ln 2 is, so that k ln 2 + ln c has no rounding error */
+/* Returns a constant of vmi_log for the interval `row`, one of 32. The number c lies close to all numbers of this
+   interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
+   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
+   rounding error. */
 VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -1665,9 +1684,10 @@ VM_INLINE vm_real vmi_log_constant(int row, int column)
     return VM_READ(table[row][column]);
 }
 
-/* ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). x = 2^k z, where z lies
-   between 0.708 and 1.417. With c close to z and r = z/c - 1, ln x = k ln 2 + ln c + ln(1 + r). 1/c has few digits,
-   so that the square of the first half of r is exact. c is 1 where z is within 0.01 of 1. */
+/* Returns ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). Method: x = 2^k z,
+   where z lies between 0.708 and 1.417. Let c be a constant close to z and r = z/c - 1; then
+   ln x = k ln 2 + ln c + ln(1 + r). The constant 1/c has few digits, so that the square of the first half of r is
+   exact. c is 1 where z is within 0.01 of 1. */
 VM_API vm_two vmi_log(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1687,7 +1707,7 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
     const int row = (int)(44 * z - VM_C(30.5));
     const vm_real by_c = vmi_log_constant(row, 0);
-    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* without rounding errors */
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* no rounding error */
     const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
     const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + vmi_log_constant(row, 1), r.hi);
     const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
@@ -1707,10 +1727,10 @@ VM_API vm_two vmi_log(vm_real x)
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* Writes e^(x + x_lo) as 2^k (1 + p + p_lo), |p| < 0.42, and returns p. It needs |x| <= 1500 (float 200) and |x_lo|
-   at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for |x| < 0.34, where k = 0, p
-   alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 + r^3 E(r), where the square of
-   the first half of r is exact. */
+/* Writes e^(x + x_lo) as 2^k (1 + p + p_lo), |p| < 0.42, and returns p. |x| must be at most 1500 (float 200), and
+   |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for |x| < 0.34, where
+   k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 + r^3 E(r), where the
+   square of the first half of r is exact. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
@@ -1746,12 +1766,13 @@ VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
     return sum.hi;
 }
 
-/* e^(x + x_lo) within 0.53 ulp, subnormal results included, for any x and |x_lo| at most an ulp of x */
+/* Returns e^(x + x_lo) within 0.53 ulp, also where the result is subnormal. x may be any number; |x_lo| is at most an
+   ulp of x. */
 VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 2);
     const vm_real least = VM_C(-0.6931471805599453094) * (VMI_BIAS + VM_MANT_DIG + 2);
-    const vm_real inside = vmi_smaller(vmi_larger(x, least), largest); /* NaN becomes least */
+    const vm_real inside = vmi_smaller(vmi_larger(x, least), largest); /* a NaN becomes `least` */
     vm_real p_lo, p;
     vm_two y;
     int k;
@@ -1762,7 +1783,7 @@ VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
     return vmi_ldexp_two(y.hi, y.lo + p_lo, k);
 }
 
-/* x^y for x > 0 within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
+/* Returns the power x^y for x > 0, within 0.6 ulp if x.lo is 0 or |ln x| > 100 eps. */
 VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
@@ -1773,8 +1794,9 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* atan(y/x) within 1 ulp for x, y >= 0 that are not both 0. The angle is reduced by pi/2 and pi/4 until the tangent
-   is at most tan(pi/8), where the polynomial A is used. */
+/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
+   subtracted from pi/2; from the result, if it is above pi/8 (middle), pi/4 is subtracted. What remains is at most
+   pi/8, where the polynomial A gives the arctangent. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1800,7 +1822,8 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     return angle;
 }
 
-/* The sine and the cosine of z, |z| <= 0.79, within 0.55 ulp, where z.lo is at most an ulp of z.hi */
+/* Computes the sine and the cosine of the angle z, |z| <= 0.79, which is a little more than pi/4. |z.lo| is at most an
+   ulp of z.hi. */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -1821,14 +1844,14 @@ VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
     *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
 }
 
-/* The integer nearest to x, |x| < 2^15; 0 for NaN */
+/* Returns the integer nearest to x, for |x| < 2^15, and 0 if x is NaN. */
 VM_INLINE int vmi_nearest(vm_real x)
 {
     if (x != x) return 0;
     return (int)(x + VM_COPYSIGN(VM_C(0.5), x));
 }
 
-/* ln x of a number in two words */
+/* Returns the logarithm of a number x in two words, also in two words. */
 VM_API vm_two vmi_two_log(vm_two x)
 {
     const vm_two l = vmi_log(x.hi);
@@ -1836,7 +1859,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* The sine and the cosine of any x, reduced by pi/2 in two words; NaN for infinite x */
+/* Computes the sine and the cosine of any angle x in radians. First x is reduced by a multiple of pi/2, which is used
+   in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1855,7 +1879,7 @@ VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
     if (x < 0) *sine = -*sine;
 }
 
-/* The angle of the point (x, y), between -pi and pi, within 2 ulp; 0 for x = y = 0 */
+/* Returns the angle of the point (x, y) in radians, between -pi and pi, and 0 for x = y = 0. */
 VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 {
     vm_real angle = 0;
@@ -1867,8 +1891,8 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 #endif
 /* ateb/phase.h - the phase s that belongs to a pair of values sa and ca
 
-   ateb_phase is to sa and ca what atan2 is to sine and cosine. It gives the phase of an oscillator from its position
-   and velocity.
+   As atan2 computes an angle from its sine and cosine, ateb_phase computes the phase s from sa and ca, for example
+   the phase of an oscillator from its position and velocity.
 
        vm_real sa, ca, s;
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
@@ -1878,7 +1902,7 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 #ifndef VARMASS_ATEB_PHASE_H
 #define VARMASS_ATEB_PHASE_H
 
-/* T with 1 + q T = 2F1(1, 2q; 1 + q; p), for p < 0.251 */
+/* Returns T with 1 + q T = 2F1(1, 2q; 1 + q; p), for p < 0.251. */
 VM_API vm_real vmi_ateb_T(vm_real q, vm_real p)
 {
     vm_real P, Q;
@@ -1886,8 +1910,8 @@ VM_API vm_real vmi_ateb_T(vm_real q, vm_real p)
     return 2 * p * Q / ((1 + q) * P - 2 * q * p * Q);
 }
 
-/* The distance r from the zero of sa where w < 0.302, from h = ln(w/x) < 0. Since w + x = 1, w = e^h/(1 + e^h), where
-   sum = 1 + e^h. */
+/* Returns the distance r of s from the zero of sa for w = sa^2 < 0.302, from h = ln(w/x) < 0. Since x is 1 - w,
+   w = e^h/(1 + e^h). sum is 1 + e^h. */
 VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
 {
     const vm_real v = vmi_exp(h.hi / 2, h.lo / 2) / VM_SQRT(sum), w = v * v, b = q + VM_C(0.5);
@@ -1895,9 +1919,10 @@ VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
     return v + v * (w * b * vmi_ateb_w_fraction(q, w) * (1 - one_minus_u) - one_minus_u);
 }
 
-/* The distance r from the zero of sa for the other w, from h = ln(w/x), e = e^-|h| and sum = 1 + e. u = x^q comes
-   from ln x = -ln(1 + e^h). Where u is well below 1, r is a quarter of the period less d = u (n + T)/2; else 1 - u is
-   computed without loss of digits, and r = (n (1 - u) + g - u T)/2. */
+/* Returns the distance r of s from the zero of sa for w = sa^2 >= 0.302, from h = ln(w/x), where x = 1 - w, e = e^-|h|
+   and sum = 1 + e. u = x^q, which is ca, is computed from ln x = -ln(1 + e^h). Where u is well below 1, r is a quarter
+   of the period minus d = u (n + T)/2; for other u, 1 - u is computed without loss of digits, and
+   r = (n (1 - u) + g - u T)/2. */
 VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, const vmi_ateb *c)
 {
     const vm_real large_ln = VM_C(0.69) * VMI_BIAS, n = c->n.hi, smaller = e / sum, larger = 1 / sum;
@@ -1910,15 +1935,15 @@ VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, con
         minus_ln_u = vmi_two_plus(minus_ln_u, h);
     }
     T = vmi_ateb_T(c->q.hi, x / (2 + 2 * VM_SQRT(w)));
-    minus_ln_u.lo += (1 - sum + e) / sum; /* what 1 + e has lost by rounding */
+    minus_ln_u.lo += (1 - sum + e) / sum; /* the rounding error of 1 + e */
     minus_ln_u = vmi_two_times(minus_ln_u, c->q);
-    if (!(minus_ln_u.hi <= large_ln)) return c->quarter.hi; /* u is 0, or the logarithm of |ca|^(alpha+1) overflows */
+    if (!(minus_ln_u.hi <= large_ln)) return c->quarter.hi; /* ca is 0, or the logarithm of |ca|^(alpha+1) overflows */
     one_minus_u = -vmi_exp_core(-minus_ln_u.hi, -minus_ln_u.lo, &k, &low);
     if (k != 0) return c->quarter.hi - vmi_ldexp(1 - one_minus_u, k) * (n + T) / 2;
     return (n * one_minus_u + (c->g.hi - (1 - one_minus_u) * T)) / 2;
 }
 
-/* The distance r from the zero of sa in the first quarter, from h = ln(w/x) */
+/* Returns the distance r of s from the zero of sa in the first quarter, from h = ln(w/(1 - w)), where w = sa^2 */
 VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 {
     const vm_real change_over = VM_C(-0.84); /* ln(w/x) for w = 0.302, the largest that vmi_ateb_w_fraction allows */
@@ -1930,11 +1955,11 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
-/* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and
-   1e30. The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same
-   phase for every lambda > 0. So -x' sqrt((alpha+1)/2)/omega and x of an oscillator will do. 0 for sa = 0 <= ca.
-   Within 4 ulp and what one ulp of sa and of ca moves the phase. NaN for alpha < 0, alpha > 1e30, NaN and infinite
-   arguments. Time: 10 sines. */
+/* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
+   The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
+   every lambda > 0. Therefore -x' sqrt((alpha+1)/2)/omega and x of an oscillator can be given as sa and ca. Returns 0
+   for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is returned with an error of at most 8 ulp plus the
+   change of s that 6 ulp of sa and of ca make. Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
@@ -1955,10 +1980,10 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 #endif
 /* ateb/integrals.h - integrals of Ateb functions
 
-   Of the four simplest integrals from 0 to s two need functions of their own,
+   Two of the four simplest integrals from 0 to s need functions of their own,
      integral of sa^2 = (s - sa ca) (alpha+1)/(alpha+3),
      integral of |ca|^(alpha+1) = s - integral of sa^2,
-   and two are in closed form: that of sa is (1 - ca) (alpha+1)/2, that of ca |ca|^(alpha-1) is sa.
+   and two have a closed form: the integral of sa is (1 - ca) (alpha+1)/2, and that of ca |ca|^(alpha-1) is sa.
 
        vm_real work = ateb_integral_sa2(VM_C(0.7), VM_C(1.5));
 
@@ -1967,11 +1992,11 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 #define VARMASS_ATEB_INTEGRALS_H
 
 /* The integral of sa(1, alpha, s)^2 from 0 to s.
-   No digits cancel for a small s. Within some 10 ulp; domain as ateb_saca, NaN outside it. */
+   No digits cancel for a small s. The domain is that of ateb_saca; the result is NaN outside it. */
 VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
 {
     const vm_real q = 1 / (alpha + 1), b = q + VM_C(0.5);
-    vm_real sa, ca, w, rest; /* rest = s - sa ca; near 0 from s = sa ca (1 + w b vmi_ateb_w_fraction(q, w)) */
+    vm_real sa, ca, w, rest; /* rest = s - sa ca, which for small s is sa ca w b vmi_ateb_w_fraction(q, w) */
     ateb_saca(s, alpha, &sa, &ca);
     w = sa * sa;
     if (VM_FABS(s) < VMI_ATEB_CHANGE_OVER) rest = sa * ca * (w * b * vmi_ateb_w_fraction(q, w));
@@ -1980,7 +2005,7 @@ VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
 }
 
 /* The integral of |ca(alpha, 1, s)|^(alpha+1) from 0 to s.
-   Within some 10 ulp; domain as ateb_saca, NaN outside it. */
+   The domain is that of ateb_saca; the result is NaN outside it. */
 VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 {
     vm_real sa, ca;
@@ -1989,18 +2014,42 @@ VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 }
 
 #endif
+/* base/chebyshev.h - the step that makes a polynomial shorter by means of Chebyshev's polynomials
+
+       vm_real c[3] = {1, 1, VM_C(0.5)};
+       vmi_remove_highest(c, 2, 0); // 1 + t + t^2/2 is about c[0] + c[1] t for 0 <= t <= 1
+
+   Source: Lanczos, Applied Analysis (1956). Tests: tests/test_jacobi.c, tests/test_ateb.c. */
+#ifndef VARMASS_BASE_CHEBYSHEV_H
+#define VARMASS_BASE_CHEBYSHEV_H
+
+/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's polynomial of
+   degree n. For 0 <= t <= 1 this changes the values by at most |c_n| 2^(1-2n). The coefficients with an index below
+   `lowest` stay as they are. */
+VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
+{
+    vm_real term = c[n];
+    int k;
+    for (k = n; k > lowest; k--) {
+        term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
+        c[k - 1] -= term;
+    }
+}
+
+#endif
 /* ateb/plans.h - sa and ca for many arguments and one alpha
 
-   A plan holds what depends on alpha alone: Pi_alpha/2 and polynomials for two parts of a quarter of the period. Each
-   call then takes two to seven sines; arrays take one where the compiler vectorises the loop. A plan of less accuracy
-   is shorter and quicker. A plan is plain data: it may be copied, and it may be a constant in flash.
+   A plan holds what depends on alpha alone: Pi_alpha/2 and polynomials for two parts of a quarter of the period. A
+   call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md has the
+   times). A plan of less accuracy is shorter and quicker. A plan is plain data: it may be copied, and it may be a
+   constant in flash.
 
        ateb_plan p;
        vm_real sa, ca;
        if (ateb_plan_init(&p, VM_C(1.5)) == 0) ateb_plan_saca(&p, VM_C(0.7), &sa, &ca);
 
-   Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). With
-   polynomials A and C, up to a change-over
+   Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). A and C are
+   polynomials. Up to a change-over
      sa = r (1 + tau A(tau)) and ca = 1 + tau C(tau), where tau = r^2;
    beyond it, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
@@ -2018,28 +2067,28 @@ VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 #define ATEB_PLAN_LENGTH 8
 #endif
 
-/* The polynomials of one part of a quarter: odd is A for the function that has its zero there, even is C for the
-   other one. The constant terms come first; what is not used is 0. */
+/* The polynomials of one part of a quarter: odd is A, for the function that has its zero in this part, and even is C,
+   for the other function. The constant terms come first; coefficients that are not used are 0. */
 typedef struct VM_TAG(vmi_ateb_part) {
     vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
 
-/* One alpha, prepared by ateb_plan_init. Pure numbers. */
+/* One alpha, prepared by ateb_plan_init. All fields are pure numbers. */
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
-    vm_real quarter_parts[3]; /* its three parts, of which the first two have half of the digits or less */
+    vm_real quarter_parts[3]; /* numbers with the sum quarter; the first two have half of the digits or less */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| below it products of quarter_parts and a number of quarters are exact */
-    vm_real change_over;      /* the first part serves up to this distance r from a zero of sa */
-    vm_real n, g;             /* alpha + 1, Pi_alpha - (alpha + 1) */
+    vm_real longest;          /* for |s| < longest the products of quarter_parts and a number of quarters are exact */
+    vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
+    vm_real n, g;             /* alpha + 1 and Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
-    int length;               /* how many terms the polynomials have, an even number */
+    int length;               /* number of terms of the polynomials, an even number */
     int twice_alpha;          /* 2 alpha where tau is computed by products, -1 where it is an exponential */
-    vmi_ateb_part part[2];    /* up to the change-over, and beyond it */
+    vmi_ateb_part part[2];    /* polynomials for r up to the change-over, and for larger r */
 } ateb_plan;
 
-/* d d^alpha for twice_alpha = 0 ... 14, from d + d_lo. twice_alpha is the sum of powers of two: 1 is a square root of
-   d, 2 is d, 4 is d^2, 8 is d^4. */
+/* Returns d^(1 + alpha) from d + d_lo, where alpha = twice_alpha/2 and twice_alpha = 0 ... 14. Each bit of twice_alpha
+   stands for a factor: 1 for sqrt(d), 2 for d, 4 for d^2, and 8 for d^4. */
 VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real d2 = d * d;
@@ -2052,7 +2101,7 @@ VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
     return power * d + power * (p->n * d_lo);
 }
 
-/* d d^alpha as vmi_ateb_product computes it, to the same bits, but without branches */
+/* Returns d^(1 + alpha) with the same bits as vmi_ateb_product, but without branches. */
 VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real half = (vm_real)(p->twice_alpha & 1), one = (vm_real)(p->twice_alpha >> 1 & 1);
@@ -2062,13 +2111,14 @@ VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d
     return power * d + power * (p->n * d_lo);
 }
 
-/* 2 q d in two words, from d + d_lo */
+/* Returns 2 q d = 2 d/(alpha + 1) in two words, from d + d_lo. */
 VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* X = (2 q d)^(alpha+1) and *y = 2 q d. Where X would be subnormal it is the least normal number, roughly. */
+/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1), and writes 2 q d to *y. Where X would be subnormal, about the
+   least normal number is returned. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vm_real least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -2078,8 +2128,8 @@ VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d,
     return vmi_ateb_exp(vmi_larger(ln_X, least_ln));
 }
 
-/* base (1 + tau odd(tau)) and 1 + tau even(tau), where base is r or 2 q d. Terms with even and with odd powers are
-   added up apart, so that the processor computes both at once. */
+/* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where base is r or 2 q d. Terms with even powers of
+   tau and terms with odd powers are added up separately, so that the processor computes both sums at once. */
 VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two base, vm_real tau, vm_real *odd,
                                 vm_real *even)
 {
@@ -2096,8 +2146,8 @@ VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two ba
     *even = 1 + tau * (even0 + tau * even1);
 }
 
-/* |s| minus the nearest multiple of Pi_alpha/2, for |s| < p->longest, which is 2^26 quarters (float 2^12). The last
-   bits of *quarter count the quarters. */
+/* Returns |s| minus the nearest multiple of Pi_alpha/2, for |s| < p->longest, which is 2^26 quarters (float 2^12).
+   The last bits of *quarter become those of the number of quarters. */
 VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *quarter)
 {
     const vm_real x = VM_FABS(s), to_integer = VM_C(1.5) / VM_EPSILON;
@@ -2107,8 +2157,9 @@ VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *
 }
 
 /* sa and ca of the argument s for the plan's alpha.
-   Any s; within 2 ulp for the s of ateb_saca and alpha up to 1e6, or the accuracy that the plan was made for. NaN for
-   infinite and NaN s. Time: 1.5 to 3 sines for alpha = 0, 1/2, 1, ..., 7, else 3 to 7. */
+   s may be any number. For alpha up to 1e6 and the s for which ateb_saca has a bound in ulp, the error of a full plan
+   is at most 2 ulp; a shorter plan has the accuracy that it was made for. The results are NaN for infinite and NaN s.
+   docs/cost.md has the time. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost;
@@ -2150,14 +2201,14 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
-/* a where the bits of the mask are set, else b */
+/* Returns a if all bits of the mask are set, and b if none is set. */
 VM_INLINE vm_real vmi_select(vmi_bits mask, vm_real a, vm_real b)
 {
     return vmi_from_bits((vmi_to_bits(a) & mask) | (vmi_to_bits(b) & ~mask));
 }
 
-/* ateb_plan_saca without branches, for arrays: both parts are evaluated and one is selected. It needs
-   twice_alpha >= 0 and |s| < p->longest; length is p->length or a larger even number. */
+/* Computes what ateb_plan_saca computes, without branches, for arrays: both parts are evaluated, and one of them is
+   selected. twice_alpha must not be negative, and |s| < p->longest; length is p->length or a larger even number. */
 VM_INLINE void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_real *sa, vm_real *ca)
 {
     vmi_bits quarter;
@@ -2177,7 +2228,8 @@ VM_INLINE void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
-/* All n arguments, each |s| < p->longest, in a loop that compilers vectorise where length is a constant */
+/* Computes sa and ca of n arguments, each with |s| < p->longest, in a loop that compilers vectorise if length is a
+   constant. */
 VM_INLINE void vmi_ateb_loop(const ateb_plan *p, int length, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     int i;
@@ -2189,7 +2241,7 @@ VM_INLINE void vmi_ateb_loop(const ateb_plan *p, int length, int n, const vm_rea
     }
 }
 
-/* All n arguments by the loop of the least constant length that is enough */
+/* Computes sa and ca of n arguments by the loop with the least constant length that is enough. */
 VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
 #if ATEB_PLAN_LENGTH > 8
@@ -2210,18 +2262,19 @@ VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real 
     else vmi_ateb_loop(p, 4, n, s, sa, ca);
 }
 
-/* Whether the registers are wide: in narrow ones both parts take longer than a branch and one part */
+/* Is 1 on processors with wide vector registers. With narrow ones, computing both parts takes longer than a branch
+   and one part. */
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
 #else
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each; s may be sa or ca,
-   otherwise they do not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend on the
-   place in the array. Time: about one sine an argument with gcc -O3 -march=native -fno-math-errno for alpha = 0, 1/2,
-   1, ..., 7; else that of ateb_plan_saca. Blocks of 64 arguments are copied; those that are too long or not finite
-   are computed one by one. */
+/* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
+   ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend
+   on the index in the array. Arguments are copied in blocks of 64; arguments that are too long or not finite are
+   computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors with wide vector
+   registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     enum { BLOCK = 64 };
@@ -2246,7 +2299,8 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
     }
 }
 
-/* The coefficient w_j of w = b^alpha, where b_0 = 1, from w_0 ... w_(j-1) and b_1 ... b_j (Euler) */
+/* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. It is computed
+   from w_0 ... w_(j-1) and b_1 ... b_j (by Euler). */
 VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
 {
     vm_real sum = 0;
@@ -2255,15 +2309,16 @@ VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, con
     return sum / (vm_real)j;
 }
 
-/* Terms of the Taylor series from which the polynomials are made */
+/* The number of terms of the Taylor series from which the polynomials are made */
 enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 
-/* The Taylor coefficients in r^2 of sa/r (odd) and ca (even), or, beyond the change-over, in X of ca/(2 q d) (odd)
-   and sa (even), term by term from the differential equations (275) */
+/* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0 they are those of
+   sa/r (odd) and ca (even) in powers of r^2; for beyond = 1 they are those of ca/(2 q d) (odd) and sa (even) in powers
+   of X = (2 q d)^(alpha+1). */
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
-    const vm_real large = VM_C(1e30); /* beyond it alpha j could overflow, and the coefficients no longer change */
-    vm_real w[VMI_ATEB_TERMS];        /* the power alpha of the series of ca */
+    const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
+    vm_real w[VMI_ATEB_TERMS];        /* the series of ca to the power alpha */
     int j;
     if (alpha > large) {
         alpha = large;
@@ -2286,34 +2341,22 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Removes the highest power of c_0 + c_1 t + ... + c_k t^k, 0 <= t <= 1, by subtracting a multiple of Chebyshev's
-   polynomial of degree k, which changes the values by at most |c_k| 2^(1-2k) */
-VM_API void vmi_ateb_remove_highest(vm_real *c, int k)
-{
-    vm_real term = c[k];
-    int i;
-    for (i = k; i > 0; i--) {
-        term *= -((vm_real)i * (vm_real)(2 * i - 1)) / (2 * (vm_real)(k - i + 1) * (vm_real)(k + i - 1));
-        c[i - 1] -= term;
-    }
-}
-
 /* Economises c_1 + c_2 tau + c_3 tau^2 + ... for 0 <= tau <= limit: writes to result a polynomial in tau/unit
-   with at most ATEB_PLAN_LENGTH terms, and returns how many it has. Its error is at most tolerance/limit where the
-   terms are enough. c is overwritten. */
+   with at most ATEB_PLAN_LENGTH terms, and returns the number of its terms. Its error is at most tolerance/limit if
+   these terms are enough. c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* to a polynomial in t = tau/limit, times limit */
+    for (i = 0; i <= highest; i++) { /* makes c limit times the polynomial, in powers of t = tau/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* height = 2^(1-2k) */
+    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), the change for c[k] = 1 */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
-        vmi_ateb_remove_highest(c, k);
+        vmi_remove_highest(c, k, 0);
         height *= 4;
     }
     power = 1;
@@ -2325,8 +2368,8 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     return k + 1;
 }
 
-/* Fills one part of the plan, beyond = 0 or 1, and returns how many terms its polynomials have. unit is the X for
-   which tau of this part is 1; in the first part tau is r^2 and unit is 1. */
+/* Fills part 0 or 1 (`beyond`) of the plan and returns the number of terms of its polynomials. unit is the value of X
+   at which tau is 1 in part 1; in part 0 tau is r^2 and unit is 1. */
 VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_real unit,
                               vm_real tolerance)
 {
@@ -2343,7 +2386,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Sets what serves the reduction: the quarter period in pieces, and up to which s they are exact */
+/* Sets the fields for the reduction: the quarter period as a sum, and the s up to which products with its terms are
+   exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
     p->quarter = vmi_ateb_fine_quarter(c);
@@ -2356,12 +2400,12 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 
 /* Prepares a plan for alpha >= 0 and a given accuracy. `accuracy` is the largest absolute error of sa and ca that is
    allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or
-   -1 for alpha < 0 and where a number is NaN or infinite; then the plan stays as it was. Time: 15 us. */
+   -1 for alpha < 0 and if a number is NaN or infinite; then the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    /* Beyond the change-over sa comes from X, whose rounding errors count X/(2 sa) times. That is 0.33 for a
-       change-over at r = 0.92; it would be 0.5 at 0.73, which makes 2.3 ulp. Further out the polynomials would be too
-       short. */
+    /* Beyond the change-over sa is computed from X, whose rounding errors enter with the factor X/(2 sa). This factor
+       is 0.33 for a change-over at r = 0.92; for one at r = 0.73 it would be 0.5, and the error 2.3 ulp. For a
+       change-over beyond 0.92 the polynomials would have too few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
     vm_real tolerance = VM_EPSILON / 16, unit = 1;
     int length, length_beyond;
@@ -2387,33 +2431,33 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 }
 
 /* Prepares a plan of full accuracy for alpha >= 0.
-   Returns 0, or -1 for alpha < 0, NaN and infinite alpha; then the plan stays as it was. Time: 15 us. */
+   Returns 0, or -1 for alpha < 0, NaN and infinite alpha; then the plan stays as it was. */
 VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_to(p, alpha, 0); }
 
 #endif
 /* ateb/beta.h - beta functions, their inverses, and mean values of sa and ca
 
    B(a, b) is the complete beta function, I_x(a, b) the regularised incomplete one, 0 <= I_x <= 1. Ateb functions are
-   inverses of incomplete beta functions, and their mean values are complete ones (316).
+   inverses of incomplete beta functions, and their mean values are quotients of complete beta functions (316).
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
-   Throughout y = 1 - x and q = 1 - p. The functions with the suffix _both take and return y and q too, which keep
+   In this file y = 1 - x and q = 1 - p. The functions with the suffix _both also take and return y and q, which keep
    their digits where x or p is close to 1.
 
-   Method: everything is done in logarithms of two words. With A = a + i, B = b + j, S = a + b + k, each at least 10,
-   by Stirling's formula
+   Method: the functions are computed from logarithms in two words. i, j and k are the least whole numbers for which
+   A = a + i, B = b + j and S = a + b + k are at least 10. Stirling's formula gives
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). Nothing large cancels where the
-   whole is not large, and no product leaves the range, since i, j, k <= 10.
+   where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). If this sum is not large, no large
+   terms cancel in it. No product overflows or underflows, since i, j, k <= 10.
 
    Source of the fraction: Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_H
 #define VARMASS_ATEB_BETA_H
 
-/* delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 10, by Stirling's series */
+/* Returns delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 10, by Stirling's series */
 VM_API vm_real vmi_beta_stirling(vm_real z)
 {
     VM_TABLE vm_real c[9] = {
@@ -2427,7 +2471,8 @@ VM_API vm_real vmi_beta_stirling(vm_real z)
     return sum / z;
 }
 
-/* (z)_i with the least i for which z + i >= 10; *count becomes i and *z becomes z + i */
+/* Returns the product (z)_i = z (z + 1) ... (z + i - 1) with the least i for which z + i >= 10. *count becomes i, and
+   *z becomes z + i. */
 VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
 {
     const vm_two one = {1, 0};
@@ -2439,7 +2484,7 @@ VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
     return product;
 }
 
-/* ln(x^a y^b/B(a, b)), by the formula at the top of this file */
+/* Returns ln(x^a y^b/B(a, b)), by the formula at the top of this file. */
 VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
 {
 #if VM_MANT_DIG > 24
@@ -2466,22 +2511,22 @@ VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
     return vmi_two_sum(sum.hi, sum.lo + delta);
 }
 
-/* ln B(a, b) */
+/* Returns ln B(a, b). */
 VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
 {
     const vm_two none = {0, 0};
     return vmi_minus(vmi_beta_ln_density(a, b, none, none));
 }
 
-/* Whether a and b lie between 1e-4 and 1e5. Beyond, the series and fractions would take too long, and float would
-   have no digits left. */
+/* Returns 1 if a and b lie between 1e-4 and 1e5, else 0. Outside these limits the series and continued fractions would
+   need too many terms, and float would have no digits left. */
 VM_API int vmi_beta_is_in_domain(vm_real a, vm_real b)
 {
     return a >= VM_C(1e-4) && a <= VM_C(1e5) && b >= VM_C(1e-4) && b <= VM_C(1e5);
 }
 
 /* The complete beta function B(a, b), for a and b from 1e-4 to 1e5.
-   Within 1 ulp. NaN for other a or b. Time: 70 sines. Equation (261). */
+   The error is at most 1 ulp. Returns NaN for other a or b. Equation (261). */
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
@@ -2490,9 +2535,10 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
     return vmi_exp(l.hi, l.lo);
 }
 
-/* I_x(a, b) B(a, b)/(x^a y^b) for a > 1 and x <= (a + 1)/(a + b + 2), by the continued fraction of Didonato and
-   Morris, evaluated from its end: 1/f_0, where f_n = constant + ratio/f_(n+1). All terms are positive except
-   for the last ones. Where a and b are large, digits cancel in excess = a y - b x: it is computed in two words. */
+/* Returns I_x(a, b) B(a, b)/(x^a y^b) for y = 1 - x, a > 1 and x <= (a + 1)/(a + b + 2). This is 1/f_0 of the continued
+   fraction of Didonato and Morris, f_n = constant + ratio/f_(n+1), which is evaluated from its end. All terms are
+   positive except for the last ones. Where a and b are large, digits cancel in excess = a y - b x; therefore the excess
+   is computed in two words. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
@@ -2501,7 +2547,7 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
     vm_real excess = (product.hi - b) + product.lo, f;
     long m = 0;
     if (x <= y) excess = (a - product.hi) - product.lo;
-    if (terms <= VM_C(1e8)) m = (long)terms; /* terms is 2e7 at most, or NaN */
+    if (terms <= VM_C(1e8)) m = (long)terms; /* terms is at most 2e7, or NaN */
     f = (a + (vm_real)m) / 2;
     for (; m >= 0; m--) {
         const vm_real n = (vm_real)m, c = a + 2 * n, next = n + 1, share = (a + n) / (c + 1) * x;
@@ -2512,11 +2558,11 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
     return 1 / f;
 }
 
-/* I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3: a times the sum over n >= 1 of (1 - b)_n/n! x^n/(a + n). The
-   terms are below (b x)^n/n! with b x < 2, or below x^n. */
+/* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. This is a times the sum over n >= 1 of (1 - b)_n/n!
+   x^n/(a + n). Term n is below the larger of x^n and (b x)^n/n!, where b x < 2. */
 VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
 {
-    const vm_real most = 200; /* 96 terms are enough, unless x is NaN */
+    const vm_real most = 200; /* limit of the loop if x is NaN; otherwise 96 terms are enough */
     vm_real power = 1, term, sum = 0, n = 0;
     do {
         n += 1;
@@ -2527,13 +2573,13 @@ VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
     return a * sum;
 }
 
-/* ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). For k = 0 1 - e^l is -p, without loss of digits. */
+/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). If k = 0, 1 - e^l is -p, which has lost no digits. */
 VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
 {
     vm_two rest = {0, 0};
     vm_real p, p_lo;
     int k;
-    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* it is -e^l, which is tiny; or l is NaN */
+    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* the result is -e^l, which is tiny, or NaN */
         rest.hi = -vmi_exp(l.hi, 0);
         return rest;
     }
@@ -2567,8 +2613,8 @@ VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
     return mirrored;
 }
 
-/* ln I_x(a, b) for x <= (a + 1)/(a + b + 2). For a small a I_x is close to 1, and the difference counts: there the
-   series gives it without loss of digits, and the factor y^b is left out. */
+/* Returns ln I_x(a, b) for x <= (a + 1)/(a + b + 2). Where a is small, I_x is close to 1, and 1 - I_x must keep its
+   digits. Therefore a series is used for a <= 1: it loses no digits and has no factor y^b. */
 VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b)
 {
     vm_two f;
@@ -2579,8 +2625,8 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b)
     return vmi_two_plus(vmi_beta_ln_density(vmi_two(a, 0), vmi_two(b, 0), at.ln_x, at.ln_y), f);
 }
 
-/* ln I_x(a, b) and ln I_y(b, a), whose arguments add up to 1. The one of the shorter tail is computed, the other
-   follows from it. */
+/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where p + q = 1. The logarithm of the shorter tail of the
+   distribution is computed; the other logarithm follows from p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two *ln_p, vm_two *ln_q)
 {
     if (at->x * (a + b + 2) <= a + 1) {
@@ -2592,16 +2638,16 @@ VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_tw
     }
 }
 
-/* Whether x and y are not negative and add up to 1, apart from rounding */
+/* Returns 1 if x and y are not negative and add up to 1, apart from rounding, else 0. */
 VM_API int vmi_beta_is_split_of_1(vm_real x, vm_real y)
 {
     return x >= 0 && y >= 0 && VM_FABS((x + y) - 1) <= 4 * VM_EPSILON;
 }
 
-/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from x and y = 1 - x, of
-   which the smaller carries the digits. a and b lie between 1e-3 and 1e4; from 1e-4 and up to 1e5 it is less accurate
-   and slower. p and q within 30 ulp each. NaN for other a or b, for x or y below 0, and where x + y is not 1. Time:
-   120 sines. DLMF 8.17, equation (273). */
+/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from x and y = 1 - x; the
+   smaller of x and y carries the digits. For a and b from 1e-3 to 1e4 the errors of p and q are at most 30 ulp each.
+   a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. The results are NaN for
+   other a or b, for x or y below 0, and if x + y is not 1. docs/cost.md has the time. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
     vmi_beta_point at;
@@ -2642,7 +2688,8 @@ VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
     return p;
 }
 
-/* The point x/y = e^t. The logarithms are those of e^-|t| as it was rounded, so that x + y = 1 in two words. */
+/* Returns the point with x/y = e^t, where y = 1 - x. The logarithms belong to the rounded value of e^-|t|, so that
+   x + y = 1 in two words. */
 VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 {
     const vm_real size = VM_FABS(t), e = vmi_exp(-size, 0);
@@ -2657,13 +2704,14 @@ VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
     return at;
 }
 
-/* The point where I_x(a, b) = p, from ln p, for p <= 1/2. Newton's method for ln I_x as a function of t = ln(x/y),
-   which is concave: from the zero of its asymptote at the left, which lies left of the solution, all steps go to the
-   right. The last step is taken in x, y, ln x and ln y. */
+/* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. Newton's method is used for ln I_x as a function of
+   t = ln(x/y). This function is concave. The start is the point where the asymptote of the function for t to -infinity
+   equals ln p. It lies left of the solution, so that all steps go to the right. The last step changes x, y, ln x
+   and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* its square is below eps */
-    const int most = 60;                                               /* 20 steps are enough */
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* a step shorter than this is the last one */
+    const int most = 60;                                               /* largest number of steps; 20 are enough */
     const vm_two a2 = vmi_two(a, 0), b2 = vmi_two(b, 0);
     const vm_two start = vmi_two_plus(ln_p, vmi_two_plus(vmi_log(a), vmi_beta_ln(a2, b2)));
     vm_real t = start.hi / a, step;
@@ -2686,18 +2734,18 @@ VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
     return result;
 }
 
-/* The point where I_x(a, b) = p, for p > 0, q > 0 and p + q = 1, from the smaller of p and q */
+/* Returns the point where I_x(a, b) = p, for p > 0, q > 0 and p + q = 1, from the smaller of p and q */
 VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_real b)
 {
     if (p <= q) return vmi_beta_invert(vmi_log(p), a, b);
     return vmi_beta_mirrored(vmi_beta_invert(vmi_log(q), b, a));
 }
 
-/* The inverse of ateb_beta_inc_both, x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from p and
-   q = 1 - p, of which the smaller carries the digits; ln x says what x is where x underflows. a and b lie between
-   1e-3 and 1e4; from 1e-4 and up to 1e5 it is less accurate and slower. Within 16 ulp of x, of y and of ln x, and
-   what one ulp of the smaller of p and q moves them. NaN for other a or b, for p or q below 0, and where
-   p + q is not 1. Time: 1000 sines, 5000 where a and b are some 1e4. */
+/* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from p and
+   q = 1 - p; the smaller of p and q carries the digits. ln x is also right where x underflows. For a and b from 1e-3 to
+   1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q makes. a
+   and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. The results are NaN for
+   other a or b, for p or q below 0, and if p + q is not 1. docs/cost.md has the time. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
@@ -2722,7 +2770,7 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
     }
 }
 
-/* The inverse of ateb_beta_inc, x with I_x(a, b) = p, for 0 <= p <= 1.
+/* The inverse of ateb_beta_inc: x with I_x(a, b) = p, for 0 <= p <= 1.
    Domain and accuracy are those of ateb_beta_inc_inv_both. */
 VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 {
@@ -2731,8 +2779,9 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
     return x;
 }
 
-/* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need it.
-   Within 2 ulp. alpha up to 1e30, p and q up to 1e6; NaN beyond. Time: 160 sines. Equation (316). */
+/* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need this
+   mean. alpha may be up to 1e30, p and q up to 1e6; for larger ones the result is NaN. The error is at most 2 ulp.
+   Equation (316). */
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 {
     const vm_real largest_alpha = VM_C(1e30), largest_power = VM_C(1e6);
@@ -2750,9 +2799,10 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 #endif
 /* ateb/two_indices.h - Ateb functions with two indices, sa(n, m, s) and ca(m, n, s)
 
-   They satisfy |sa|^(n+1) + |ca|^(m+1) = 1 and have the period 2 Pi(n, m), where Pi(n, m) = B(1/(n+1), 1/(m+1)). For
-   n = 1 and m = alpha they are the functions of ateb/functions.h, which are 100 times as fast. The swapped pair
-   sa(alpha, 1, s), ca(1, alpha, s), which (278) and (280) need, is ateb_saca_nm(s, alpha, 1, &sa, &ca).
+   sa(n, m, s) and ca(m, n, s) satisfy |sa|^(n+1) + |ca|^(m+1) = 1 and have the period 2 Pi(n, m), where
+   Pi(n, m) = B(1/(n+1), 1/(m+1)). For n = 1 and m = alpha they are the functions of ateb/functions.h, which are much
+   faster. The swapped pair sa(alpha, 1, s), ca(1, alpha, s), which (278) and (280) need, comes from
+   ateb_saca_nm(s, alpha, 1, &sa, &ca).
 
        vm_real sa, ca;
        ateb_saca_nm(VM_C(0.7), 2, 3, &sa, &ca);
@@ -2761,14 +2811,14 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 #ifndef VARMASS_ATEB_TWO_INDICES_H
 #define VARMASS_ATEB_TWO_INDICES_H
 
-/* Whether n may be an index */
+/* Returns 1 if n may be an index, that is, if it is 0 or lies between 1e-4 and 1e5, else 0. */
 VM_API int vmi_ateb_index_is_in_domain(vm_real n) { return n == 0 || (n >= VM_C(1e-4) && n <= VM_C(1e5)); }
 
-/* 1/(n + 1) */
+/* Returns 1/(n + 1) in two words. */
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
-/* B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a, DLMF 8.17.8, for b <= 1. Each term is at most half of the one
-   before it, so that 2 VM_MANT_DIG terms are enough for two words. */
+/* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). Each term is at most half of the
+   one before it, so that 2 VM_MANT_DIG terms are enough for two words. */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {
     const vm_two one = {1, 0}, c = vmi_two_plus(a, b);
@@ -2782,9 +2832,9 @@ VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
     return vmi_two_over(sum, a);
 }
 
-/* Pi(n, m) = B(a, b) for a = 1/(n + 1) and b = 1/(m + 1), to a relative error of 2^-102 (float 2^-44); the logarithms
-   of ateb/beta.h would leave 2^-64. It is B_(1/2)(a, b) + B_(1/2)(b, a), where 2^(a+b) = e^y comes from its power
-   series. */
+/* Returns Pi(n, m) = B(a, b) for a = 1/(n + 1) and b = 1/(m + 1), with a relative error of 2^-102 (float 2^-44); the
+   logarithms of ateb/beta.h would give 2^-64. It is B_(1/2)(a, b) + B_(1/2)(b, a), where 2^(a+b) = e^y comes from its
+   power series. */
 VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
 {
     enum { TERMS = VM_MANT_DIG > 24 ? 32 : 18 };
@@ -2803,15 +2853,15 @@ VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
 }
 
 /* Pi(n, m), half the period of sa(n, m, s) and ca(m, n, s). Each index is 0 or lies between 1e-4 and 1e5.
-   Pi(n, m) = B(1/(n+1), 1/(m+1)); Pi(1, alpha) is ateb_pi(alpha). Within 1 ulp. NaN for other indices. Time: 1000
-   sines. */
+   Pi(n, m) = B(1/(n+1), 1/(m+1)); Pi(1, alpha) is ateb_pi(alpha). The error is at most 1 ulp. Returns NaN for other
+   indices. */
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
 {
     if (!vmi_ateb_index_is_in_domain(n) || !vmi_ateb_index_is_in_domain(m)) return VM_NAN;
     return vmi_ateb_pi_nm(n, m).hi;
 }
 
-/* x^a where I_x(a, b) = p and q = 1 - p, by logarithms: x itself may underflow */
+/* Returns x^a for the x with I_x(a, b) = p, where q = 1 - p. Logarithms are used, since x itself may underflow. */
 VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 {
     vm_two power;
@@ -2822,8 +2872,9 @@ VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 }
 
 /* sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices. s is any real number; each index is 0 or lies
-   between 1e-3 and 1e3, or, less accurately, between 1e-4 and 1e5. Pure numbers. Within 8 ulp, apart from an error of
-   the phase of 2^-102 |s| (float 2^-44 |s|). NaN for other indices, NaN and infinite s. Time: 2500 sines. */
+   between 1e-3 and 1e3. All are pure numbers. The errors are at most 8 ulp plus the change that an error of 2^-102 |s|
+   (float 2^-44 |s|) in s makes. Indices between 1e-4 and 1e5 are allowed too, with less accuracy. The results are NaN
+   for other indices and for NaN and infinite s. */
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
 {
     vm_real a, b, rest, r, d; /* r and d: the distances of s from the nearest zeros of sa and ca */

@@ -19,37 +19,38 @@
            return rk45_solve(&s, 10.0) < 0; // the result is in s.y, at s.t
        }
 
-   METHODS, and when to take which
+   METHODS, and when to take which method
      rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
             time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
-            and none for the solution between steps. It is the method to begin with, and the best one in float, for an
-            f that is not smooth, for loose tolerances, for many events and for output at many times.
-     rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside it
-            is asked for. It is the fastest for a smooth f in double. Its roundings are larger: rtol is at least
-            256 eps, so that it has no use in float.
-     None of them is meant for stiff equations, which want an implicit method; rk45 and rk87 tell when an equation looks
-     stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
+            and none for the solution between steps. Begin with this method. It is also the best one in float,
+            for an f that is not smooth, for loose tolerances, for many events and for output at many times.
+     rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside
+            the step is asked for. It is the fastest for a smooth f in double. Its rounding errors are larger than those
+            of rk45: rtol is at least 256 eps, which is too coarse for most uses in float.
+     None of these methods is meant for stiff equations, which need an implicit method; rk45 and rk87 report an equation
+     that looks stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
 
    CONVENTIONS
      The right-hand side f gets t, the n numbers y, room for the n derivatives, and the caller's pointer ctx. It returns
      0, or any other number to stop the run. t may run backward. All times and steps have the unit of t.
      The caller owns the memory: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
-     rk45 does. An rk45, its work and its events are all the state there is. An rk87 is an rk45 that rk87_init made; the
-     functions of the other method refuse it.
+     rk45 does. An rk45, its work and its events hold the whole state of a run. An rk87 is an rk45 that rk87_init made;
+     the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
-     The difference of the pair's two orders is the estimate of the error; the run goes on with the higher order. A step
-     is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component i. PI control
-     chooses the next step. Its size stays the same after an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     A step gives two results, by the two orders of the pair. Their difference is the estimate of the error; the run
+     goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
+     the step|) for every component i. The size of the next step is chosen by PI control. It stays the same after an
+     error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
      The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
-     A zero in rk45_options means the default, and a negative tolerance means none. rk45_defaults() fills in the
+     A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
      No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
-     misses the tolerance, the run takes the cause to be a jump of f: it accepts the step, counts it in s.missed, and
-     goes on behind the jump. If another such step misses before three steps have kept the tolerance, f is singular
-     there, or too stiff for t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other directly,
-     in one call of rk45_solve without events, both are dropped, so that s.t and s.y are where the trouble begins.
+     misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
+     the jump. If another such step misses the tolerance before three steps have kept it, f is singular there, or too
+     stiff for the resolution of t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other
+     directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both steps.
 
    TIME
      A step ends at a time that the type can hold, and its length is exactly the difference of the two times. So s.t
@@ -67,8 +68,8 @@
      or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
      happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
      motion that is reversed on contact does not touch twice.
-     Two zeros between two looks at g are not seen, nor is any even number. Set `checks` to look more often, or a
-     smaller h_max.
+     Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
+     h_max makes evaluations more frequent.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH
      The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
@@ -80,23 +81,26 @@
 
    STATUS
      0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
-     an error s.t and s.y are those of the last accepted step, also if f itself refused (its value is in s.rhs_status).
-     Where f or the state is not finite the step is shortened until it is too small, so that a run ends next to the
-     place where f ceases to exist. A call that refuses its arguments changes nothing.
+     an error s.t and s.y are those of the last accepted step, also if f itself stopped the run (the value that f
+     returned is in s.rhs_status). Where f or the state is not finite, the step is shortened until it is too small, so
+     that a run ends next to the point where f ceases to exist. A call that refuses its arguments changes nothing.
 
    SPEED
-     f is inlined, and the state is in registers, where f is static, n <= 8 is a constant, and the same function calls
-     rk45_init, looks at its status, and calls rk45_solve. Where the compiler cannot see which f and n s has, name them
-     once more: rk45_solve_with. Otherwise f is called through a pointer, and the state is in work.
+     The compiler inlines f and keeps the state in registers if f is static, n <= 8 is a constant, and one function
+     calls rk45_init, tests its status, and calls rk45_solve. Where the compiler cannot see which f and n belong to s,
+     call rk45_solve_with, which gets them as arguments once more. Otherwise f is called through a pointer, and the
+     state is in work.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
-     VM_INLINE            linkage of what has to be inlined for speed; VM_API makes smaller code with the same results
-     VM_SQRT, VM_FABS     the functions of the C library that are used (all of the shared block's, if any)
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
+                          the code is smaller and the results are the same.
+     VM_SQRT, VM_FABS     the functions of the C library that are used; define these two and VM_FLOOR and
+                          VM_COPYSIGN, or none of the four
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
                           and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where the checks for NaN do not work
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although the checks for NaN do not work then
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -104,7 +108,7 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
-     vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
 
    REFERENCES
      [1] Ch. Tsitouras, Runge-Kutta pairs of order 5(4) satisfying only the first column simplifying assumption,
@@ -120,36 +124,38 @@
 
    INDEX
      base/self_check: whether this compiler and this processor compute as varmass needs
-       vm_self_check                  1 where the compiler and the processor compute as varmass needs, else 0
+       vm_self_check                  Returns 1 if the compiler and the processor compute as varmass needs, else 0
 
      integrators/ode: ordinary differential equations y' = f(t, y): right-hand sides and statuses
-       ode_strerror                   The text of a status of this header
+       ode_strerror                   Text that describes a status of the integrators
 
      integrators/rk4: rk4: the classical Runge-Kutta method of order 4 with fixed steps
-       rk4_step                       One step of size h, of either sign, by the classical Runge-Kutta method
-       rk4_solve                      Equal steps, as many as `steps`, from *t to t_end by the classical Runge-Kutta method
-       rk4_solve_compensated          Equal steps with compensated summation, so that roundings do not add up
+       rk4_step                       One step of size h, positive or negative, by the classical Runge-Kutta method
+       rk4_solve                      Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method
+       rk4_solve_compensated          Equal steps with compensated summation [3], so that roundings do not add up
 
-     integrators/adaptive: adaptive runs: rk45 and rk87, whose steps keep a tolerance
-       rk45_defaults                  The options with their defaults in place of zeros, as rk45_init takes them
+     integrators/rk45: rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
+       rk45_defaults                  Options of rk45 with each zero replaced by its default, as rk45_init uses them
        rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
-       rk87_init                      Begins a run by rk87, as rk45_init does by rk45
-       rk45_restart                   Goes on with rk45 from another time or state, such as after a jump
-       rk87_restart                   Goes on with rk87 from another time or state, as rk45_restart does with rk45
-       rk45_step                      One accepted step of rk45, or less of it, up to an event that ends it
-       rk87_step                      One accepted step of rk87, as rk45_step makes one of rk45
-       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to a terminal event
-       rk87_solve                     Steps of rk87 to t_end exactly, as rk45_solve makes them of rk45
-       rk45_solve_with                Steps of rk45 to t_end with f and n given once more, so that f is inlined
-       rk87_solve_with                Steps of rk87 to t_end with f and n given once more, so that f is inlined, as in rk45_solve_with
-       rk45_interpolate               The state y(t) at a time t within the last step of rk45, of order 4
-       rk87_interpolate               The state y(t) at a time t within the last step of rk87, of order 8 */
+       rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
+       rk45_step                      One accepted step of rk45, or the part of it before an event that ends the step
+       rk45_solve_with                Steps of rk45 to t_end, with f and n named again so that f is inlined
+       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event
+       rk45_interpolate               State y(t) at a time t within the last step of rk45, accurate to order 4
+
+     integrators/rk87: rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
+       rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
+       rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
+       rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
+       rk87_solve_with                Steps of rk87 to t_end, with f and n named again so that f is inlined
+       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event
+       rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8 */
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
 /* base/real.h - the number type, the macros that a user may set, the functions of the C library
 
-   Everything else is built on this file. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
+   All other files are built on this one. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
    each macro that the user has not set its default, refuses compilers whose options change the values of results, and
    names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
 
@@ -184,14 +190,14 @@
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* slower, with the same results */
+#define VM_INLINE VM_API /* slower than with inlining, with the same results */
 #endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
 #define VM_C(x) x##f            /* the constant x as a vm_real */
 #define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
-#define VM_TAG(tag) tag##_float /* the tag of a struct: each precision has its own, so that C++ programs can mix them */
+#define VM_TAG(tag) tag##_float /* the tag of a struct, one for each precision: a C++ program can use both */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
 #define VM_MIN FLT_MIN /* the smallest normal number */
@@ -207,7 +213,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is as short as float (AVR); table lengths depend on it */
+#define VM_MANT_DIG DBL_MANT_DIG /* digits; 24 where double is as short as float (AVR). Table lengths depend on it. */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
@@ -228,12 +234,12 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_READ(x) (x)        /* reads x, an element of a table, which is always written as table[i] or table[i][j] */
 #endif
 
-#ifndef VM_SQRT /* To use another library, define all four. The casts keep C++ from choosing a template. */
+#ifndef VM_SQRT /* To use another library, define all four macros. The casts keep C++ from choosing a template. */
 #define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
-#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* here gcc compiles "x = copysign(x, y)" to x = y */
+#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* for this processor gcc compiles "x = copysign(x, y)" to x = y */
 #else
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)((vm_real)(x), (vm_real)(y))
 #endif
@@ -244,7 +250,7 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
-/* |x| with the sign of y, which may be -0 */
+/* Returns |x| with the sign of y, which may be -0. */
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
     const int negative = y < 0 || (y == 0 && 1 / y < 0);
@@ -253,7 +259,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers; b where one of them is NaN */
+/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
@@ -281,8 +287,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps them in
-   variables. */
+/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
+   additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -293,7 +299,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* a + b as an exact pair (Knuth) */
+/* Returns the exact sum a + b as a pair (by Knuth). */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -304,7 +310,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a + b as an exact pair, for |a| >= |b| (Dekker) */
+/* Returns the exact sum a + b as a pair, for |a| >= |b| (by Dekker). */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -313,7 +319,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* The pair hi, lo as it is */
+/* Makes a pair from its words hi and lo, which are not changed. */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -336,8 +342,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
-/* Whether sums are computed in the order in which they are written, as arithmetic in two words needs, and whether
-   adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
+/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
+   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
+   two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -351,8 +358,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
-   instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
+/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
+   instead of dividing gets 1 - eps/2 instead of 1 for some of the quotients tested here. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -365,8 +372,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Whether sums next to 1 are rounded to the nearest number, in the middle between two to the even one, and are not
-   kept with more digits than vm_real has */
+/* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
+   the middle between two numbers must be rounded to the even number. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -375,7 +382,7 @@ VM_API int vmi_rounds(vm_real one, vm_real eps)
            minus_above + one == -eps;
 }
 
-/* Whether NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should */
+/* Returns 1 if NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should. */
 VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
 {
     const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
@@ -385,10 +392,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* 1 where the compiler and the processor compute as varmass needs, else 0: results would be wrong.
-   It returns
-   0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
-   processor takes subnormal numbers for zero. Call it once, when the program starts. */
+/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results are wrong.
+   This happens, for example, with options of clang that its macros do not show, with another rounding mode, or where
+   the processor takes subnormal numbers for zero. Call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
@@ -399,17 +405,18 @@ VM_API int vm_self_check(void)
 
 #endif
 /* base/arrays.h - loops over arrays of numbers
-   Whether all numbers of an array are finite, copies, and the loops over the components of a small state, which the
-   compiler unrolls where it knows the number n of components, so that they live in registers.
+   vmi_all_finite tests whether all numbers of an array are finite, and vmi_copy copies an array. The macro VMI_EACH
+   writes a loop over the n components of a state. Where the compiler knows a small n, it unrolls such loops and keeps
+   the components in registers.
 
        vm_real y[3] = {1, 2, 3}, z[3];
        if (vmi_all_finite(3, y)) vmi_copy(3, y, z);
 
-   Tests: tests/test_rk4.c and all others of the integrators. */
+   Tests: tests/test_rk4.c and the other tests of the integrators. */
 #ifndef VARMASS_BASE_ARRAYS_H
 #define VARMASS_BASE_ARRAYS_H
 
-/* Whether none of the n numbers is infinite or NaN */
+/* Returns 1 if all n numbers are finite, and 0 if one of them is infinite or NaN. */
 VM_API int vmi_all_finite(int n, const vm_real *y)
 {
     int i;
@@ -418,7 +425,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
     return 1;
 }
 
-/* A loop `VMI_EACH(i, n) statement` over components, unrolled where the compiler knows n. */
+/* `VMI_EACH(i, n) statement` executes the statement for i = 0 ... n - 1. gcc unrolls this loop where it knows n. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
     !defined(__OPTIMIZE_SIZE__)
 #define VMI_UNROLL _Pragma("GCC unroll 16")
@@ -427,8 +434,8 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #endif
 #define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
 
-/* Systems of up to VMI_SMALL components, where the compiler knows n, are stepped in local arrays, others in the
-   caller's work. */
+/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL. An integrator then keeps a state of n
+   components in local arrays; otherwise it keeps the state in the caller's array `work`. */
 #define VMI_SMALL 8
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
@@ -436,7 +443,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #define VMI_IS_SMALL(n) 0
 #endif
 
-/* Copies n numbers; the arrays do not overlap, unless they are the same. */
+/* Copies n numbers. The arrays `from` and `to` must not overlap, but they may be one and the same array. */
 VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 {
     int i;
@@ -445,7 +452,7 @@ VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 
 #endif
 /* integrators/ode.h - ordinary differential equations y' = f(t, y): right-hand sides and statuses
-   The type of every right-hand side f, and the statuses of all functions that begin with rk4_, rk45_, rk87_ or ode_.
+   This file has the type of every right-hand side f, and the statuses of the functions rk4_..., rk45_... and rk87_...
 
        #include "integrators.h"
        static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x as y = (x, x')
@@ -468,28 +475,28 @@ VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 
 enum {
     ODE_OK = 0,          /* success */
-    ODE_RTOL_RAISED = 1, /* from an init: rtol was below 16 eps (rk87: 256 eps), and the run takes that instead */
-    ODE_EVENT = 2,       /* a terminal event: s->t and s->y are where it happened, s->event is its index */
+    ODE_RTOL_RAISED = 1, /* rk45_init has raised rtol to 16 eps, or rk87_init to 256 eps, which is the least */
+    ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not accuracy, kept the steps short */
-    /* A count n or steps that is not positive, a null pointer, a component without tolerance, h_min < 0 or above h_max,
-       a time, state or option that is not finite, a time outside the last step, an event without g, or an rk45 that the
-       init function of another method made */
+    /* An argument is wrong: n or steps is not positive, a pointer is NULL, a component has no tolerance, h_min is
+       negative or above h_max, a time, a state or an option is not finite, a time is outside the last step, an event
+       has no g, or the rk45 was made by the init function of another method. */
     ODE_BAD_ARGUMENT = -1,
-    ODE_RHS_STOPPED = -2, /* f returned another number than 0; s->rhs_status is this number */
-    ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step, or an event function NaN */
-    /* Two steps of the smallest size (h_min, or what t can resolve) missed the tolerance, with fewer than three good
-       steps between them: f is singular there, or too stiff for t. The status is also given if h_max is less than t can
-       resolve. A jump of f does not end a run: s->missed counts it. */
+    ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
+    ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
+    /* Two steps of the smallest size (h_min, or the resolution of t) missed the tolerance, with fewer than three steps
+       between them that kept it: f is singular there, or too stiff for the resolution of t. The run also ends so if
+       h_max is less than the resolution of t. A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
-    ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call goes on from there */
+    ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call continues the run */
     ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
 };
 
-/* A right-hand side writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx
-   is the pointer that the caller gave to the integrator. */
+/* A function that writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx is
+   the pointer that the caller gave to the integrator. */
 typedef int (*ode_rhs)(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
 
-/* The text of a status of this header. */
+/* Text that describes a status of the integrators. */
 VM_API const char *ode_strerror(int status)
 {
     switch (status) {
@@ -509,8 +516,8 @@ VM_API const char *ode_strerror(int status)
 
 #endif
 /* integrators/rk4.h - rk4: the classical Runge-Kutta method of order 4 with fixed steps
-   Four evaluations of f in each step; the error at the end is proportional to h^4. It is the method where each step
-   must take the same time, as in a control loop; rk45 needs less time for the same error.
+   A step takes four evaluations of f, and the error at the end of a run is proportional to h^4. It is the method where
+   each step must take the same time, as in a control loop; rk45 needs less time for the same error.
 
        double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
        int status = rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // spring is the ode_rhs of ode.h; 1000 steps
@@ -519,9 +526,10 @@ VM_API const char *ode_strerror(int status)
 #ifndef VARMASS_INTEGRATORS_RK4_H
 #define VARMASS_INTEGRATORS_RK4_H
 
-#define RK4_WORK(n) (3 * (n)) /* how many numbers the work of rk4 with n components has */
+#define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
 
-/* The four stages of a step of h from y: leaves k_1 + 2 k_2 + 2 k_3 in sum and k_4 in k. Returns what f returns. */
+/* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
+   k_4; z holds the argument of f. Returns 0, or the number with which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -546,8 +554,8 @@ VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, 
     return f(t + h, z, k, ctx);
 }
 
-/* Makes `steps` steps of h from *t. The state is y, or y + low_or_NULL; w has 3 m numbers, m >= n. y and *t become
-   those of the last complete step. Returns a status. */
+/* Makes `steps` steps of size h from *t. The state is y, or y + low_or_NULL with compensated summation. w is a work
+   array of 3 m numbers, m >= n. y and *t become those at the end of the last complete step. Returns a status. */
 VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
                           vm_real *low_or_NULL, vm_real *w, ptrdiff_t m)
 {
@@ -556,7 +564,7 @@ VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, lo
     long step;
     int i, status = ODE_OK;
     for (step = 0; step < steps; step++) {
-        vm_real bad = 0; /* x - x is 0 or NaN */
+        vm_real bad = 0; /* becomes NaN if a component of z is not finite */
         if (vmi_rk4_stages(f, ctx, n, t0 + (vm_real)step * h, h, y, k, sum, z)) {
             status = ODE_RHS_STOPPED;
             break;
@@ -582,7 +590,7 @@ VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, lo
     return status;
 }
 
-/* vmi_rk4_run in registers, where the compiler knows that n is small */
+/* Does the work of vmi_rk4_run in local arrays, which the compiler keeps in registers if it knows that n is small */
 VM_INLINE int vmi_rk4_run_small(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
                                 vm_real *low_or_NULL)
 {
@@ -597,7 +605,7 @@ VM_INLINE int vmi_rk4_run_small(ode_rhs f, void *ctx, int n, vm_real *t, vm_real
     return status;
 }
 
-/* Checks the arguments of an rk4 function, and makes the steps */
+/* Checks the arguments of an rk4 function and makes the steps. Returns a status. */
 VM_INLINE int vmi_rk4(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y, vm_real *low_or_NULL,
                       vm_real *work)
 {
@@ -606,7 +614,7 @@ VM_INLINE int vmi_rk4(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long s
     return vmi_rk4_run(f, ctx, n, t, h, steps, y, low_or_NULL, work, n);
 }
 
-/* rk4_solve and rk4_solve_compensated */
+/* Does the work of rk4_solve and of rk4_solve_compensated */
 VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                             vm_real *low_or_NULL, vm_real *work)
 {
@@ -617,25 +625,26 @@ VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_e
     return status;
 }
 
-/* One step of size h, of either sign, by the classical Runge-Kutta method. y, n numbers, is the state at time t and
-   becomes that at t + h. f gets ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED
-   or ODE_NOT_FINITE, and in the last three cases y is as it was. */
+/* One step of size h, positive or negative, by the classical Runge-Kutta method. y has n numbers; it is the state at
+   time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, or,
+   with y unchanged, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED or ODE_NOT_FINITE. */
 VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
 {
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
-/* Equal steps, as many as `steps`, from *t to t_end by the classical Runge-Kutta method. y, n numbers, becomes the
-   state at t_end, and *t becomes t_end exactly. Where f stops the run or something is not finite, y and *t are those
-   of the last complete step. Returns as rk4_step does. */
+/* Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method. y has n numbers and becomes the
+   state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the
+   end of the last complete step. Returns the statuses of rk4_step. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
     return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, NULL, work);
 }
 
-/* Equal steps with compensated summation, so that roundings do not add up. They are those of rk4_solve, but the state
-   is y + y_low [3]. y_low has n numbers, which are zero at first. It pays where there are millions of steps. */
+/* Equal steps with compensated summation [3], so that roundings do not add up. The steps are those of rk4_solve, but
+   the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The summation is
+   worth its time when there are millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {
@@ -645,8 +654,8 @@ VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_
 
 #endif
 /* integrators/options.h - options and events of an adaptive run
-   A zeroed rk45_options means the defaults. An event is a change of sign of a function g(t, y) along a run, such as a
-   bounce, g = height.
+   An rk45_options whose fields are all 0 stands for the defaults. An event is a change of sign of a function g(t, y)
+   along a run, such as a bounce, where g is a height.
 
        ode_event touch;
        rk45_options options;
@@ -667,47 +676,48 @@ typedef vm_real (*ode_event_function)(vm_real t, const vm_real *y, void *ctx);
 
 /* What a run does at an event. */
 enum {
-    ODE_RECORD = 0, /* it counts the event and goes on */
-    ODE_STOP = 1,   /* it ends there with ODE_EVENT: a terminal event */
-    ODE_RESTART = 2 /* it ends the step there, calls `change`, and begins a new step */
+    ODE_RECORD = 0, /* the run counts the event and goes on */
+    ODE_STOP = 1,   /* the run ends at the event with the status ODE_EVENT */
+    ODE_RESTART = 2 /* the run ends the step at the event, calls `change`, and begins a new step */
 };
 
-/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events that the
-   options point at. He sets the fields from g to states; the integrator sets the others. */
+/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events to which the
+   options point. The caller sets the fields from g to states; the integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
-    ode_event_function g; /* the function whose zeros are looked for */
-    void *ctx;            /* given to g and to change */
-    int direction; /* in the run's own direction: > 0 when g rises through zero, < 0 when it falls, 0 for both */
+    ode_event_function g; /* the function whose zeros are the event */
+    void *ctx;            /* pointer that g and change receive */
+    int direction; /* which changes of sign of g count, along the run: > 0 from - to +, < 0 from + to -, 0 both */
     int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
-    int checks;    /* g is looked at in so many points inside each step; 0 means 3, negative none, at most 9999 */
-    /* NULL, or what an ODE_RESTART calls. It may change y, and in ctx what f depends on. */
+    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0 means 3, < 0 none */
+    /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
+       depends. */
     void (*change)(vm_real t, vm_real *y, void *ctx);
-    long room;       /* how many events times and states have room for; later events are counted only */
-    vm_real *times;  /* NULL, or room for `room` times */
-    vm_real *states; /* NULL, or room for `room` states of n numbers each */
-    long count;      /* events so far */
+    long room;       /* number of events for which times and states have room; later events are only counted */
+    vm_real *times;  /* NULL, or an array that receives the times of the first `room` events */
+    vm_real *states; /* NULL, or an array that receives the states of the first `room` events, n numbers each */
+    long count;      /* number of events so far */
     vm_real t;       /* time of the last event */
     /* The fields from here on are internal. */
-    int side;       /* the sign of g where the run is, 0 while it is not known */
-    int side_ahead; /* the side at the end of the step, if the step is not cut */
-    int happens;    /* nonzero while the step is cut at an instant at which this event happens */
-    vm_real from;   /* g has been looked at up to this fraction of the step */
-    vm_real slack;  /* after an event the side stays unknown while |g| <= slack ... */
-    vm_real quiet;  /* ... and for this time at most */
+    int side;       /* sign of g at the present time of the run, 0 while it is uncertain */
+    int side_ahead; /* sign of g at the end of the step, if no event ends the step earlier */
+    int happens;    /* nonzero if this event happens at the end of the step */
+    vm_real from;   /* g has been evaluated up to this fraction of the step */
+    vm_real slack;  /* after the event, the sign of g is uncertain while |g| <= slack */
+    vm_real quiet;  /* time after the event for which the sign of g may still be uncertain */
 } ode_event;
 
-/* The options of a run, zero meaning the default in every field. rk45_defaults shows what the defaults come to. */
+/* Options of a run. A zero in any field means its default; rk45_defaults shows all defaults. */
 typedef struct VM_TAG(rk45_options) {
-    vm_real rtol;             /* relative tolerance of a step; default 1e-6 (float 1e-4), negative: none */
-    vm_real atol;             /* absolute tolerance of every component; default rtol/1000, negative: none */
-    vm_real h0;               /* first step, chosen from f by default. Its sign is the direction of rk45_step. */
-    vm_real h_min;            /* shortest step; default: what t can resolve */
-    vm_real h_max;            /* longest step; default: no limit */
-    long max_steps;           /* attempts in one call of rk45_solve; default 1000000, negative: no limit */
-    const vm_real *atol_each; /* NULL, or n absolute tolerances, one for each component, instead of atol; 0 is none */
-    ode_event *events;        /* n_events events, or NULL */
+    vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
+    vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
+    vm_real h0;               /* size of the first step; 0: chosen from f. Its sign is the direction of rk45_step. */
+    vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
+    vm_real h_max;            /* size of the longest step; the default is no limit */
+    long max_steps;           /* attempts in a call of rk45_solve; the default is 1000000, negative means no limit */
+    const vm_real *atol_each; /* NULL, or n absolute tolerances of the components, in place of atol; 0 means none */
+    ode_event *events;        /* array of n_events events, or NULL */
     int n_events;             /* number of events */
-    long work_size; /* how many numbers work has room for, e.g. sizeof work / sizeof *work; 0: it is not checked */
+    long work_size; /* number of elements of work, e.g. sizeof work / sizeof *work; 0 means that it is not checked */
 } rk45_options;
 
 #if VM_MANT_DIG > 24
@@ -716,7 +726,7 @@ typedef struct VM_TAG(rk45_options) {
 #define VMI_DEFAULT_RTOL VM_C(1e-4)
 #endif
 
-/* The options with the defaults in place of zeros, and rtol raised to least_rtol */
+/* The options with each zero replaced by its default, and with rtol raised to least_rtol */
 VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options_or_NULL)
 {
     rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
@@ -734,7 +744,7 @@ VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options
 /* The absolute tolerance of component i */
 VM_INLINE vm_real vmi_atol(const rk45_options *o, int i) { return o->atol_each ? o->atol_each[i] : o->atol; }
 
-/* Whether every component has a tolerance, and none is negative or NaN */
+/* Whether every component has a tolerance, and no tolerance is negative or NaN */
 VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
 {
     int i;
@@ -757,7 +767,8 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
     return 1;
 }
 
-/* The error that component i may have in a step in which its size is |y|; always > 0 */
+/* Tolerance of component i in a step, atol + rtol |y|. y is the value of the component. The result is always
+   positive. */
 VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 {
     return vmi_atol(o, i) + o->rtol * VM_FABS(y) + VM_MIN;
@@ -769,9 +780,9 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
-   and estimates the error by another sum of the k_i. A file for each pair has its coefficients and its descriptor, a
-   vmi_rk_pair, with all that an adaptive run needs to know of it: rk45_pair.h, rk87_pair.h. To add a pair, write such
-   a file, enter the pair in pair_list.h, and give it public functions in adaptive.h.
+   and estimates the error by another sum of the k_i. For each pair there is a file with its public functions, its
+   coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a vmi_rk_pair, holds all that an adaptive run needs
+   to know of the pair. To add a pair, write such a file and include it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -779,10 +790,12 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
 struct VM_TAG(rk45);
 
-/* The parts of a run's work, of n numbers each: y, y at t_old, an argument of f, and the derivatives k_1, k_2 ... */
+/* The parts of a run's work, of n numbers each: the state y, the state at t_old, the state at which a stage evaluates f
+   (after the stages the new state), and from VMI_K on the derivatives k_1, k_2 ... */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
-/* The equations that a step solves, and its parts of work: part p begins at w + p m, and m >= n. */
+/* The equations y' = f(t, y) that a step solves, n of them, and the arrays of the step: part p, such as VMI_Y, begins
+   at w + p m, where m >= n. ctx is the pointer that f receives. */
 typedef struct VM_TAG(vmi_rk_system) {
     ode_rhs f;
     void *ctx;
@@ -791,44 +804,67 @@ typedef struct VM_TAG(vmi_rk_system) {
     ptrdiff_t m;
 } vmi_rk_system;
 
-/* What a run needs to know of its pair. Two more functions, the stages and the estimate of the error, are called
-   directly, by pair_list.h, because they must be inlined into the loop over the steps. */
+/* What a run needs to know of its pair */
 typedef struct VM_TAG(vmi_rk_pair) {
-    int method;           /* tells the pairs apart: VMI_RK45 ... */
-    int order;            /* of the state after a step. That of the error estimate is one less. */
-    int stages;           /* evaluations of f that make the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage is f at the new state, the next step's k_1; 0: that is evaluated apart */
-    int derivatives;      /* all k_i of a step: stages, f at its end, and those of the continuous extension alone */
-    int rounding;         /* bound of the rounding within a step, relative to y, in eps: the smallest rtol */
-    vm_real keep_from;    /* after a step whose error is above this part of the tolerance the size may stay */
-    vm_real stiff_beyond; /* the run looks stiff where |h lambda| is larger, about the end of the stability region */
-    /* The weight of k_{j+1} in the difference, over h, of the last two states for which f is evaluated at t + h */
+    int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
+    int order;            /* the order of the state after a step; the order of the error estimate is one less */
+    int stages;           /* number of evaluations of f for the new state and the error estimate */
+    int last_is_first;    /* 1: the last stage is f at the new state, k_1 of the next step; 0: the run evaluates k_1 */
+    int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
+    int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
+    vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
+    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of the Jacobian of f exceeds this */
+    /* Two stages, or the last stage and the new state, evaluate f at t + h. Returns the weight of k_{j+1} in the
+       difference of these two states, divided by h. */
     vm_real (*end_difference)(int j);
-    /* The continuous extension: y(t_old + x h) = y_old + h (b_1 k_1 + b_2 k_2 + ...), 0 <= x <= 1, by vmi_weigh_inside
-       with weights b_j that depend on x */
+    /* Computes the state y at the fraction x of the step by the continuous extension, y_old + h (b_1 k_1 + ...), whose
+       weights b_j depend on x */
     void (*inside)(const struct VM_TAG(rk45) * s, vm_real x, vm_real *y);
-    /* NULL, or what evaluates the k_i that only the continuous extension needs. Returns a status. */
+    /* NULL, or the function that evaluates the k_i of the continuous extension alone. Returns a status. */
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* Linkage of descriptors and of the parts of vmi_advance. Inlining makes the descriptors constants, and each part is
-   called in one place only. So the code becomes smaller too, and they are inlined even where VM_INLINE, for the sake of
-   size, does not inline. */
+/* What the loop over the steps needs to know of a pair. The call of the loop gets it as a constant, so that the
+   compiler inlines both functions into the loop. The functions are no part of vmi_rk_pair, which each run holds,
+   because they would then be compiled a second time. */
+typedef struct VM_TAG(vmi_rk_stepper) {
+    vmi_rk_pair pair;
+    /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
+       Adds the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
+    int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
+    /* The largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error or the
+       new state is not finite */
+    vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
+} vmi_rk_stepper;
+
+#define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
+
+/* Linkage of descriptors and of the parts of vmi_advance. Inlining turns the descriptors into constants, and each part
+   is called in one place only, so that inlining makes the code smaller. These functions are therefore inlined even
+   where VM_INLINE does not inline, in order to keep the code small. */
 #if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
 #define VMI_FOLDED static inline __attribute__((always_inline))
 #else
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* The part of work with f at the end of a step */
+/* Linkage of the loop over the steps of one pair. The loop is inlined, in order to be fast, but not if the compiler
+   optimises for size: then one copy for any n is enough. */
+#ifdef __OPTIMIZE_SIZE__
+#define VMI_LOOP VMI_APART
+#else
+#define VMI_LOOP VM_INLINE
+#endif
+
+/* The index of the part of work that holds f at the end of a step */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
-/* The smallest rtol */
+/* The least rtol that a run by this pair accepts */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
-/* In the stages of a pair: h times a coefficient, and an evaluation of f. h is folded into the coefficients and the
-   newest k comes last in every sum, so that the chain from one evaluation of f to the next is a multiplication and an
-   addition long. */
+/* Macros for the stages of a pair. VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h
+   is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
+   between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
     do {                                 \
@@ -840,10 +876,11 @@ VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pai
 
 #define VMI_LARGER(a, b) ((a) > (b) ? (a) : (b))
 #define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
-#define VMI_WORST VM_C(1e4) /* larger errors, in tolerances, count as this one */
+#define VMI_WORST VM_C(1e4) /* a ratio of an error to its tolerance above this number counts as this number */
 
-/* Takes up an error e of component i, whose state goes from y to z: *worst becomes the largest error over its
-   tolerance so far, and *bad becomes NaN if e or z is not finite, since x - x is 0 or NaN. */
+/* Takes the error e of component i into account; the component is y before the step and z after it. *worst becomes the
+   largest ratio of an error to its tolerance so far. *bad becomes NaN if e or z is not finite, since infinity minus
+   infinity is NaN. */
 VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_real z, vm_real *worst, vm_real *bad)
 {
     const vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y), VM_FABS(z)));
@@ -854,8 +891,8 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
 
 #endif
 /* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
-   An rk45 holds the state of a run by either pair, and its `work`, which the caller provides, the arrays of n numbers.
-   The functions that make and use it are in adaptive.h.
+   An rk45 holds the state of a run by rk45 or by rk87. Its `work`, which the caller provides, holds the arrays of n
+   numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RUNS_H
@@ -865,41 +902,41 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
 typedef struct VM_TAG(rk45) {
     vm_real t;            /* current time */
     vm_real *y;           /* current state, n numbers (in work) */
-    vm_real t_old;        /* rk45_interpolate covers t_old .. t, the last accepted step; equal to t after an error */
-    vm_real h;            /* the next step that will be tried, with its sign; 0 before the first */
-    long steps;           /* accepted steps */
-    long rejected;        /* rejected steps */
-    long evals;           /* evaluations of f */
-    long missed;          /* steps of the smallest size that were accepted though their error was above the tolerance */
-    int rhs_status;       /* what f returned last */
-    int event;            /* index of the terminal event that ended the last call, else -1 */
+    vm_real t_old;        /* rk45_interpolate covers t_old to t, the last accepted step; t_old is t after an error */
+    vm_real h;            /* size of the next step to be tried, with its sign; 0 before the first step */
+    long steps;           /* number of accepted steps */
+    long rejected;        /* number of rejected steps */
+    long evals;           /* number of evaluations of f */
+    long missed;          /* number of steps of the smallest size accepted with an error above the tolerance */
+    int rhs_status;       /* number that f returned last */
+    int event;            /* index of the ODE_STOP event that ended the last call, else -1 */
     int stiff;            /* nonzero once the run has looked stiff */
     ode_rhs f;            /* the right-hand side */
-    void *ctx;            /* given to f */
+    void *ctx;            /* pointer that f receives */
     int n;                /* number of components */
-    rk45_options options; /* with the defaults in place of zeros */
+    rk45_options options; /* the options, with the defaults in place of zeros */
     /* The fields from here on are internal. */
     vmi_rk_pair pair;
     vm_real *work;
-    vm_real t_low;         /* y belongs to t + t_low, |t_low| <= ulp(t)/2 ... */
-    vm_real t_old_low;     /* ... and the last step began at t_old + t_old_low */
+    vm_real t_low;         /* y belongs to the time t + t_low; |t_low| <= ulp(t)/2 */
+    vm_real t_old_low;     /* the last step began at the time t_old + t_old_low */
     vm_real h_done;        /* size of the last accepted step */
-    vm_real inverse_error; /* 1 over its error, in tolerances */
-    long attempts;         /* steps that may still be tried; negative: no limit */
-    int k1;                /* where k_1 of the next step is: VMI_K1_MISSING ... */
+    vm_real inverse_error; /* tolerance of the last accepted step divided by its error */
+    long attempts;         /* number of steps that may still be tried; negative means no limit */
+    int k1;                /* where k_1 of the next step is: VMI_K1_MISSING, VMI_K1_READY or VMI_K1_IS_LAST */
     int extended;          /* nonzero if the continuous extension of the last step is ready */
-    int failure;           /* what became of the attempt before: VMI_NONE_FAILED ... */
-    long next_miss;        /* a step of the smallest size may miss the tolerance again when `steps` is this large */
-    int stiff_wait;        /* steps until the next look for stiffness */
-    int stiff_hits;        /* looks that found stiffness, in succession but for a few */
-    int stiff_misses;      /* looks since the last of them */
+    int failure;           /* result of the last attempt: VMI_NONE_FAILED, VMI_REJECTED or VMI_NOT_FINITE */
+    long next_miss;        /* value of `steps` from which on a step of the smallest size may miss the tolerance again */
+    int stiff_wait;        /* number of steps until the next test of stiffness */
+    int stiff_hits;        /* number of tests that found stiffness since VMI_STIFF_MISSES tests in a row found none */
+    int stiff_misses;      /* number of tests since the last test that found stiffness */
 } rk45;
 
-enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
-enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of an attempt */
-enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
+enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the previous step's last k */
+enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* results of an attempt */
+enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one test of stiffness to the next */
 
-/* A part of work, such as VMI_Y */
+/* The array of n numbers in work with the index `part`, such as VMI_Y */
 VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
 
 /* Sets the fields of a new run that do not depend on the options or the pair */
@@ -932,7 +969,7 @@ VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm
     s->stiff_misses = 0;
 }
 
-/* rk45_init for any pair */
+/* Does the work of rk45_init for any pair */
 VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                        const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -957,8 +994,8 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     return ODE_OK;
 }
 
-/* y = y_old + h (b[0] k_1 + b[1] k_2 + ...), count terms. The weights add up to x, so those of the differences to k_1
-   do as well, with less rounding. */
+/* Computes y = y_old + h (b[0] k_1 + b[1] k_2 + ...), a sum of `count` terms. The weights b add up to x, so that the
+   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have smaller rounding errors. */
 VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
 {
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
@@ -981,13 +1018,13 @@ VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 #endif
 /* integrators/dense.h - the solution inside the last step of an adaptive run
    After each step of rk45 or rk87 its continuous extension, a polynomial in time, gives the state at any time within
-   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate of adaptive.h.
+   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate.
 
    Tests: tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_DENSE_H
 #define VARMASS_INTEGRATORS_DENSE_H
 
-/* Makes the continuous extension of the last step ready, once for each step */
+/* Makes the continuous extension of the last step ready, if it is not ready yet. Returns a status. */
 VM_API int vmi_extend(rk45 *s)
 {
     int status = ODE_OK;
@@ -996,16 +1033,16 @@ VM_API int vmi_extend(rk45 *s)
     return status;
 }
 
-/* y at the fraction x of the last step, 0 <= x <= 1, whose continuous extension is ready */
+/* Computes the state y at the fraction x of the last step, 0 <= x <= 1. The continuous extension must be ready. */
 VM_API void vmi_inside(const rk45 *s, vm_real x, vm_real *y) { s->pair.inside(s, x, y); }
 
-/* Whether t is within the last step, its ends included */
+/* Whether the time t is within the last step, its ends included */
 VM_API int vmi_is_in_last_step(const rk45 *s, vm_real t)
 {
     return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);
 }
 
-/* The place of t, which is within the last step: 0 at the beginning of the step, 1 at its end */
+/* The fraction of the last step at which the time t lies: 0 at the beginning of the step, 1 at its end */
 VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
 {
     const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
@@ -1013,7 +1050,8 @@ VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
     return VMI_SMALLER(x, VM_C(1.0));
 }
 
-/* y(t) for t within the last step of a run by `method`, whose continuous extension is ready */
+/* Computes the state y at a time t within the last step of a run by the pair `method`. The continuous extension must be
+   ready. Returns a status. */
 VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *y)
 {
     if (!s || !y || s->pair.method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
@@ -1022,7 +1060,8 @@ VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *
     return ODE_OK;
 }
 
-/* y(t) for t within the last step of a run by any pair. At the end of the step nothing is evaluated. */
+/* Computes the state y at a time t within the last step of a run by any pair. If t is s->t, f is not evaluated. Returns
+   a status. */
 VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 {
     if (!s || !y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
@@ -1050,15 +1089,15 @@ VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* bits of the mantissa that are stored */
-#define VMI_BIAS 1023     /* the stored exponent of the number 1 */
+#define VMI_STORED_DIG 52 /* number of bits of the mantissa that are stored */
+#define VMI_BIAS 1023     /* stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
 #define VMI_BIAS 127
 #endif
 
-/* The bits of x as an integer */
+/* Returns the bits of x as an integer. */
 VM_API vmi_bits vmi_to_bits(vm_real x)
 {
     vmi_bits bits;
@@ -1066,7 +1105,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
-/* The number that has these bits */
+/* Returns the number that has these bits. */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -1074,8 +1113,8 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* x 2^k, rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. The product
-   is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
+/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
+   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -1088,11 +1127,12 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* (y + y_lo) 2^k for y between 1/2 and 2, rounded only once, also where the result is subnormal */
+/* Returns (y + y_lo) 2^k for y between 1/2 and 2. The result is rounded only once, also where it is subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits. Adding a power of two to y removes the same digits with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
+           superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -1102,7 +1142,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* The bits of a number as a signed integer, and the bits of the number 1 */
+/* The signed integer type that holds the bits of a vm_real, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
@@ -1112,18 +1152,959 @@ typedef int32_t vmi_signed_bits;
 #endif
 
 #endif
-/* integrators/rk45_pair.h - coefficients of rk45, the Runge-Kutta pair of orders 5 and 4
-   Tsitouras' pair [1]: seven stages, of which the last is the next step's first, so that a step costs six evaluations
-   of f, and a continuous extension of order 4 that costs none. Users call the functions of adaptive.h.
+/* integrators/steps.h - steps of an adaptive run and the control of their size
+   vmi_advance is the loop over the steps. The compiler specialises it for a pair and, where it knows that n is small,
+   for n and f too. The manual of integrators.h has the rules of step size control.
 
-   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c. */
-#ifndef VARMASS_INTEGRATORS_RK45_PAIR_H
-#define VARMASS_INTEGRATORS_RK45_PAIR_H
+   Tests: tests/test_adaptive.c. */
+#ifndef VARMASS_INTEGRATORS_STEPS_H
+#define VARMASS_INTEGRATORS_STEPS_H
 
-enum { VMI_RK45 = 45 }; /* the method */
+#include <string.h>
 
-/* The stages of a step, for vmi_make_stages: 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order
-   conditions to 1.1e-14 */
+/* x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and the
+   result must neither overflow nor underflow. The bits of x, taken as an integer, are a piecewise linear logarithm,
+   `middle` is half its largest error, and the exponential function is (1 + v + v^2/2)^16. */
+VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
+{
+    const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
+    vmi_signed_bits bits;
+    vm_real v;
+    memcpy(&bits, &x, sizeof x);
+    v = ((vm_real)(bits - VMI_BITS_OF_1) + middle / VM_EPSILON) * (p * (ln2 / 16 * VM_EPSILON));
+    v = 1 + v * (1 + v / 2);
+    v *= v;
+    v *= v;
+    v *= v;
+    v *= v;
+    return v;
+}
+
+#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios from which the first step is chosen */
+
+/* The largest ratio of |v_i| to the tolerance of component i, at most VMI_LARGEST_RATIO */
+VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
+{
+    vm_real largest = 0;
+    int i;
+    for (i = 0; i < s->n; i++) {
+        const vm_real ratio = VM_FABS(v[i]) / vmi_tolerance(&s->options, i, s->y[i]);
+        if (ratio > largest) largest = ratio;
+    }
+    return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
+}
+
+/* Chooses the size s->h of the first step from the sizes of y, y' and y'' [2, II.4], so that its error should be 1 % of
+   the tolerance. It is at most 100 times the step that changes y by 1 %, and at most `longest`. `direction`, 1 or -1,
+   is its sign. Overwrites the parts k_2 and VMI_Z of work. Returns a status. */
+VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
+{
+    vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
+    const vm_real size = vmi_norm_by_tolerance(s, s->y), speed = vmi_norm_by_tolerance(s, k1);
+    vm_real h0 = VM_C(1e-6), h1 = VM_C(1e-6), fastest = 0;
+    int i, status;
+    if (size >= VM_C(1e-5) && speed >= VM_C(1e-5)) h0 = VM_C(0.01) * size / speed;
+    if (h0 > longest) h0 = longest;
+    for (i = 0; i < s->n; i++) z[i] = s->y[i] + direction * h0 * k1[i];
+    status = vmi_eval(s, s->t + direction * h0, z, k2);
+    if (status) return status;
+    for (i = 0; i < s->n; i++) {
+        vm_real ratio = VM_FABS((k2[i] - k1[i]) / h0) / vmi_tolerance(&s->options, i, s->y[i]);
+        if (!(ratio < VMI_LARGEST_RATIO)) ratio = VMI_LARGEST_RATIO; /* also where f is NaN */
+        if (ratio > fastest) fastest = ratio;
+    }
+    if (speed > fastest) fastest = speed;
+    if (fastest > VM_C(1e-15)) h1 = vmi_pow_rough(VM_C(0.01) / fastest, 1 / (vm_real)s->pair.order);
+    if (h1 > 100 * h0) h1 = 100 * h0;
+    if (h1 < VM_C(1e-3) * h0) h1 = VM_C(1e-3) * h0;
+    s->h = direction * VMI_SMALLER(h1, longest);
+    return ODE_OK;
+}
+
+/* The length of the shortest step that is tried at the time t. It is positive at t = 0 too, since otherwise failing
+   steps could become shorter without end. */
+VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
+{
+    const vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
+    return VMI_LARGER(least, o->h_min);
+}
+
+/* The time from the state y to t_end, negative if the run goes backward */
+VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
+
+/* The direction of the run to t_end: 1 forward, -1 backward */
+VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
+
+/* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is the
+   smaller of 10 and
+     0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
+   where error is the error of this step divided by its tolerance, and error_before that of the previous step. */
+VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
+{
+    const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
+    const vm_real factor = VM_C(0.9) * vmi_pow_rough(square * square * inverse_error_before, power);
+    return VMI_SMALLER(factor, VM_C(10.0));
+}
+
+/* The factor by which the step size changes after a rejected step: 0.9 error^(-1/order), at least 1/5, where error is
+   the error of the step divided by its tolerance. It is 1/10 if error is NaN. */
+VM_INLINE vm_real vmi_shrink(int order, vm_real error)
+{
+    vm_real factor;
+    if (error != error) return VM_C(0.1);
+    factor = VM_C(0.9) * vmi_pow_rough(error, -1 / (vm_real)order);
+    return VMI_LARGER(factor, VM_C(0.2));
+}
+
+/* The fields of an rk45 that change from step to step. vmi_advance keeps them in a local variable while it makes steps,
+   so that they can be in registers. */
+typedef struct VM_TAG(vmi_progress) {
+    vm_real direction;              /* direction to t_end: 1 forward, -1 backward */
+    vm_real t, t_low;               /* y belongs to the time t + t_low */
+    vm_real t_old, t_old_low;       /* the last step began at the time t_old + t_old_low */
+    vm_real h_next;                 /* size of the next step */
+    vm_real h_done;                 /* size of the last accepted step */
+    vm_real inverse_error;          /* tolerance of the last accepted step divided by its error */
+    vm_real t_missed, t_missed_low; /* the last step that missed the tolerance began at their sum */
+    long steps, rejected, missed;   /* numbers of steps since the beginning of this loop */
+    long next_miss;                 /* value of `steps` from which on a step may miss the tolerance again */
+    long attempts;                  /* number of steps that may still be tried; negative means no limit */
+    int k1, failure, stiff_wait;    /* the fields of rk45 with these names */
+    int stopped;                    /* number that f returned last */
+} vmi_progress;
+
+/* The fields that change from step to step, as they are before the loop */
+VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
+{
+    vmi_progress p;
+    p.direction = vmi_direction(s, t_end);
+    p.t = s->t;
+    p.t_low = s->t_low;
+    p.t_old = s->t;
+    p.t_old_low = s->t_low;
+    p.h_next = s->h;
+    p.h_done = s->h_done;
+    p.inverse_error = s->inverse_error;
+    p.t_missed = s->t;
+    p.t_missed_low = s->t_low;
+    p.steps = 0;
+    p.rejected = 0;
+    p.missed = 0;
+    p.next_miss = s->next_miss - s->steps;
+    p.attempts = s->attempts;
+    p.k1 = VMI_K1_READY;
+    p.failure = s->failure;
+    p.stiff_wait = s->stiff_wait;
+    p.stopped = 0;
+    return p;
+}
+
+/* After the loop, stores in s the fields that change from step to step */
+VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
+{
+    s->t = p->t;
+    s->t_low = p->t_low;
+    s->t_old = p->t_old;
+    s->t_old_low = p->t_old_low;
+    s->h = p->h_next;
+    s->h_done = p->h_done;
+    s->inverse_error = p->inverse_error;
+    s->next_miss = s->steps + p->next_miss;
+    s->steps += p->steps;
+    s->rejected += p->rejected;
+    s->missed += p->missed;
+    s->attempts = p->attempts;
+    s->k1 = p->k1;
+    s->failure = p->failure;
+    s->stiff_wait = p->stiff_wait;
+    s->rhs_status = p->stopped;
+    s->extended = 0;
+}
+
+/* A step that is tried */
+typedef struct VM_TAG(vmi_trial) {
+    vm_real h, t_new, t_new_low; /* size of the step, and its end, the time t_new + t_new_low */
+    int last;                    /* 1 if the step ends at t_end */
+    int shortest;                /* 1 if no shorter step can be tried */
+} vmi_trial;
+
+/* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that the type can hold.
+   A step for which the change would be larger is so short that it ends between two such times, and t_low is then not 0.
+   In this way t does not drift away from the motion. */
+#define VMI_LANDING VM_C(0.015625)
+#define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
+
+/* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns ODE_OK,
+   or the status with which the run ends: ODE_STEP_TOO_SMALL if h_max is too small, ODE_MAX_STEPS if no attempt is
+   left. */
+VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress *p, vmi_trial *trial)
+{
+    const vm_real left = (t_end - p->t) - p->t_low, least = vmi_least_step(o, p->t);
+    vm_real h_to_t_new;
+    int status = ODE_OK, lands;
+    p->t_old = p->t;
+    p->t_old_low = p->t_low;
+    p->k1 = VMI_K1_READY;
+    if (VM_FABS(p->h_next) < least) p->h_next = p->direction * least;
+    if (VM_FABS(p->h_next) > o->h_max) {
+        p->h_next = p->direction * o->h_max;
+        if (o->h_max < least && o->h_max < VM_FABS(left)) status = ODE_STEP_TOO_SMALL;
+    }
+    trial->last = VM_FABS(p->h_next) >= VMI_NEARLY * VM_FABS(left);
+    trial->t_new = trial->last ? t_end : p->t + (p->t_low + p->h_next);
+    h_to_t_new = (trial->t_new - p->t) - p->t_low;
+    lands = trial->last || VM_FABS(h_to_t_new - p->h_next) <= VMI_LANDING * VM_FABS(p->h_next);
+    trial->h = lands ? h_to_t_new : p->h_next;
+    trial->t_new_low = lands ? 0 : p->h_next - h_to_t_new;
+    trial->shortest = VM_FABS(p->h_next) <= least || VM_FABS(trial->h) <= least;
+    if (p->attempts == 0) status = ODE_MAX_STEPS;
+    if (status == ODE_OK && p->attempts > 0) p->attempts--;
+    return status;
+}
+
+/* The number of steps that must keep the tolerance between two steps that may miss it. After a jump of f there are
+   three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
+enum { VMI_BETWEEN_MISSES = 3 };
+
+/* Takes back the last accepted step, which missed the tolerance */
+VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
+{
+    vmi_copy(sys.n, sys.w + VMI_Y_OLD * sys.m, sys.w + VMI_Y * sys.m);
+    p->t = p->t_missed;
+    p->t_old = p->t_missed;
+    p->t_low = p->t_missed_low;
+    p->t_old_low = p->t_missed_low;
+    p->k1 = VMI_K1_MISSING;
+    p->steps--;
+    p->missed--;
+    p->rejected++;
+}
+
+/* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
+   a shorter step can be tried. Otherwise returns the status with which the run ends. If the previous step missed the
+   tolerance too, it is taken back. */
+VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
+{
+    const int not_a_number = error != error;
+    p->rejected++;
+    p->failure = VMI_REJECTED;
+    if (not_a_number) p->failure = VMI_NOT_FINITE;
+    p->h_next = trial->h * vmi_shrink(order, error);
+    if (!trial->shortest) return ODE_OK;
+    if (p->missed > 0 && p->steps == p->next_miss - VMI_BETWEEN_MISSES) vmi_drop_missed_step(sys, p);
+    return not_a_number ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
+}
+
+/* Replaces the state after a step of the smallest size in which f jumps. The weights of the stages have both signs, so
+   that their sum may lead far away from the jump. Therefore each component is continued with the mean of the smallest
+   and the largest of its derivatives in the stages. The error of this mean is at most half the jump. */
+VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
+{
+    const ptrdiff_t m = sys.m;
+    vm_real *w = sys.w;
+    int i, part;
+    VMI_EACH(i, sys.n)
+    {
+        vm_real least = w[VMI_K * m + i], largest = least;
+        VMI_UNROLL for (part = VMI_K + 1; part < VMI_K + stages; part++)
+        {
+            least = VMI_SMALLER(least, w[part * m + i]);
+            largest = VMI_LARGER(largest, w[part * m + i]);
+        }
+        w[VMI_Z * m + i] = w[VMI_Y * m + i] + h * (least / 2 + largest / 2);
+    }
+}
+
+#define VMI_KEEP_TO VM_C(0.75)     /* the step size may stay after an error below this fraction of the tolerance */
+#define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
+
+/* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
+   VMI_KEEP_TO times the tolerance. The processor can predict this branch and begin the next step before the error is
+   known. */
+VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
+{
+    vm_real factor;
+    if (!(error < keep_from || error > VMI_KEEP_TO || p->failure || trial->last)) return;
+    factor = vmi_factor(order, error, p->inverse_error);
+    if (p->failure && factor > 1) factor = 1;
+    if (!trial->last) {
+        p->h_next = trial->h * factor;
+    } else { /* a step may be short only because it ends at t_end; the next step need not be short */
+        p->h_next = p->direction * VMI_LARGER(VM_FABS(p->h_next), VM_FABS(trial->h * factor));
+    }
+}
+
+/* Makes steps until t_end is reached or a test of stiffness is due, or one accepted step if `single` is not 0. Returns
+   a status. */
+VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
+{
+    const rk45_options o = s->options;
+    const vmi_rk_pair pair = stepper.pair;
+    vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
+    vmi_progress p = vmi_begin_progress(s, t_end);
+    long evals = 0; /* a variable of its own, so that make_stages does not get the address of p */
+    int status;
+    for (;;) {
+        vmi_trial trial;
+        vm_real error;
+        int misses = 0; /* whether the step is accepted though it misses the tolerance */
+        status = vmi_choose_step(&o, t_end, &p, &trial);
+        if (status) break;
+        p.stopped = stepper.make_stages(sys, p.t, trial.t_new, trial.h, &evals);
+        if (p.stopped) break;
+        error = stepper.step_error(&o, sys, trial.h);
+        if (!(error <= 1)) {
+            misses = error > 1 && trial.shortest && p.steps >= p.next_miss;
+            if (!misses) {
+                status = vmi_reject(pair.order, &trial, error, sys, &p);
+                if (status) break;
+                continue;
+            }
+            vmi_take_middle_slope(pair.stages, sys, trial.h);
+            error = 1;
+        }
+        if (misses || !pair.last_is_first) {
+            evals++;
+            p.stopped = sys.f(trial.t_new, z, last_k, sys.ctx);
+            if (p.stopped) break;
+        }
+        p.steps++;
+        if (misses) {
+            p.missed++;
+            p.next_miss = p.steps + VMI_BETWEEN_MISSES;
+            p.t_missed = p.t;
+            p.t_missed_low = p.t_low;
+        }
+        error = VMI_LARGER(error, VMI_LEAST_ERROR);
+        vmi_choose_size(pair.order, pair.keep_from, &trial, error, &p);
+        p.inverse_error = 1 / error;
+        vmi_copy(sys.n, y, sys.w + VMI_Y_OLD * sys.m);
+        vmi_copy(sys.n, z, y);
+        p.t = trial.t_new;
+        p.t_low = trial.t_new_low;
+        p.h_done = trial.h;
+        p.failure = VMI_NONE_FAILED;
+        p.k1 = VMI_K1_IS_LAST;
+        p.stiff_wait--;
+        if (p.stiff_wait <= 0 || single || trial.last) break;
+        vmi_copy(sys.n, last_k, sys.w + VMI_K * sys.m);
+    }
+    s->evals += evals;
+    vmi_store_progress(s, &p);
+    return p.stopped ? (int)ODE_RHS_STOPPED : status;
+}
+
+/* Does the work of vmi_advance in a local array, which the compiler keeps in registers if it knows that n is small */
+VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
+{
+    const vmi_rk_pair pair = stepper.pair;
+    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* 0, because parts that were never written are copied too */
+    const int n = sys.n;
+    int part, status;
+    vmi_copy(n, vmi_part(s, VMI_Y), w);
+    vmi_copy(n, vmi_part(s, VMI_K), w + VMI_K * n);
+    sys.w = w;
+    sys.m = n;
+    status = vmi_advance(s, stepper, sys, t_end, single);
+    vmi_copy(n, w, vmi_part(s, VMI_Y));
+    if (s->k1 == VMI_K1_IS_LAST) {
+        vmi_copy(n, w + VMI_Y_OLD * n, vmi_part(s, VMI_Y_OLD));
+        VMI_UNROLL for (part = VMI_K; part <= vmi_last_k(&pair); part++) vmi_copy(n, w + part * n, vmi_part(s, part));
+    } else {
+        vmi_copy(n, w + VMI_K * n, vmi_part(s, VMI_K));
+    }
+    return status;
+}
+
+#endif
+/* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
+   After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of these
+   points, the time of the change is found as exactly as rounding allows. The first event that stops or restarts the run
+   ends the step there. Events whose times rounding cannot tell apart happen together. Users set the events of the
+   options: options.h. The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this sign
+   uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
+
+       double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
+       rk45 s;
+       ode_event touch;
+       rk45_options options;
+       memset(&touch, 0, sizeof touch);
+       memset(&options, 0, sizeof options);
+       touch.g = height; // height and fall are functions of the user: an ode_event_function and an ode_rhs
+       touch.action = ODE_STOP;
+       options.events = &touch;
+       options.n_events = 1;
+       rk45_init(&s, fall, NULL, 2, 0.0, y0, &options, work);
+       if (rk45_solve(&s, 10.0) == ODE_EVENT) printf("on the ground at %g\n", s.t);
+
+   Tests: tests/test_events.c, tests/test_coincidences.c. */
+#ifndef VARMASS_INTEGRATORS_EVENTS_H
+#define VARMASS_INTEGRATORS_EVENTS_H
+
+VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
+
+/* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
+#define VMI_NONE VM_C(2.0)
+
+/* After an event, g is evaluated at short distances from it, so that a short excursion of g is seen. The first distance
+   is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor VMI_WIDER. For at most the fraction
+   VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
+#if VM_MANT_DIG > 24
+#define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
+#define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 of a step, the longest time for which a sign is uncertain */
+#define VMI_WIDER 64
+#else
+#define VMI_FIRST_LOOK VM_C(2.44140625e-4) /* 2^-12 of a step, about the square root of VM_EPSILON */
+#define VMI_QUIET VM_C(0.0009765625)       /* 2^-10 of a step, the longest time for which a sign is uncertain */
+#define VMI_WIDER 8
+#endif
+
+/* Sets the side of each event, the sign of its g, at the start or the restart of a run. The side is 0 if g is 0, or if
+   the event has just happened and g is so small that rounding could decide its sign. Returns a status. */
+VM_API int vmi_watch_events(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) {
+        ode_event *e = s->options.events + i;
+        const vm_real g = e->g(s->t, s->y, e->ctx);
+        if (g != g) return ODE_NOT_FINITE;
+        if (!(VM_FABS(g) <= e->slack)) e->quiet = 0;
+        e->side = 0;
+        if (!(e->quiet > 0)) e->side = vmi_sign(g);
+    }
+    return ODE_OK;
+}
+
+/* The time at the fraction x of the last step */
+VM_API vm_real vmi_time_inside(const rk45 *s, vm_real x)
+{
+    if (x == 1) return s->t;
+    return s->t_old + (s->t_old_low + x * s->h_done);
+}
+
+/* Computes the state y at the fraction x of the last step. At x = 1 this is exactly s->y. */
+VM_API void vmi_state_inside(const rk45 *s, vm_real x, vm_real *y)
+{
+    if (x == 1) vmi_copy(s->n, s->y, y);
+    else vmi_inside(s, x, y);
+}
+
+/* The value of g at the fraction x of the last step. Overwrites the part VMI_Z of work. */
+VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
+{
+    vm_real *z = vmi_part(s, VMI_Z);
+    if (x == 1) return e->g(s->t, s->y, e->ctx);
+    vmi_inside(s, x, z);
+    return e->g(vmi_time_inside(s, x), z, e->ctx);
+}
+
+/* The relative change of a state that rounding may have caused in the steps of a run so far. This bound serves only to
+   decide whether events coincide. */
+#define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
+
+/* The value of g at the fraction x of the last step, in a state that is changed by as much as rounding may have changed
+   it: within this step, or, if `earlier` is not 0, since the run began. `direction`, -1 or 1, is the sign of the
+   change. Each component changes by another amount, so that a difference of two components changes too. */
+VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
+                                     int direction)
+{
+    const vm_real relative = earlier ? VMI_EARLIER_ROUNDING : vmi_least_rtol(&s->pair);
+    const vm_real end = earlier ? 1 : x; /* weight of s->y in `size`, to which rounding is proportional */
+    const vm_real rounding = (vm_real)direction * relative, golden = VM_C(0.6180339887498949);
+    const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
+    vm_real *z = vmi_part(s, VMI_Z), phase = 0;
+    int i;
+    vmi_state_inside(s, x, z);
+    for (i = 0; i < s->n; i++) {
+        const vm_real size = VM_FABS(y_old[i]) + VM_FABS(z[i]) + end * VM_FABS(s->y[i]);
+        const vm_real share = phase - VM_C(0.5);
+        z[i] += rounding * size * (share + VM_COPYSIGN(VM_C(0.5), share));
+        phase += golden;
+        if (phase >= 1) phase -= 1;
+    }
+    return e->g(vmi_time_inside(s, x) * (1 + (vm_real)direction * VM_EPSILON), z, e->ctx);
+}
+
+/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; `earlier` has the
+   meaning that it has in vmi_event_value_moved. Returns 1 if g certainly has the sign `side` there, in spite of
+   rounding, else 0. */
+VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlier, int side)
+{
+    int direction, certain = 1;
+    e->slack = 0;
+    for (direction = -1; direction <= 1; direction++) {
+        vm_real g;
+        if (direction == 0) g = vmi_event_value(s, e, x);
+        else g = vmi_event_value_moved(s, e, x, earlier, direction);
+        if (VM_FABS(g) > e->slack) e->slack = VM_FABS(g);
+        if (vmi_sign(g) != side) certain = 0;
+    }
+    return certain;
+}
+
+/* Whether the event, according to its field `direction`, happens when g leaves the sign `side` */
+VM_API int vmi_counts_from(const ode_event *e, int side)
+{
+    return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
+}
+
+/* Sets *at to a fraction of the last step between a and b at which g leaves the sign that it has at a. ga and gb are
+   the values of g at the fractions a and b. The interval is shrunk to the resolution of such fractions, and *at becomes
+   its right end. The method is false position in the Illinois form, with bisection every third time and while g stays 0
+   at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the initial
+   b. Returns a status. */
+VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
+                      vm_real *at)
+{
+    const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
+    const int side = vmi_sign(ga);
+    int count, kept = 0; /* kept: 1 if the last point replaced a, -1 if it replaced b */
+    for (count = 1; b - a > resolution; count++) {
+        const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
+        vm_real x = b - gb * ((b - a) / (gb - ga)), g;
+        if (bisect) x = a + (b - a) / 2;
+        x = VMI_SMALLER(VMI_LARGER(x, a + resolution / 2), b - resolution / 2);
+        g = vmi_event_value(s, e, x);
+        if (g != g) return ODE_NOT_FINITE;
+        if (vmi_sign(g) == side) {
+            a = x;
+            ga = g;
+            if (kept > 0) gb /= 2;
+            kept = 1;
+        } else {
+            b = x;
+            gb = g;
+            if (kept < 0) ga /= 2;
+            kept = -1;
+        }
+    }
+    *at = b;
+    if (g_look == 0 && vmi_time_inside(s, b) == vmi_time_inside(s, look)) *at = look;
+    return ODE_OK;
+}
+
+enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
+
+/* The fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
+   start + *gap, the next of those that divide the step evenly, and `to`. *gap is short at first and grows with each
+   call, so that an excursion of g that is much shorter than the step is seen. */
+VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
+{
+    const int wanted = e->checks == 0 ? (int)VMI_CHECKS : e->checks;
+    const int checks = VMI_SMALLER(VMI_LARGER(wanted, 0), (int)VMI_MOST_CHECKS);
+    const vm_real parts = (vm_real)(checks + 1);
+    const int before = (int)(e->from * parts);
+    const vm_real even = (vm_real)(before + 1) / parts;
+    vm_real next = even;
+    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* rounding has made `even` equal to e->from */
+    next = VMI_SMALLER(next, to);
+    if (start + *gap < next) next = start + *gap;
+    *gap *= VMI_WIDER;
+    return next;
+}
+
+/* Sets the side of the event to 0 (uncertain), because g has just reached or passed 0 at the fraction x of the step.
+   The side stays 0 while rounding could decide the sign of g, that is while |g| <= e->slack. It stays 0 at most for the
+   time e->quiet, since e->slack is much too large if g has jumped. */
+VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
+{
+    vmi_weigh_rounding(s, e, x, 0, 0);
+    e->side = 0;
+    e->quiet = VMI_QUIET * VM_FABS(s->h_done);
+}
+
+/* Handles a g that has passed 0 before the fraction x of the step in a direction that does not count. `side` is the
+   sign of g at x. If rounding alone could have caused this sign, the side of the event becomes 0 and the result is 1: g
+   must not make an event if rounding takes it back across 0. Otherwise nothing changes and the result is 0. */
+VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
+{
+    ode_event look = *e;
+    if (vmi_weigh_rounding(s, &look, x, 0, side)) return 0;
+    vmi_quieten_event(s, e, x);
+    return 1;
+}
+
+/* Evaluates g along the step from the fraction e->from to the fraction `to`, or until the event happens. *at becomes
+   the fraction at which it happens, or VMI_NONE if it does not happen. e->from, e->side and e->quiet become those at
+   the last evaluation. Returns a status. */
+VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at)
+{
+    const vm_real h = VM_FABS(s->h_done);
+    vm_real start = e->from, gap = e->side ? VM_C(1.0) : VMI_FIRST_LOOK;
+    *at = VMI_NONE;
+    while (e->from < to) {
+        const vm_real before = e->from, x = vmi_next_look(e, start, &gap, to);
+        const vm_real g = vmi_event_value(s, e, x);
+        const int side = vmi_sign(g);
+        if (g != g) return ODE_NOT_FINITE;
+        if (side != e->side && vmi_counts_from(e, e->side)) {
+            const vm_real g_before = vmi_event_value(s, e, before);
+            int status = ODE_OK;
+            *at = x;
+            if (vmi_sign(g_before) == e->side) status = vmi_locate(s, e, before, g_before, x, g, at);
+            e->from = *at;
+            return status;
+        }
+        e->from = x;
+        e->quiet = VMI_LARGER(e->quiet - (x - before) * h, VM_C(0.0));
+        if (e->side && side != e->side && vmi_quieten_passing(s, e, x, side)) {
+            start = x;
+            gap = VMI_FIRST_LOOK;
+            continue;
+        }
+        if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
+        if (e->side && start > 0) gap = 1; /* short excursions of g begin only where the motion changes, at x = 0 */
+    }
+    return ODE_OK;
+}
+
+/* Counts an event that happens at the fraction x of the step. Stores its time and state if the caller's arrays have
+   room. */
+VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
+{
+    e->t = vmi_time_inside(s, x);
+    if (e->count < e->room) {
+        if (e->times) e->times[e->count] = e->t;
+        if (e->states) vmi_state_inside(s, x, e->states + e->count * s->n);
+    }
+    e->count++;
+    vmi_quieten_event(s, e, x);
+}
+
+/* Finds the first event that ends the step: *cut becomes the fraction of the step at which it happens, and *owner its
+   index. Both stay as they are if no event ends the step. When an event is found, the functions g of all remaining
+   events are followed again up to *cut, because their values at *cut may show an earlier zero. The search ends when
+   there is no earlier zero. Returns a status. */
+VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
+{
+    int i, pass, found = 1;
+    for (pass = 0; found; pass++) {
+        found = 0;
+        for (i = 0; i < s->options.n_events; i++) {
+            ode_event *e = s->options.events + i, look;
+            vm_real at;
+            int status;
+            if (e->action == ODE_RECORD || i == *owner) continue;
+            look = *e;
+            status = vmi_follow_event(s, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
+            if (status) return status;
+            e->side_ahead = look.side;
+            if (pass == 0 && !(at < *cut)) continue;
+            if (pass > 0 && !(at < *cut - VMI_FIRST_LOOK)) continue;
+            *cut = at;
+            *owner = i;
+            found = 1;
+        }
+        if (*cut == VMI_NONE) return ODE_OK;
+    }
+    return ODE_OK;
+}
+
+/* Counts and stores each time that an event with the action ODE_RECORD happens up to the fraction `to` of the step.
+   Returns a status. */
+VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
+{
+    for (;;) {
+        vm_real at;
+        const int status = vmi_follow_event(s, e, to, &at);
+        if (status || at == VMI_NONE) return status;
+        vmi_record(s, e, at);
+    }
+}
+
+/* Sets e->happens to 1 if the event e happens at the fraction x of the step, where the step ends, else to 0. It happens
+   if its g has changed sign up to x, or if g is so small at x that rounding decides its sign, and changes its sign just
+   after x. Events at one instant must happen together, because the change that one event makes may keep the others from
+   happening. Returns a status. */
+VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
+{
+    ode_event look;
+    vm_real at;
+    int status = vmi_follow_event(s, e, x, &at);
+    e->happens = at != VMI_NONE;
+    if (status || e->happens || e->side == 0) return status;
+    look = *e;
+    if (vmi_weigh_rounding(s, &look, x, 1, e->side)) return ODE_OK;
+    if (!vmi_counts_from(e, e->side)) {
+        vmi_quieten_event(s, e, x);
+        return ODE_OK;
+    }
+    /* x + VMI_QUIET may be above 1, where the step has ended: y is still defined there, but g may be NaN */
+    e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
+    return ODE_OK;
+}
+
+/* Ends the step at its fraction x: counts all events that happen there, then calls their `change` functions. Returns
+   ODE_EVENT if one of these events stops the run, else ODE_OK. */
+VM_API int vmi_cut_step(rk45 *s, vm_real x)
+{
+    const int n_events = s->options.n_events;
+    int i;
+    for (i = 0; i < n_events; i++) {
+        ode_event *e = s->options.events + i;
+        if (!e->happens) continue;
+        vmi_record(s, e, x);
+        if (e->action == ODE_STOP && s->event < 0) s->event = i;
+    }
+    if (x < 1) {
+        const vm_two t = vmi_two_sum(s->t_old, s->t_old_low + x * s->h_done);
+        vmi_inside(s, x, s->y);
+        s->t = t.hi;
+        s->t_low = t.lo;
+    }
+    s->k1 = VMI_K1_MISSING;
+    for (i = 0; i < n_events; i++) {
+        ode_event *e = s->options.events + i;
+        if (e->happens && e->action == ODE_RESTART && e->change) e->change(s->t, s->y, e->ctx);
+    }
+    return s->event < 0 ? (int)ODE_OK : (int)ODE_EVENT;
+}
+
+/* Takes back the last step, inside which f is not finite, and makes the next step a quarter as long. Returns
+   ODE_NOT_FINITE if such a short step must not be tried, else ODE_OK. */
+VM_API int vmi_take_back(rk45 *s)
+{
+    vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
+    s->t = s->t_old;
+    s->t_low = s->t_old_low;
+    s->h = s->h_done / 4;
+    if (s->missed > 0 && s->next_miss == s->steps + VMI_BETWEEN_MISSES) {
+        s->missed--;
+        s->next_miss = 0;
+    }
+    s->steps--;
+    s->rejected++;
+    s->k1 = VMI_K1_READY; /* vmi_advance has made only this step, so that its k_1 is still in work */
+    s->failure = VMI_NOT_FINITE;
+    return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
+}
+
+/* Decides for each event whether it happens at the fraction `cut` of the step, where the event with the index `owner`
+   happens. Returns a status. */
+VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
+{
+    int i, status = ODE_OK;
+    for (i = 0; i < s->options.n_events && status == ODE_OK; i++) {
+        ode_event *e = s->options.events + i;
+        e->happens = 1;
+        if (i != owner) status = vmi_happens_at_cut(s, e, cut);
+    }
+    return status;
+}
+
+/* Sets the side of each event to the sign of its g at the end of the step, if no event has ended the step earlier */
+VM_API void vmi_pass_on_sides(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) {
+        ode_event *e = s->options.events + i;
+        e->happens = 0;
+        if (e->action == ODE_RECORD) continue;
+        e->side = e->side_ahead;
+        e->quiet = VMI_LARGER(e->quiet - VM_FABS(s->h_done), VM_C(0.0));
+    }
+}
+
+/* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. */
+VM_API int vmi_events(rk45 *s)
+{
+    const int n_events = s->options.n_events;
+    ode_event *events = s->options.events;
+    vm_real cut = VMI_NONE;
+    int i, owner = -1, status = vmi_extend(s);
+    if (status == ODE_NOT_FINITE) return vmi_take_back(s);
+    for (i = 0; i < n_events; i++) events[i].from = 0;
+    if (status == ODE_OK) status = vmi_find_cut(s, &cut, &owner);
+    for (i = 0; i < n_events && status == ODE_OK; i++)
+        if (events[i].action == ODE_RECORD) status = vmi_record_until(s, events + i, VMI_SMALLER(cut, VM_C(1.0)));
+    if (status) return status;
+    if (cut == VMI_NONE) {
+        vmi_pass_on_sides(s);
+        return ODE_OK;
+    }
+    status = vmi_meet_at_cut(s, cut, owner);
+    return status ? status : vmi_cut_step(s, cut);
+}
+
+#endif
+/* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
+   Users call the functions of rk45.h and rk87.h, which call the functions of this file.
+
+   Tests: tests/test_adaptive.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_LOOP_H
+#define VARMASS_INTEGRATORS_LOOP_H
+
+/* Does the work of rk45_init for any pair. It is inlined, so that the compiler sees the values of f and n in the caller
+   and can inline f in the steps. */
+VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                           const rk45_options *options_or_NULL, vm_real *work)
+{
+    const int status = vmi_init(s, &pair, f, ctx, n, t0, y0, options_or_NULL, work);
+    if (status >= 0) {
+        s->f = f;
+        s->n = n;
+    }
+    return status;
+}
+
+/* Forgets which events have just happened, because the run continues at another time. The side of each event is then
+   the sign of its g at this time, even if g is small. */
+VM_API void vmi_forget_events(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) s->options.events[i].quiet = 0;
+}
+
+/* Does the work of rk45_restart for any pair */
+VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
+{
+    if (!s || !y || !VM_IS_FINITE(t) || !vmi_all_finite(s->n, y)) return ODE_BAD_ARGUMENT;
+    if (t != s->t) {
+        vmi_forget_events(s);
+        s->t_low = 0;
+    }
+    s->t = t;
+    s->t_old = t;
+    s->t_old_low = s->t_low;
+    if (y != s->y) vmi_copy(s->n, y, s->y);
+    s->k1 = VMI_K1_MISSING;
+    s->failure = VMI_NONE_FAILED;
+    s->next_miss = s->steps;
+    return ODE_OK;
+}
+
+/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless it is known, and gives the next step s->h the
+   direction to t_end and at least the shortest length. Returns a status. */
+VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
+{
+    const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
+    const vm_real direction = vmi_direction(s, t_end);
+    vm_real *k1 = vmi_part(s, VMI_K), least;
+    int status = ODE_OK;
+    if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(&s->pair)), k1);
+    if (s->k1 == VMI_K1_MISSING) {
+        status = vmi_eval(s, s->t, s->y, k1);
+        if (status) return status;
+        if (!vmi_all_finite(s->n, k1)) return ODE_NOT_FINITE;
+        status = vmi_watch_events(s);
+        if (status) return status;
+    }
+    s->k1 = VMI_K1_READY;
+    s->t_old = s->t;
+    s->t_old_low = s->t_low;
+    if (s->h == 0) status = vmi_first_step(s, direction, longest);
+    if (status) return status;
+    least = vmi_least_step(&s->options, s->t);
+    s->h = direction * VMI_LARGER(VM_FABS(s->h), least);
+    return ODE_OK;
+}
+
+/* A run counts as stiff when VMI_STIFF_HITS tests have found steps at the end of the stability region. This count
+   begins anew when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
+enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
+
+/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by
+   h dz and their derivatives by dk. Then |dk|/|dz| is about h times the largest eigenvalue of the Jacobian of f. */
+VM_API void vmi_look_for_stiffness(rk45 *s)
+{
+    const int last = vmi_last_k(&s->pair), count = last - VMI_K;
+    vm_real dk = 0, dz = 0;
+    int i, j;
+    for (i = 0; i < s->n; i++) {
+        const vm_real difference = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]);
+        vm_real sum = 0;
+        dk = VMI_LARGER(dk, difference);
+        for (j = 0; j < count; j++) sum += s->pair.end_difference(j) * vmi_part(s, VMI_K + j)[i];
+        dz = VMI_LARGER(dz, VM_FABS(sum));
+    }
+    if (dk > s->pair.stiff_beyond * dz) {
+        s->stiff_misses = 0;
+        if (s->stiff_hits < VMI_STIFF_HITS) s->stiff_hits++;
+        if (s->stiff_hits == VMI_STIFF_HITS) s->stiff = 1;
+    } else {
+        if (s->stiff_misses < VMI_STIFF_MISSES) s->stiff_misses++;
+        if (s->stiff_misses == VMI_STIFF_MISSES) s->stiff_hits = 0;
+    }
+    s->stiff_wait = VMI_STIFF_WAIT;
+    if (s->stiff_hits) s->stiff_wait = 1;
+}
+
+/* Does what follows an accepted step: tests for stiffness, if it is time, and handles the events within the step.
+   Returns a status. */
+VMI_APART int vmi_after_step(rk45 *s)
+{
+    if (s->stiff_wait <= 0) vmi_look_for_stiffness(s);
+    if (s->options.n_events == 0) return ODE_OK;
+    return vmi_events(s);
+}
+
+/* Whether the time s->t + s->t_low of the state is still before t_end, in the direction of the run */
+VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end || -s->t_low * s->h > 0; }
+
+/* Makes steps to t_end, or one accepted step if `single` is not 0. f and n are those of s. Returns a status. */
+VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_real t_end, int single)
+{
+    const int was_stiff = s->stiff;
+    const int apart = single || s->options.n_events; /* 1: vmi_advance returns after each step, for vmi_after_step */
+    vmi_rk_system sys;
+    int status = ODE_OK;
+    sys.f = f;
+    sys.ctx = s->ctx;
+    sys.n = n;
+    sys.w = s->work;
+    sys.m = n;
+    s->event = -1;
+    while (status == ODE_OK && vmi_is_before(s, t_end)) {
+        status = vmi_prepare(s, t_end);
+        if (status) break;
+        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, stepper, sys, t_end, apart);
+        else status = vmi_advance(s, stepper, sys, t_end, apart);
+        if (status == ODE_OK) status = vmi_after_step(s);
+        if (single && s->failure == VMI_NONE_FAILED) break;
+    }
+    return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
+}
+
+/* Prepares the one step of rk45_step, for the pair whose number is `method`. *t_end becomes VM_MAX, or -VM_MAX if the
+   run goes backward. Returns a status; the step may be made if it is ODE_OK. */
+VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
+{
+    if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
+    *t_end = VM_MAX;
+    if (s->h < 0) *t_end = -VM_MAX;
+    if (s->t == *t_end) return ODE_STEP_TOO_SMALL;
+    s->attempts = -1;
+    return ODE_OK;
+}
+
+/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. Returns a status; the steps may be made
+   if it is ODE_OK. */
+VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
+{
+    if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    s->attempts = s->options.max_steps;
+    return ODE_OK;
+}
+
+#endif
+/* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
+   Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
+   evaluations of f. The continuous extension of order 4 takes no further evaluation. rk45 is the pair to begin with,
+   and the better one in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
+
+       double y0[2] = {1, 0}, work[RK45_WORK(2)];
+       rk45 s;
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
+       if (rk45_solve(&s, 10.0) >= 0) printf("x(10) = %g\n", s.y[0]);
+
+   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_RK45_H
+#define VARMASS_INTEGRATORS_RK45_H
+
+enum { VMI_RK45 = 45 }; /* the number of this pair */
+
+/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy the order conditions to
+   2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -1155,7 +2136,7 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest error of a component over its tolerance, by the difference of orders 5 and 4 */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 5 and 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -1173,8 +2154,8 @@ VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: stages 6 and 7 are both at the end of the step. These are the coefficients of stage 7
-   minus those of stage 6. */
+/* For the test of stiffness: the weight of k_{j+1} in stage 7 minus its weight in stage 6. Both stages evaluate f at
+   the end of the step. */
 VM_API vm_real vmi_rk45_end_difference(int j)
 {
     VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
@@ -1182,7 +2163,8 @@ VM_API vm_real vmi_rk45_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* The weights of the continuous extension, of order 4 [1] */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 4 [1], at the fraction x of
+   the step */
 VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
 {
     const vm_real xx = x * x;
@@ -1196,7 +2178,8 @@ VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
     b[6] = VM_C(2.5) * xx * (x - 1) * (x - VM_C(0.6));
 }
 
-/* The continuous extension. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
 VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[7];
@@ -1222,20 +2205,88 @@ VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
     return pair;
 }
 
+/* Makes steps of rk45 to t_end, or only one if `single` is not 0. f and n are those of s. Returns a status. */
+VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+{
+    vmi_rk_stepper stepper;
+    stepper.pair = vmi_rk45_pair();
+    stepper.make_stages = vmi_rk45_stages;
+    stepper.step_error = vmi_rk45_error;
+    return vmi_run(s, stepper, f, n, t_end, single);
+}
+
+/* -- Functions for users -- */
+
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
+
+/* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
+   If options_or_NULL is NULL, all options have their defaults. */
+VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
+{
+    const vmi_rk_pair pair = vmi_rk45_pair();
+    return vmi_defaults(vmi_least_rtol(&pair), options_or_NULL);
+}
+
+/* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers, f receives the pointer ctx, and work
+   has RK45_WORK(n) numbers and must exist as long as s. y0 and the options are copied, but not the arrays to which the
+   options point. f is not evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
+VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk45_options *options_or_NULL, vm_real *work)
+{
+    return vmi_ode_init(s, vmi_rk45_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
+}
+
+/* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
+   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
+   ODE_BAD_ARGUMENT. */
+VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
+
+/* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
+   positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
+VM_INLINE int rk45_step(rk45 *s)
+{
+    vm_real t_end;
+    const int status = vmi_begin_step(s, VMI_RK45, &t_end);
+    if (status) return status;
+    return vmi_rk45_run(s, s->f, s->n, t_end, 1);
+}
+
+/* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
+   constants in this call; rk45_init may have been called anywhere. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
+   all else is as in rk45_solve. */
+VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
+{
+    const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
+    if (status) return status;
+    return vmi_rk45_run(s, f, n, t_end, 0);
+}
+
+/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
+   t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
+   is after options.max_steps attempts, another call continues the run. */
+VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return rk45_solve_with(s, s->f, s->n, t_end);
+}
+
+/* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
+   Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
+VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
+
 #endif
-/* integrators/rk87_pair.h - coefficients of rk87, the Runge-Kutta pair of orders 8 and 7
-   Verner's "most efficient" pair [4]: 13 stages, and a continuous extension of order 8 for seven more evaluations of f
-   in each step in which it is used. Its coefficients are up to 123, so that its roundings are larger than those of
-   rk45. Users call the functions of adaptive.h.
+/* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
+   larger than those of rk45. rk87 is the pair for a smooth f in double and small errors.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
-#ifndef VARMASS_INTEGRATORS_RK87_PAIR_H
-#define VARMASS_INTEGRATORS_RK87_PAIR_H
+#ifndef VARMASS_INTEGRATORS_RK87_H
+#define VARMASS_INTEGRATORS_RK87_H
 
-enum { VMI_RK87 = 87 }; /* the method */
+enum { VMI_RK87 = 87 }; /* the number of this pair */
 
-/* Stages 2 to 7 of [4]. Large coefficients of opposite sign belong to nearly equal times: there, here and in the late
-   stages, differences of k, which are exact, keep the roundings small. */
+/* Computes stages 2 to 7 of a step [4]. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -1266,7 +2317,9 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
     return 0;
 }
 
-/* Stages 8 to 13 of [4], and the new state, whose derivative is evaluated when the step is accepted */
+/* Computes stages 8 to 13 [4] and the new state, whose derivative is evaluated only after the step is accepted. Large
+   coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use the differences of such k,
+   which are exact, so that roundings remain small. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -1328,7 +2381,7 @@ VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new,
     return 0;
 }
 
-/* The stages of a step, for vmi_make_stages */
+/* Computes stages 2 to 13 and the new state of a step */
 VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
@@ -1336,12 +2389,12 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return vmi_rk87_late_stages(sys, t, t_new, h, evals);
 }
 
-/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ...
-   k13. The estimate of orders 8 and 7 hardly sees a jump between the stages at c = 0 and 0.9: its weights on either
-   side of the jump add up to 4e-4 at most, while the error is a quarter of the jump. The weights here, of order 5,
-   add up to 0.1, -0.17 and 0.25 there. In a step in which f is smooth, their sum `seen` is much smaller than
-   `change`, the change of f along the step. So the result seen^2/(seen + change) is of order 9, and below the
-   estimate of orders 8 and 7 for all but loose tolerances. */
+/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
+   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: its weights before the jump add up
+   to 4e-4 at most, while the error is a quarter of the jump. The weights used here, of order 5, add up to 0.1, -0.17 or
+   0.25. If f is smooth, the weighted sum `seen` of the k is much smaller than `change`, the change of f along the step.
+   The result seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance
+   is loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
@@ -1351,8 +2404,8 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest error of a component over its tolerance, by the difference of orders 8 and 7, or by what a jump of f may
-   do, whichever is larger */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 8 and 7, or the
+   error that a jump of f may cause (vmi_rk87_jump), whichever is larger. */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -1374,8 +2427,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: stage 13 and the new state are both at the end of the step. These are the weights of the
-   new state minus the coefficients of stage 13. */
+/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. The run evaluates f
+   for both states at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -1394,11 +2447,11 @@ VM_API vm_real vmi_rk87_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* How many k_i a step itself makes, and how many the continuous extension adds */
+/* Numbers of k_i: those that a step itself makes, and those that the continuous extension adds */
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
-/* The coefficient of k_{j+1} in the stage of the continuous extension that comes after k_{14+stage} */
+/* The coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage} */
 VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 {
     VM_TABLE vm_real a[7][20] = {
@@ -1432,8 +2485,8 @@ VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
     return VM_READ(a[stage][j]);
 }
 
-/* The seven further stages that the continuous extension of order 8 needs. They may leave the domain of f where the
-   step's own did not: ODE_NOT_FINITE. */
+/* Evaluates the seven further stages that the continuous extension of order 8 needs. Returns a status: ODE_NOT_FINITE
+   if one of them leaves the domain of f, which may happen even if no stage of the step itself does. */
 VM_API int vmi_rk87_extend(rk45 *s)
 {
     VM_TABLE vm_real c[7] = {
@@ -1457,7 +2510,8 @@ VM_API int vmi_rk87_extend(rk45 *s)
     return ODE_OK;
 }
 
-/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7, which keep the coefficients small [4] */
+/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7; b_{j+1} is the weight of k_{j+1} in the
+   continuous extension. Coefficients of powers of x would be larger [4]. */
 VM_API vm_real vmi_rk87_bernstein(int i, int j)
 {
     VM_TABLE vm_real c[8][21] = {
@@ -1501,13 +2555,14 @@ VM_API vm_real vmi_rk87_bernstein(int i, int j)
     return VM_READ(c[i][j]);
 }
 
-/* The weights of the continuous extension, of order 8 [4] */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 8 [4], at the fraction x of
+   the step */
 VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 {
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
     const int count = VMI_RK87_OWN + VMI_RK87_EXTRA;
     const vm_real u = 1 - x;
-    vm_real powers[8], power = x; /* of u, and of x */
+    vm_real powers[8], power = x; /* powers[i] is (1 - x)^i, and power is x^(i + 1) */
     int i, j;
     powers[0] = 1;
     for (i = 1; i < 8; i++) powers[i] = powers[i - 1] * u;
@@ -1519,7 +2574,8 @@ VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
     }
 }
 
-/* The continuous extension. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
 VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[VMI_RK87_OWN + VMI_RK87_EXTRA];
@@ -1545,1051 +2601,64 @@ VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
     return pair;
 }
 
-#endif
-/* integrators/pair_list.h - the list of the Runge-Kutta pairs
-   These functions tell the pairs apart by their number, `method`; all others work for any pair. Where method is a
-   constant, as in the loop over the steps, the compiler leaves nothing of the choice.
-
-   Tests: tests/test_adaptive.c. */
-#ifndef VARMASS_INTEGRATORS_PAIR_LIST_H
-#define VARMASS_INTEGRATORS_PAIR_LIST_H
-
-#define VMI_MOST_OWN 14 /* the most k_i that a step of any pair makes, without those of the continuous extension */
-
-/* The descriptor of a pair */
-VMI_FOLDED vmi_rk_pair vmi_pair_of(int method)
+/* Makes steps of rk87 to t_end, or only one if `single` is not 0. f and n are those of s. Returns a status. */
+VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 {
-    switch (method) {
-    case VMI_RK87: return vmi_rk87_pair();
-    case VMI_RK45:
-    default: return vmi_rk45_pair();
-    }
+    vmi_rk_stepper stepper;
+    stepper.pair = vmi_rk87_pair();
+    stepper.make_stages = vmi_rk87_stages;
+    stepper.step_error = vmi_rk87_error;
+    return vmi_run(s, stepper, f, n, t_end, single);
 }
 
-/* Stages 2, 3 ... of a step from t to t_new = t + h: part VMI_Z becomes the new state. Returns what f returns. */
-VMI_FOLDED int vmi_make_stages(int method, vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
-{
-    switch (method) {
-    case VMI_RK87: return vmi_rk87_stages(sys, t, t_new, h, evals);
-    case VMI_RK45:
-    default: return vmi_rk45_stages(sys, t, t_new, h, evals);
-    }
-}
+/* -- Functions for users -- */
 
-/* The largest error of a component over its tolerance; NaN where anything is not finite */
-VMI_FOLDED vm_real vmi_step_error(int method, const rk45_options *o, vmi_rk_system sys, vm_real h)
-{
-    switch (method) {
-    case VMI_RK87: return vmi_rk87_error(o, sys, h);
-    case VMI_RK45:
-    default: return vmi_rk45_error(o, sys, h);
-    }
-}
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
 
-#endif
-/* integrators/steps.h - steps of an adaptive run and the control of their size
-   vmi_advance is the loop over the steps. It is specialised at compile time for a pair and, where the compiler knows
-   that n is small, for n and f too. The rules of step size control stand in the manual of integrators.h.
-
-   Tests: tests/test_adaptive.c. */
-#ifndef VARMASS_INTEGRATORS_STEPS_H
-#define VARMASS_INTEGRATORS_STEPS_H
-
-#include <string.h>
-
-/* x^p to about 3 %, for x > 0 and results that neither overflow nor underflow: the bits of x, taken as an integer, are
-   a piecewise linear logarithm, `middle` is half its largest error, and the exponential is (1 + v + v^2/2)^16. */
-VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
-{
-    const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
-    vmi_signed_bits bits;
-    vm_real v;
-    memcpy(&bits, &x, sizeof x);
-    v = ((vm_real)(bits - VMI_BITS_OF_1) + middle / VM_EPSILON) * (p * (ln2 / 16 * VM_EPSILON));
-    v = 1 + v * (1 + v / 2);
-    v *= v;
-    v *= v;
-    v *= v;
-    v *= v;
-    return v;
-}
-
-#define VMI_LARGEST_RATIO VM_C(1e10) /* of a component or a derivative to its tolerance, for the first step */
-
-/* The largest |v_i| over the tolerance of component i, at most VMI_LARGEST_RATIO */
-VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
-{
-    vm_real largest = 0;
-    int i;
-    for (i = 0; i < s->n; i++) {
-        const vm_real ratio = VM_FABS(v[i]) / vmi_tolerance(&s->options, i, s->y[i]);
-        if (ratio > largest) largest = ratio;
-    }
-    return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
-}
-
-/* Sets s->h to the first step, from the sizes of y, y' and y'' [2, II.4]: 100 h0 at the most, where h0 moves y by 1 %
-   of itself, and such that the error of the method should be 1 % of the tolerance. Uses k_2 and z. */
-VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
-{
-    vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
-    const vm_real size = vmi_norm_by_tolerance(s, s->y), speed = vmi_norm_by_tolerance(s, k1);
-    vm_real h0 = VM_C(1e-6), h1 = VM_C(1e-6), fastest = 0;
-    int i, status;
-    if (size >= VM_C(1e-5) && speed >= VM_C(1e-5)) h0 = VM_C(0.01) * size / speed;
-    if (h0 > longest) h0 = longest;
-    for (i = 0; i < s->n; i++) z[i] = s->y[i] + direction * h0 * k1[i];
-    status = vmi_eval(s, s->t + direction * h0, z, k2);
-    if (status) return status;
-    for (i = 0; i < s->n; i++) {
-        vm_real ratio = VM_FABS((k2[i] - k1[i]) / h0) / vmi_tolerance(&s->options, i, s->y[i]);
-        if (!(ratio < VMI_LARGEST_RATIO)) ratio = VMI_LARGEST_RATIO; /* also where f does not reach so far */
-        if (ratio > fastest) fastest = ratio;
-    }
-    if (speed > fastest) fastest = speed;
-    if (fastest > VM_C(1e-15)) h1 = vmi_pow_rough(VM_C(0.01) / fastest, 1 / (vm_real)s->pair.order);
-    if (h1 > 100 * h0) h1 = 100 * h0;
-    if (h1 < VM_C(1e-3) * h0) h1 = VM_C(1e-3) * h0;
-    s->h = direction * VMI_SMALLER(h1, longest);
-    return ODE_OK;
-}
-
-/* The shortest step that is tried. It is not 0 at t = 0, where steps that fail would become shorter without end. */
-VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
-{
-    const vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
-    return VMI_LARGER(least, o->h_min);
-}
-
-/* The time from where y is to t_end */
-VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
-
-/* The direction to t_end: 1 or -1 */
-VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
-
-/* PI control [2, IV.2]: after an accepted step the next is 0.9 error^(-4/(5 order)) error_before^(1/(5 order)) times
-   as long, at most 10 times */
-VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
-{
-    const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
-    const vm_real factor = VM_C(0.9) * vmi_pow_rough(square * square * inverse_error_before, power);
-    return VMI_SMALLER(factor, VM_C(10.0));
-}
-
-/* After a rejected step the next is 0.9 error^(-1/order) times as long, at least 1/5; 1/10 where something was not
-   finite */
-VM_INLINE vm_real vmi_shrink(int order, vm_real error)
-{
-    vm_real factor;
-    if (error != error) return VM_C(0.1);
-    factor = VM_C(0.9) * vmi_pow_rough(error, -1 / (vm_real)order);
-    return VMI_LARGER(factor, VM_C(0.2));
-}
-
-/* Where a run is. While vmi_advance makes steps, it keeps this apart from the rk45, so that it can be in registers. */
-typedef struct VM_TAG(vmi_progress) {
-    vm_real direction;              /* 1 or -1, towards t_end */
-    vm_real t, t_low;               /* y belongs to t + t_low */
-    vm_real t_old, t_old_low;       /* where the last step began */
-    vm_real h_next;                 /* the next step */
-    vm_real h_done;                 /* the last accepted step */
-    vm_real inverse_error;          /* 1 over its error, in tolerances */
-    vm_real t_missed, t_missed_low; /* where the last step that missed the tolerance began */
-    long steps, rejected, missed;   /* counted from the beginning of this loop */
-    long next_miss;                 /* a step may miss the tolerance again when `steps` is this large */
-    long attempts;                  /* steps that may still be tried; negative: no limit */
-    int k1, failure, stiff_wait;    /* as in rk45 */
-    int stopped;                    /* what f returned last */
-} vmi_progress;
-
-/* Where the run is before the loop */
-VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
-{
-    vmi_progress p;
-    p.direction = vmi_direction(s, t_end);
-    p.t = s->t;
-    p.t_low = s->t_low;
-    p.t_old = s->t;
-    p.t_old_low = s->t_low;
-    p.h_next = s->h;
-    p.h_done = s->h_done;
-    p.inverse_error = s->inverse_error;
-    p.t_missed = s->t;
-    p.t_missed_low = s->t_low;
-    p.steps = 0;
-    p.rejected = 0;
-    p.missed = 0;
-    p.next_miss = s->next_miss - s->steps;
-    p.attempts = s->attempts;
-    p.k1 = VMI_K1_READY;
-    p.failure = s->failure;
-    p.stiff_wait = s->stiff_wait;
-    p.stopped = 0;
-    return p;
-}
-
-/* Stores where the run is after the loop */
-VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
-{
-    s->t = p->t;
-    s->t_low = p->t_low;
-    s->t_old = p->t_old;
-    s->t_old_low = p->t_old_low;
-    s->h = p->h_next;
-    s->h_done = p->h_done;
-    s->inverse_error = p->inverse_error;
-    s->next_miss = s->steps + p->next_miss;
-    s->steps += p->steps;
-    s->rejected += p->rejected;
-    s->missed += p->missed;
-    s->attempts = p->attempts;
-    s->k1 = p->k1;
-    s->failure = p->failure;
-    s->stiff_wait = p->stiff_wait;
-    s->rhs_status = p->stopped;
-    s->extended = 0;
-}
-
-/* A step that is tried */
-typedef struct VM_TAG(vmi_trial) {
-    vm_real h, t_new, t_new_low; /* it leads to t_new + t_new_low */
-    int last;                    /* it leads to t_end */
-    int shortest;                /* no shorter step can be tried */
-} vmi_trial;
-
-/* The length of a step is changed by up to this fraction, so that it ends at a time that the type can hold and y
-   belongs to t exactly. Shorter steps leave the rest in t_low. So t does not drift away from the motion. */
-#define VMI_LANDING VM_C(0.015625)
-#define VMI_NEARLY VM_C(0.999999) /* a step that is this part of the way to t_end goes all the way */
-
-/* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns the
-   status that keeps it from being tried, if any. */
-VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress *p, vmi_trial *trial)
-{
-    const vm_real left = (t_end - p->t) - p->t_low, least = vmi_least_step(o, p->t);
-    vm_real h_to_t_new;
-    int status = ODE_OK, lands;
-    p->t_old = p->t;
-    p->t_old_low = p->t_low;
-    p->k1 = VMI_K1_READY;
-    if (VM_FABS(p->h_next) < least) p->h_next = p->direction * least;
-    if (VM_FABS(p->h_next) > o->h_max) {
-        p->h_next = p->direction * o->h_max;
-        if (o->h_max < least && o->h_max < VM_FABS(left)) status = ODE_STEP_TOO_SMALL;
-    }
-    trial->last = VM_FABS(p->h_next) >= VMI_NEARLY * VM_FABS(left);
-    trial->t_new = trial->last ? t_end : p->t + (p->t_low + p->h_next);
-    h_to_t_new = (trial->t_new - p->t) - p->t_low;
-    lands = trial->last || VM_FABS(h_to_t_new - p->h_next) <= VMI_LANDING * VM_FABS(p->h_next);
-    trial->h = lands ? h_to_t_new : p->h_next;
-    trial->t_new_low = lands ? 0 : p->h_next - h_to_t_new;
-    trial->shortest = VM_FABS(p->h_next) <= least || VM_FABS(trial->h) <= least;
-    if (p->attempts == 0) status = ODE_MAX_STEPS;
-    if (status == ODE_OK && p->attempts > 0) p->attempts--;
-    return status;
-}
-
-/* So many steps must keep the tolerance between two steps that may miss it. Behind a jump these steps are 1, 10 and
-   100 times as long as the smallest step; next to a singularity there are none. */
-enum { VMI_BETWEEN_MISSES = 3 };
-
-/* Goes back to where the last accepted step began, which missed the tolerance */
-VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
-{
-    vmi_copy(sys.n, sys.w + VMI_Y_OLD * sys.m, sys.w + VMI_Y * sys.m);
-    p->t = p->t_missed;
-    p->t_old = p->t_missed;
-    p->t_low = p->t_missed_low;
-    p->t_old_low = p->t_missed_low;
-    p->k1 = VMI_K1_MISSING;
-    p->steps--;
-    p->missed--;
-    p->rejected++;
-}
-
-/* Rejects a step, because its error is above the tolerance, or NaN. Returns the status with which the run ends if no
-   shorter step can be tried; then a step before that missed the tolerance is dropped as well. */
-VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
-{
-    const int not_a_number = error != error;
-    p->rejected++;
-    p->failure = VMI_REJECTED;
-    if (not_a_number) p->failure = VMI_NOT_FINITE;
-    p->h_next = trial->h * vmi_shrink(order, error);
-    if (!trial->shortest) return ODE_OK;
-    if (p->missed > 0 && p->steps == p->next_miss - VMI_BETWEEN_MISSES) vmi_drop_missed_step(sys, p);
-    return not_a_number ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
-}
-
-/* The state after a step of the smallest size in which f jumps. The weights of the stages are of both signs, so that
-   the step's own state may be thrown back from the jump, and far. Instead each component goes on with the middle of
-   the least and the largest derivative that the stages have met: that is wrong by half the jump times h at most. */
-VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
-{
-    const ptrdiff_t m = sys.m;
-    vm_real *w = sys.w;
-    int i, part;
-    VMI_EACH(i, sys.n)
-    {
-        vm_real least = w[VMI_K * m + i], largest = least;
-        VMI_UNROLL for (part = VMI_K + 1; part < VMI_K + stages; part++)
-        {
-            least = VMI_SMALLER(least, w[part * m + i]);
-            largest = VMI_LARGER(largest, w[part * m + i]);
-        }
-        w[VMI_Z * m + i] = w[VMI_Y * m + i] + h * (least / 2 + largest / 2);
-    }
-}
-
-#define VMI_KEEP_TO VM_C(0.75)     /* after a step whose error is below this part of the tolerance the size may stay */
-#define VMI_LEAST_ERROR VM_C(1e-8) /* smaller errors, in tolerances, count as this one */
-
-/* Sets the size of the step after an accepted one. If the error is within keep_from .. VMI_KEEP_TO, the size stays:
-   the processor can guess this branch, and go on with the next step before the error is known. */
-VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
-{
-    vm_real factor;
-    if (!(error < keep_from || error > VMI_KEEP_TO || p->failure || trial->last)) return;
-    factor = vmi_factor(order, error, p->inverse_error);
-    if (p->failure && factor > 1) factor = 1;
-    if (!trial->last) {
-        p->h_next = trial->h * factor;
-    } else { /* a step that is short because it ends at t_end does not make the next one short */
-        p->h_next = p->direction * VMI_LARGER(VM_FABS(p->h_next), VM_FABS(trial->h * factor));
-    }
-}
-
-/* Steps towards t_end, not past it, until it is reached, or only one if `single`, or until a look for stiffness is
-   due. Returns a status. */
-VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end, int single)
-{
-    const rk45_options o = s->options;
-    const vmi_rk_pair pair = vmi_pair_of(method);
-    vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
-    vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* a variable of its own, so that the address of p is not taken */
-    int status;
-    for (;;) {
-        vmi_trial trial;
-        vm_real error;
-        int misses = 0; /* whether the step is accepted though it misses the tolerance */
-        status = vmi_choose_step(&o, t_end, &p, &trial);
-        if (status) break;
-        p.stopped = vmi_make_stages(method, sys, p.t, trial.t_new, trial.h, &evals);
-        if (p.stopped) break;
-        error = vmi_step_error(method, &o, sys, trial.h);
-        if (!(error <= 1)) {
-            misses = error > 1 && trial.shortest && p.steps >= p.next_miss;
-            if (!misses) {
-                status = vmi_reject(pair.order, &trial, error, sys, &p);
-                if (status) break;
-                continue;
-            }
-            vmi_take_middle_slope(pair.stages, sys, trial.h);
-            error = 1;
-        }
-        if (misses || !pair.last_is_first) {
-            evals++;
-            p.stopped = sys.f(trial.t_new, z, last_k, sys.ctx);
-            if (p.stopped) break;
-        }
-        p.steps++;
-        if (misses) {
-            p.missed++;
-            p.next_miss = p.steps + VMI_BETWEEN_MISSES;
-            p.t_missed = p.t;
-            p.t_missed_low = p.t_low;
-        }
-        error = VMI_LARGER(error, VMI_LEAST_ERROR);
-        vmi_choose_size(pair.order, pair.keep_from, &trial, error, &p);
-        p.inverse_error = 1 / error;
-        vmi_copy(sys.n, y, sys.w + VMI_Y_OLD * sys.m);
-        vmi_copy(sys.n, z, y);
-        p.t = trial.t_new;
-        p.t_low = trial.t_new_low;
-        p.h_done = trial.h;
-        p.failure = VMI_NONE_FAILED;
-        p.k1 = VMI_K1_IS_LAST;
-        p.stiff_wait--;
-        if (p.stiff_wait <= 0 || single || trial.last) break;
-        vmi_copy(sys.n, last_k, sys.w + VMI_K * sys.m);
-    }
-    s->evals += evals;
-    vmi_store_progress(s, &p);
-    return p.stopped ? (int)ODE_RHS_STOPPED : status;
-}
-
-/* vmi_advance in registers, where the compiler knows that n is small */
-VM_INLINE int vmi_advance_small(rk45 *s, int method, vmi_rk_system sys, vm_real t_end, int single)
-{
-    const vmi_rk_pair pair = vmi_pair_of(method);
-    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* all is copied back, used or not */
-    const int n = sys.n;
-    int part, status;
-    vmi_copy(n, vmi_part(s, VMI_Y), w);
-    vmi_copy(n, vmi_part(s, VMI_K), w + VMI_K * n);
-    sys.w = w;
-    sys.m = n;
-    status = vmi_advance(s, method, sys, t_end, single);
-    vmi_copy(n, w, vmi_part(s, VMI_Y));
-    if (s->k1 == VMI_K1_IS_LAST) {
-        vmi_copy(n, w + VMI_Y_OLD * n, vmi_part(s, VMI_Y_OLD));
-        VMI_UNROLL for (part = VMI_K; part <= vmi_last_k(&pair); part++) vmi_copy(n, w + part * n, vmi_part(s, part));
-    } else {
-        vmi_copy(n, w + VMI_K * n, vmi_part(s, VMI_K));
-    }
-    return status;
-}
-
-#endif
-/* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
-   After each step, g is followed along the continuous extension: it is looked at in a few points, and where it leaves
-   its side, the place is located to rounding. The first event that stops or restarts the run cuts the step there.
-   Events whose times rounding cannot tell apart happen together. Users set the events of the options: options.h.
-
-       double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
-       rk45 s;
-       ode_event touch;
-       rk45_options options;
-       memset(&touch, 0, sizeof touch);
-       memset(&options, 0, sizeof options);
-       touch.g = height; // height and fall are functions of the user: an ode_event_function and an ode_rhs
-       touch.action = ODE_STOP;
-       options.events = &touch;
-       options.n_events = 1;
-       rk45_init(&s, fall, NULL, 2, 0.0, y0, &options, work);
-       if (rk45_solve(&s, 10.0) == ODE_EVENT) printf("on the ground at %g\n", s.t);
-
-   Tests: tests/test_events.c, tests/test_coincidences.c. */
-#ifndef VARMASS_INTEGRATORS_EVENTS_H
-#define VARMASS_INTEGRATORS_EVENTS_H
-
-VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
-
-/* Places in a step are fractions of it, 0 to 1. This one means that there is no such place. */
-#define VMI_NONE VM_C(2.0)
-
-/* After an event, g is first looked at after the fraction VMI_FIRST_LOOK of a step, then at distances that grow by
-   the factor VMI_WIDER. Its side is decided after the fraction VMI_QUIET at the latest. */
-#if VM_MANT_DIG > 24
-#define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 */
-#define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 */
-#define VMI_WIDER 64
-#else
-#define VMI_FIRST_LOOK VM_C(2.44140625e-4) /* 2^-12 */
-#define VMI_QUIET VM_C(0.0009765625)       /* 2^-10 */
-#define VMI_WIDER 8
-#endif
-
-/* Sets the side of each event in a state that no step led to, at a start or a restart. The side is 0 where g is 0, and
-   where the event has just happened and rounding could decide the sign of g. Returns a status. */
-VM_API int vmi_watch_events(rk45 *s)
-{
-    int i;
-    for (i = 0; i < s->options.n_events; i++) {
-        ode_event *e = s->options.events + i;
-        const vm_real g = e->g(s->t, s->y, e->ctx);
-        if (g != g) return ODE_NOT_FINITE;
-        if (!(VM_FABS(g) <= e->slack)) e->quiet = 0;
-        e->side = 0;
-        if (!(e->quiet > 0)) e->side = vmi_sign(g);
-    }
-    return ODE_OK;
-}
-
-/* The time at the fraction x of the step */
-VM_API vm_real vmi_time_inside(const rk45 *s, vm_real x)
-{
-    if (x == 1) return s->t;
-    return s->t_old + (s->t_old_low + x * s->h_done);
-}
-
-/* y at the fraction x of the step; at its end to the bit */
-VM_API void vmi_state_inside(const rk45 *s, vm_real x, vm_real *y)
-{
-    if (x == 1) vmi_copy(s->n, s->y, y);
-    else vmi_inside(s, x, y);
-}
-
-/* g at the fraction x of the step. Uses z. */
-VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
-{
-    vm_real *z = vmi_part(s, VMI_Z);
-    if (x == 1) return e->g(s->t, s->y, e->ctx);
-    vmi_inside(s, x, z);
-    return e->g(vmi_time_inside(s, x), z, e->ctx);
-}
-
-/* What rounding may have done to a state, relative to it, in the steps of a run so far, as far as events that should
-   coincide are concerned */
-#define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
-
-/* g at x in a state moved by what rounding may have done to it: in this step up to x, or, if `earlier`, in the steps
-   before it as well. The sign of the move is `direction`. Each component is moved by another amount, so that a
-   difference of components moves too. */
-VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
-                                     int direction)
-{
-    const vm_real relative = earlier ? VMI_EARLIER_ROUNDING : vmi_least_rtol(&s->pair);
-    const vm_real end = earlier ? 1 : x; /* the share of the state at the end of the step */
-    const vm_real rounding = (vm_real)direction * relative, golden = VM_C(0.6180339887498949);
-    const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
-    vm_real *z = vmi_part(s, VMI_Z), phase = 0;
-    int i;
-    vmi_state_inside(s, x, z);
-    for (i = 0; i < s->n; i++) {
-        const vm_real size = VM_FABS(y_old[i]) + VM_FABS(z[i]) + end * VM_FABS(s->y[i]);
-        const vm_real share = phase - VM_C(0.5);
-        z[i] += rounding * size * (share + VM_COPYSIGN(VM_C(0.5), share));
-        phase += golden;
-        if (phase >= 1) phase -= 1;
-    }
-    return e->g(vmi_time_inside(s, x) * (1 + (vm_real)direction * VM_EPSILON), z, e->ctx);
-}
-
-/* Sets e->slack: the largest |g| that rounding can make at x. Returns whether rounding leaves g the sign `side`. */
-VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlier, int side)
-{
-    int direction, certain = 1;
-    e->slack = 0;
-    for (direction = -1; direction <= 1; direction++) {
-        vm_real g;
-        if (direction == 0) g = vmi_event_value(s, e, x);
-        else g = vmi_event_value_moved(s, e, x, earlier, direction);
-        if (VM_FABS(g) > e->slack) e->slack = VM_FABS(g);
-        if (vmi_sign(g) != side) certain = 0;
-    }
-    return certain;
-}
-
-/* Whether the event counts when g leaves `side` */
-VM_API int vmi_counts_from(const ode_event *e, int side)
-{
-    return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
-}
-
-/* Sets *at to the place in [a, b] at which g leaves the side that it has at a: the right end of [a, b] after it is
-   shrunk to what x resolves. ga and gb are g at a and b. The method is false position in the Illinois form, with
-   bisection every third time and where g is 0 over a distance. If g is 0 at b, and t cannot resolve how long before b
-   it became 0, the place is b. Returns a status. */
-VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
-                      vm_real *at)
-{
-    const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
-    const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept: > 0 if the last point replaced a, < 0 if it replaced b */
-    for (count = 1; b - a > resolution; count++) {
-        const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
-        vm_real x = b - gb * ((b - a) / (gb - ga)), g;
-        if (bisect) x = a + (b - a) / 2;
-        x = VMI_SMALLER(VMI_LARGER(x, a + resolution / 2), b - resolution / 2);
-        g = vmi_event_value(s, e, x);
-        if (g != g) return ODE_NOT_FINITE;
-        if (vmi_sign(g) == side) {
-            a = x;
-            ga = g;
-            if (kept > 0) gb /= 2;
-            kept = 1;
-        } else {
-            b = x;
-            gb = g;
-            if (kept < 0) ga /= 2;
-            kept = -1;
-        }
-    }
-    *at = b;
-    if (g_look == 0 && vmi_time_inside(s, b) == vmi_time_inside(s, look)) *at = look;
-    return ODE_OK;
-}
-
-enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
-
-/* The place of the next look at g after e->from. First come points at growing distances *gap from `start`, so that
-   an excursion of g much shorter than the step is seen; then the points that divide the step evenly, and `to`. */
-VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
-{
-    const int wanted = e->checks == 0 ? (int)VMI_CHECKS : e->checks;
-    const int checks = VMI_SMALLER(VMI_LARGER(wanted, 0), (int)VMI_MOST_CHECKS);
-    const vm_real parts = (vm_real)(checks + 1);
-    const int before = (int)(e->from * parts);
-    const vm_real even = (vm_real)(before + 1) / parts;
-    vm_real next = even;
-    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* a quotient is rounded */
-    next = VMI_SMALLER(next, to);
-    if (start + *gap < next) next = start + *gap;
-    *gap *= VMI_WIDER;
-    return next;
-}
-
-/* To be called when g has just reached 0 at x or passed it. The side of g is then unknown while rounding could
-   decide it, but only for the time e->quiet, since g may also have jumped. */
-VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
-{
-    vmi_weigh_rounding(s, e, x, 0, 0);
-    e->side = 0;
-    e->quiet = VMI_QUIET * VM_FABS(s->h_done);
-}
-
-/* To be called when g has passed 0 before x in the direction that does not count; `side` is where g is now. If rounding
-   alone could have brought g there, the side stays unknown for a while, so that rounding does not make an event when it
-   takes g back, and the result is 1; else 0. */
-VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
-{
-    ode_event look = *e;
-    if (vmi_weigh_rounding(s, &look, x, 0, side)) return 0;
-    vmi_quieten_event(s, e, x);
-    return 1;
-}
-
-/* Follows g from e->from to `to`, or to the first place at which the event happens. *at becomes that place, or
-   VMI_NONE if there is none; e->from and e->side are updated on the way. Returns a status. */
-VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at)
-{
-    const vm_real h = VM_FABS(s->h_done);
-    vm_real start = e->from, gap = e->side ? VM_C(1.0) : VMI_FIRST_LOOK;
-    *at = VMI_NONE;
-    while (e->from < to) {
-        const vm_real before = e->from, x = vmi_next_look(e, start, &gap, to);
-        const vm_real g = vmi_event_value(s, e, x);
-        const int side = vmi_sign(g);
-        if (g != g) return ODE_NOT_FINITE;
-        if (side != e->side && vmi_counts_from(e, e->side)) {
-            const vm_real g_before = vmi_event_value(s, e, before);
-            int status = ODE_OK;
-            *at = x;
-            if (vmi_sign(g_before) == e->side) status = vmi_locate(s, e, before, g_before, x, g, at);
-            e->from = *at;
-            return status;
-        }
-        e->from = x;
-        e->quiet = VMI_LARGER(e->quiet - (x - before) * h, VM_C(0.0));
-        if (e->side && side != e->side && vmi_quieten_passing(s, e, x, side)) {
-            start = x;
-            gap = VMI_FIRST_LOOK;
-            continue;
-        }
-        if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
-        if (e->side && start > 0) gap = 1; /* nothing was changed in the middle of a step: no short excursion begins */
-    }
-    return ODE_OK;
-}
-
-/* Counts the event at x, and writes its time and state where there is room */
-VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
-{
-    e->t = vmi_time_inside(s, x);
-    if (e->count < e->room) {
-        if (e->times) e->times[e->count] = e->t;
-        if (e->states) vmi_state_inside(s, x, e->states + e->count * s->n);
-    }
-    e->count++;
-    vmi_quieten_event(s, e, x);
-}
-
-/* Finds the first event before *cut that ends the step: *cut becomes its place and *owner its index. The others
-   are then looked at there, too, which may show an earlier one, so the search goes on until there is none. Returns a
-   status. */
-VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
-{
-    int i, pass, found = 1;
-    for (pass = 0; found; pass++) {
-        found = 0;
-        for (i = 0; i < s->options.n_events; i++) {
-            ode_event *e = s->options.events + i, look;
-            vm_real at;
-            int status;
-            if (e->action == ODE_RECORD || i == *owner) continue;
-            look = *e;
-            status = vmi_follow_event(s, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
-            if (status) return status;
-            e->side_ahead = look.side;
-            if (pass == 0 && !(at < *cut)) continue;
-            if (pass > 0 && !(at < *cut - VMI_FIRST_LOOK)) continue;
-            *cut = at;
-            *owner = i;
-            found = 1;
-        }
-        if (*cut == VMI_NONE) return ODE_OK;
-    }
-    return ODE_OK;
-}
-
-/* Records all that an ODE_RECORD event asks for up to `to`. Returns a status. */
-VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
-{
-    for (;;) {
-        vm_real at;
-        const int status = vmi_follow_event(s, e, to, &at);
-        if (status || at == VMI_NONE) return status;
-        vmi_record(s, e, at);
-    }
-}
-
-/* Sets e->happens: whether e happens at x, where the step is cut. It does if its g has changed sign before x, or if
-   g will change sign at once and is so small that rounding decides on which side of x. Events at one instant have
-   to happen together, since what one of them changes may keep the others from happening. Returns a status. */
-VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
-{
-    ode_event look;
-    vm_real at;
-    int status = vmi_follow_event(s, e, x, &at);
-    e->happens = at != VMI_NONE;
-    if (status || e->happens || e->side == 0) return status;
-    look = *e;
-    if (vmi_weigh_rounding(s, &look, x, 1, e->side)) return ODE_OK;
-    if (!vmi_counts_from(e, e->side)) {
-        vmi_quieten_event(s, e, x);
-        return ODE_OK;
-    }
-    /* also beyond the end of the step, where the continuous extension goes on; g need not exist there */
-    e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
-    return ODE_OK;
-}
-
-/* Ends the step at x, where events happen: counts all of them, then calls their `change` functions. Returns ODE_EVENT
-   if one of them stops the run. */
-VM_API int vmi_cut_step(rk45 *s, vm_real x)
-{
-    const int n_events = s->options.n_events;
-    int i;
-    for (i = 0; i < n_events; i++) {
-        ode_event *e = s->options.events + i;
-        if (!e->happens) continue;
-        vmi_record(s, e, x);
-        if (e->action == ODE_STOP && s->event < 0) s->event = i;
-    }
-    if (x < 1) {
-        const vm_two t = vmi_two_sum(s->t_old, s->t_old_low + x * s->h_done);
-        vmi_inside(s, x, s->y);
-        s->t = t.hi;
-        s->t_low = t.lo;
-    }
-    s->k1 = VMI_K1_MISSING;
-    for (i = 0; i < n_events; i++) {
-        ode_event *e = s->options.events + i;
-        if (e->happens && e->action == ODE_RESTART && e->change) e->change(s->t, s->y, e->ctx);
-    }
-    return s->event < 0 ? (int)ODE_OK : (int)ODE_EVENT;
-}
-
-/* Goes back to the beginning of the step just made, inside which f is not finite, to try a quarter of it. Returns
-   ODE_NOT_FINITE if that is too short to be tried. */
-VM_API int vmi_take_back(rk45 *s)
-{
-    vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
-    s->t = s->t_old;
-    s->t_low = s->t_old_low;
-    s->h = s->h_done / 4;
-    if (s->missed > 0 && s->next_miss == s->steps + VMI_BETWEEN_MISSES) {
-        s->missed--;
-        s->next_miss = 0;
-    }
-    s->steps--;
-    s->rejected++;
-    s->k1 = VMI_K1_READY; /* the step was kept apart from the next */
-    s->failure = VMI_NOT_FINITE;
-    return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
-}
-
-/* Decides for each event whether it happens at `cut`, where event `owner` does. Returns a status. */
-VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
-{
-    int i, status = ODE_OK;
-    for (i = 0; i < s->options.n_events && status == ODE_OK; i++) {
-        ode_event *e = s->options.events + i;
-        e->happens = 1;
-        if (i != owner) status = vmi_happens_at_cut(s, e, cut);
-    }
-    return status;
-}
-
-/* Takes the sides at the end of a step that no event cuts over into the next */
-VM_API void vmi_pass_on_sides(rk45 *s)
-{
-    int i;
-    for (i = 0; i < s->options.n_events; i++) {
-        ode_event *e = s->options.events + i;
-        e->happens = 0;
-        if (e->action == ODE_RECORD) continue;
-        e->side = e->side_ahead;
-        e->quiet = VMI_LARGER(e->quiet - VM_FABS(s->h_done), VM_C(0.0));
-    }
-}
-
-/* Handles the events of the step just made, up to the first instant with one that ends it. Returns a status. */
-VM_API int vmi_events(rk45 *s)
-{
-    const int n_events = s->options.n_events;
-    ode_event *events = s->options.events;
-    vm_real cut = VMI_NONE;
-    int i, owner = -1, status = vmi_extend(s);
-    if (status == ODE_NOT_FINITE) return vmi_take_back(s);
-    for (i = 0; i < n_events; i++) events[i].from = 0;
-    if (status == ODE_OK) status = vmi_find_cut(s, &cut, &owner);
-    for (i = 0; i < n_events && status == ODE_OK; i++)
-        if (events[i].action == ODE_RECORD) status = vmi_record_until(s, events + i, VMI_SMALLER(cut, VM_C(1.0)));
-    if (status) return status;
-    if (cut == VMI_NONE) {
-        vmi_pass_on_sides(s);
-        return ODE_OK;
-    }
-    status = vmi_meet_at_cut(s, cut, owner);
-    return status ? status : vmi_cut_step(s, cut);
-}
-
-#endif
-/* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
-   Users call the functions of adaptive.h, which choose the pair.
-
-   Tests: tests/test_adaptive.c, tests/test_events.c. */
-#ifndef VARMASS_INTEGRATORS_LOOP_H
-#define VARMASS_INTEGRATORS_LOOP_H
-
-/* rk45_init for any pair. f and n are set once more where the caller's compiler sees them, so that it can inline f in
-   the steps. */
-VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                           const rk45_options *options_or_NULL, vm_real *work)
-{
-    const int status = vmi_init(s, &pair, f, ctx, n, t0, y0, options_or_NULL, work);
-    if (status >= 0) {
-        s->f = f;
-        s->n = n;
-    }
-    return status;
-}
-
-/* Forgets which events have just happened. At another time the sign of g alone gives the side of each event. */
-VM_API void vmi_forget_events(rk45 *s)
-{
-    int i;
-    for (i = 0; i < s->options.n_events; i++) s->options.events[i].quiet = 0;
-}
-
-/* rk45_restart for any pair */
-VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
-{
-    if (!s || !y || !VM_IS_FINITE(t) || !vmi_all_finite(s->n, y)) return ODE_BAD_ARGUMENT;
-    if (t != s->t) {
-        vmi_forget_events(s);
-        s->t_low = 0;
-    }
-    s->t = t;
-    s->t_old = t;
-    s->t_old_low = s->t_low;
-    if (y != s->y) vmi_copy(s->n, y, s->y);
-    s->k1 = VMI_K1_MISSING;
-    s->failure = VMI_NONE_FAILED;
-    s->next_miss = s->steps;
-    return ODE_OK;
-}
-
-/* Evaluates k_1 unless it is known, and makes s->h a step towards t_end that is not too short to be tried */
-VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
-{
-    const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
-    const vm_real direction = vmi_direction(s, t_end);
-    vm_real *k1 = vmi_part(s, VMI_K), least;
-    int status = ODE_OK;
-    if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(&s->pair)), k1);
-    if (s->k1 == VMI_K1_MISSING) {
-        status = vmi_eval(s, s->t, s->y, k1);
-        if (status) return status;
-        if (!vmi_all_finite(s->n, k1)) return ODE_NOT_FINITE;
-        status = vmi_watch_events(s);
-        if (status) return status;
-    }
-    s->k1 = VMI_K1_READY;
-    s->t_old = s->t;
-    s->t_old_low = s->t_low;
-    if (s->h == 0) status = vmi_first_step(s, direction, longest);
-    if (status) return status;
-    least = vmi_least_step(&s->options, s->t);
-    s->h = direction * VMI_LARGER(VM_FABS(s->h), least);
-    return ODE_OK;
-}
-
-/* A run has become stiff when 15 looks have found it beyond the end of the stability region, without 6 looks in
-   succession that have found it within. */
-enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
-
-/* Hairer's test of stiffness [2, IV.2]. A step evaluates f twice at its end, for states that differ by h dz; the
-   derivatives differ by dk, and |dk|/|dz| is about h times the largest eigenvalue. */
-VM_API void vmi_look_for_stiffness(rk45 *s)
-{
-    const int last = vmi_last_k(&s->pair), count = last - VMI_K;
-    vm_real dk = 0, dz = 0;
-    int i, j;
-    for (i = 0; i < s->n; i++) {
-        const vm_real difference = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]);
-        vm_real sum = 0;
-        dk = VMI_LARGER(dk, difference);
-        for (j = 0; j < count; j++) sum += s->pair.end_difference(j) * vmi_part(s, VMI_K + j)[i];
-        dz = VMI_LARGER(dz, VM_FABS(sum));
-    }
-    if (dk > s->pair.stiff_beyond * dz) {
-        s->stiff_misses = 0;
-        if (s->stiff_hits < VMI_STIFF_HITS) s->stiff_hits++;
-        if (s->stiff_hits == VMI_STIFF_HITS) s->stiff = 1;
-    } else {
-        if (s->stiff_misses < VMI_STIFF_MISSES) s->stiff_misses++;
-        if (s->stiff_misses == VMI_STIFF_MISSES) s->stiff_hits = 0;
-    }
-    s->stiff_wait = VMI_STIFF_WAIT;
-    if (s->stiff_hits) s->stiff_wait = 1;
-}
-
-/* What an accepted step calls for: the look for stiffness, if it is due, and the events within the step */
-VMI_APART int vmi_after_step(rk45 *s)
-{
-    if (s->stiff_wait <= 0) vmi_look_for_stiffness(s);
-    if (s->options.n_events == 0) return ODE_OK;
-    return vmi_events(s);
-}
-
-/* Whether y is still before t_end, even if only by less than t resolves */
-VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end || -s->t_low * s->h > 0; }
-
-/* Steps to t_end, or only one if `single`, with f and n those of s. Returns a status. */
-VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
-{
-    const int was_stiff = s->stiff;
-    const int apart = single || s->options.n_events; /* vmi_after_step has to see each step */
-    vmi_rk_system sys;
-    int status = ODE_OK;
-    sys.f = f;
-    sys.ctx = s->ctx;
-    sys.n = n;
-    sys.w = s->work;
-    sys.m = n;
-    s->event = -1;
-    while (status == ODE_OK && vmi_is_before(s, t_end)) {
-        status = vmi_prepare(s, t_end);
-        if (status) break;
-        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, sys, t_end, apart);
-        else status = vmi_advance(s, method, sys, t_end, apart);
-        if (status == ODE_OK) status = vmi_after_step(s);
-        if (single && s->failure == VMI_NONE_FAILED) break;
-    }
-    return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
-}
-
-/* rk45_step for any pair */
-VM_INLINE int vmi_step(rk45 *s, int method)
-{
-    vm_real t_end = VM_MAX;
-    if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
-    if (s->h < 0) t_end = -VM_MAX;
-    if (s->t == t_end) return ODE_STEP_TOO_SMALL;
-    s->attempts = -1;
-    return vmi_run(s, method, s->f, s->n, t_end, 1);
-}
-
-/* rk45_solve_with for any pair */
-VM_INLINE int vmi_solve_with(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
-{
-    if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
-    s->attempts = s->options.max_steps;
-    return vmi_run(s, method, f, n, t_end, 0);
-}
-
-/* rk45_solve for any pair */
-VM_INLINE int vmi_solve(rk45 *s, int method, vm_real t_end)
-{
-    if (!s) return ODE_BAD_ARGUMENT;
-    return vmi_solve_with(s, method, s->f, s->n, t_end);
-}
-
-#endif
-/* integrators/adaptive.h - adaptive runs: rk45 and rk87, whose steps keep a tolerance
-   rk45 is Tsitouras' pair of orders 5 and 4 [1]: six evaluations of f in a step, and none for states between steps. It
-   is the pair to begin with, and the better one in float, for loose tolerances, for right-hand sides that are not
-   smooth, and for many events. rk87 is Verner's pair of orders 8 and 7 [4]: 13 evaluations in a step, and seven more
-   for states between steps. It is the pair for a smooth f in double and small errors.
-
-       double y0[2] = {1, 0}, work[RK45_WORK(2)];
-       rk45 s;
-       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
-       if (rk45_solve(&s, 10.0) >= 0) printf("x(10) = %g\n", s.y[0]);
-
-   Tests: tests/test_adaptive.c, tests/test_dense.c, tests/test_events.c. */
-#ifndef VARMASS_INTEGRATORS_ADAPTIVE_H
-#define VARMASS_INTEGRATORS_ADAPTIVE_H
-
-#define RK45_WORK(n) (10 * (n)) /* how many numbers the work of an rk45 with n components has */
-#define RK87_WORK(n) (24 * (n)) /* how many numbers the work of an rk87 with n components has */
-
-/* All options and fields mean for rk87 what they mean for rk45. */
+/* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
 typedef rk45_options rk87_options;
 typedef rk45 rk87;
 
-/* The options with their defaults in place of zeros, as rk45_init takes them. rtol becomes at least 16 eps. NULL means
-   all defaults. */
-VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
-{
-    const vmi_rk_pair pair = vmi_rk45_pair();
-    return vmi_defaults(vmi_least_rtol(&pair), options_or_NULL);
-}
-
-/* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers; f gets ctx. work has RK45_WORK(n)
-   numbers and must live as long as s. y0 is copied, and so are the options, but not what they point at. f is not
-   evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
-VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                        const rk45_options *options_or_NULL, vm_real *work)
-{
-    return vmi_ode_init(s, vmi_rk45_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
-}
-
-/* Begins a run by rk87, as rk45_init does by rk45. work has RK87_WORK(n) numbers; rtol is at least 256 eps. */
+/* Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45. work has RK87_WORK(n) numbers, and rtol
+   becomes at least 256 VM_EPSILON. */
 VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk87_options *options_or_NULL, vm_real *work)
 {
     return vmi_ode_init(s, vmi_rk87_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
-/* Goes on with rk45 from another time or state, such as after a jump. The step size and the counters are kept. y, n
-   numbers, may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
-   ODE_BAD_ARGUMENT. */
-VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
-
-/* Goes on with rk87 from another time or state, as rk45_restart does with rk45. */
+/* Continues a run of rk87 from another time or state, such as after a jump. All else is as in rk45_restart. */
 VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* One accepted step of rk45, or less of it, up to an event that ends it. The direction is the sign of s->h, which at
-   first is that of the option h0: forward unless it is negative. Returns a status. */
-VM_INLINE int rk45_step(rk45 *s) { return vmi_step(s, VMI_RK45); }
-
-/* One accepted step of rk87, as rk45_step makes one of rk45. */
-VM_INLINE int rk87_step(rk87 *s) { return vmi_step(s, VMI_RK87); }
-
-/* Steps of rk45 to t_end exactly, forward or backward, or to a terminal event. Nothing happens if s->t is t_end. After
-   an error s->t and s->y are those of the last accepted step. Returns a status: ODE_MAX_STEPS after options.max_steps
-   attempts, and another call goes on. */
-VM_INLINE int rk45_solve(rk45 *s, vm_real t_end) { return vmi_solve(s, VMI_RK45, t_end); }
-
-/* Steps of rk87 to t_end exactly, as rk45_solve makes them of rk45. */
-VM_INLINE int rk87_solve(rk87 *s, vm_real t_end) { return vmi_solve(s, VMI_RK87, t_end); }
-
-/* Steps of rk45 to t_end with f and n given once more, so that f is inlined. That takes constants in the call, but s
-   may have been made anywhere. f and n have to be those of s, else the status is ODE_BAD_ARGUMENT. Everything else is
-   as in rk45_solve. */
-VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
+/* One accepted step of rk87, or the part of it before an event that ends the step. All else is as in rk45_step. */
+VM_INLINE int rk87_step(rk87 *s)
 {
-    return vmi_solve_with(s, VMI_RK45, f, n, t_end);
+    vm_real t_end;
+    const int status = vmi_begin_step(s, VMI_RK87, &t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk87 to t_end with f and n given once more, so that f is inlined, as in rk45_solve_with. */
+/* Steps of rk87 to t_end, with f and n named again so that f is inlined. All else is as in rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
-    return vmi_solve_with(s, VMI_RK87, f, n, t_end);
+    const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, f, n, t_end, 0);
 }
 
-/* The state y(t) at a time t within the last step of rk45, of order 4. y gets n numbers; f is not evaluated. A t that
-   is not from s->t_old to s->t is ODE_BAD_ARGUMENT. */
-VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
+/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
+   rk45_solve. */
+VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return rk87_solve_with(s, s->f, s->n, t_end);
+}
 
-/* The state y(t) at a time t within the last step of rk87, of order 8. y gets n numbers. The first use in a step
-   evaluates f seven times, unless t is s->t. A t that is not from s->t_old to s->t is ODE_BAD_ARGUMENT. f may stop the
-   run there, ODE_RHS_STOPPED, or not be finite, ODE_NOT_FINITE, though the step itself has succeeded. */
+/* State y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The first call after
+   a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t.
+   These evaluations may also give ODE_RHS_STOPPED (f stops the run) or ODE_NOT_FINITE, although the step itself has
+   succeeded. */
 VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
     if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;

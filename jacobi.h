@@ -23,41 +23,44 @@
      jacobi_sncndn        sn, cn and dn for one u and one m; the twelve quotients and the amplitude have functions of
                           their own
      jacobi_K, jacobi_E   complete elliptic integrals
-     jacobi_plan_init     where m stays: the plan is prepared once; then jacobi_plan_sncndn, or
+     jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
                           jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
                           examples/jacobi_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
                           used.
      jacobi_solve_kpK     m from k'K(k^2); jacobi_solve_K returns m from K
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
-     jacobi_agm_...       the same functions by the arithmetic-geometric mean, with its steps counted
+     jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; for sn, cn and dn its number of steps is an
+                          argument
 
    ERRORS
      m > 1, m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give NaN. m = 1 gives the limits:
-     K is infinite, E = 1, sn = tanh and cn = dn = 1/cosh, at u = +-infinity too. A quotient at a pole is infinite. A
-     plan refuses a bad m with -1 and stays as it was. Nothing else can fail. No allocation, no state; errno says
-     nothing.
+     K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u, for u = +-infinity too. A quotient at a pole is
+     infinite. A plan refuses a bad m with -1 and stays as it was. Nothing else can fail. The functions allocate no
+     memory and keep no state; the value of errno means nothing.
 
    METHOD
-     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) comes from its Laurent series, and two duplications [1, 5] lead
-     to u; this needs no K and one square root. A u beyond about K/2 is reduced before, by the quarter period in as
-     many words as the distance of u from a zero asks for: from two steps of the AGM and a series, or from the AGM in
-     two or three words. Far from 0, for m near 1 or below -20, theta functions of an imaginary phase serve [1], with
-     the nome of 1 - m or 1/(1 - m), which is then at most 0.003. A plan has polynomials in u^2 in place of the
-     series. No digits cancel, not even at m = 1.
+     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5] lead
+     to u. This needs one square root, but not K.
+     If u is beyond about K/2, it is first reduced by the quarter period K. The closer u is to a zero, the more words of
+     K are used. K comes from two steps of the arithmetic-geometric mean and a series, or from the mean in two or three
+     words.
+     Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
+     or 1/(1 - m), which is then at most 0.003.
+     A plan has polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
      VM_API               linkage of every function, default static inline
-     VM_INLINE            linkage of the functions that are fast only if they are inlined; VM_API makes smaller code
-                          with the same results
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
+                          the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
-                          They are exact, so that results are the same on every machine where the compiler does not
-                          contract products and sums
+                          These functions are exact, so that results are the same on every machine, unless the compiler
+                          fuses products and sums.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where none of the bounds below holds
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although none of the bounds below holds then
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -65,36 +68,35 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
      On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
      below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
 
    ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative
                   error <= 8 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
-                  within 1/2000 ulp of a zero). A plan is as accurate. From |u| = K/eps on, u contains no phase: then
-                  sn = 0 and cn = dn = 1.
+                  within 1/2000 ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u say nothing
+                  about the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
-     k'K          <= 4 ulp
+     k'K          <= 5 ulp
      means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
-     solvers      m and m1 within 4 ulp and what one ulp of c moves them
+     solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
 
    COST
-     docs/cost.md has the times, docs/counts.md the instructions of each function. K takes one or two sines, sn, cn
-     and dn together three to seven for |u| < 2K, by a plan two to five, in arrays one or less. A jacobi_plan has 304
-     bytes (float 112). The largest stack frame is about 1 kB.
+     docs/cost.md has the times, docs/counts.md the instructions of each function. A jacobi_plan has 304 bytes (float
+     112). The largest stack frame is about 1 kB.
 
    REFERENCES
      [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.
      [2] R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions, Numer. Math. 7 (1965) 78-90.
      [3] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
-     [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (307) are its.
+     [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (307) are its equations.
      [5] DLMF, 23.9 (Laurent series of Weierstrass' function), 22.6 (duplication).
 
    INDEX
      base/self_check: whether this compiler and this processor compute as varmass needs
-       vm_self_check                  1 where the compiler and the processor compute as varmass needs, else 0
+       vm_self_check                  Returns 1 if the compiler and the processor compute as varmass needs, else 0
 
      jacobi/integrals: complete elliptic integrals K and E
        jacobi_K_m1                    K(m), the complete elliptic integral of the first kind, from m1 = 1 - m >= 0
@@ -126,7 +128,7 @@
        jacobi_plan_init               Prepares a plan for the parameter m = k^2 <= 1
        jacobi_plan_init_m1            Prepares a plan for the complementary parameter m1 = 1 - m >= 0
        jacobi_plan_sncndn             sn, cn and dn of the argument u for the plan's parameter
-       jacobi_plan_sncndn_array       sn, cn and dn of n arguments u[0] ..
+       jacobi_plan_sncndn_array       sn, cn and dn of the n arguments in the array u, for the plan's parameter
 
      jacobi/modulus: the parameter m from the quarter period
        jacobi_solve_kpK               The parameter m whose k' K(m) is c, for c >= 0
@@ -145,7 +147,7 @@
 
 /* base/real.h - the number type, the macros that a user may set, the functions of the C library
 
-   Everything else is built on this file. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
+   All other files are built on this one. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
    each macro that the user has not set its default, refuses compilers whose options change the values of results, and
    names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
 
@@ -180,14 +182,14 @@
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* slower, with the same results */
+#define VM_INLINE VM_API /* slower than with inlining, with the same results */
 #endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
 #define VM_C(x) x##f            /* the constant x as a vm_real */
 #define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
-#define VM_TAG(tag) tag##_float /* the tag of a struct: each precision has its own, so that C++ programs can mix them */
+#define VM_TAG(tag) tag##_float /* the tag of a struct, one for each precision: a C++ program can use both */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
 #define VM_MIN FLT_MIN /* the smallest normal number */
@@ -203,7 +205,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is as short as float (AVR); table lengths depend on it */
+#define VM_MANT_DIG DBL_MANT_DIG /* digits; 24 where double is as short as float (AVR). Table lengths depend on it. */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
@@ -224,12 +226,12 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_READ(x) (x)        /* reads x, an element of a table, which is always written as table[i] or table[i][j] */
 #endif
 
-#ifndef VM_SQRT /* To use another library, define all four. The casts keep C++ from choosing a template. */
+#ifndef VM_SQRT /* To use another library, define all four macros. The casts keep C++ from choosing a template. */
 #define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
-#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* here gcc compiles "x = copysign(x, y)" to x = y */
+#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* for this processor gcc compiles "x = copysign(x, y)" to x = y */
 #else
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)((vm_real)(x), (vm_real)(y))
 #endif
@@ -240,7 +242,7 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
-/* |x| with the sign of y, which may be -0 */
+/* Returns |x| with the sign of y, which may be -0. */
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
     const int negative = y < 0 || (y == 0 && 1 / y < 0);
@@ -249,7 +251,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers; b where one of them is NaN */
+/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
@@ -277,8 +279,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps them in
-   variables. */
+/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
+   additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -289,7 +291,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* a + b as an exact pair (Knuth) */
+/* Returns the exact sum a + b as a pair (by Knuth). */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -300,7 +302,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a + b as an exact pair, for |a| >= |b| (Dekker) */
+/* Returns the exact sum a + b as a pair, for |a| >= |b| (by Dekker). */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -309,7 +311,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* The pair hi, lo as it is */
+/* Makes a pair from its words hi and lo, which are not changed. */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -332,8 +334,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
-/* Whether sums are computed in the order in which they are written, as arithmetic in two words needs, and whether
-   adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
+/* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
+   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
+   two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -347,8 +350,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
-   instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
+/* Returns 1 if quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
+   instead of dividing gets 1 - eps/2 instead of 1 for some of the quotients tested here. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -361,8 +364,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Whether sums next to 1 are rounded to the nearest number, in the middle between two to the even one, and are not
-   kept with more digits than vm_real has */
+/* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
+   the middle between two numbers must be rounded to the even number. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -371,7 +374,7 @@ VM_API int vmi_rounds(vm_real one, vm_real eps)
            minus_above + one == -eps;
 }
 
-/* Whether NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should */
+/* Returns 1 if NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should. */
 VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
 {
     const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
@@ -381,10 +384,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* 1 where the compiler and the processor compute as varmass needs, else 0: results would be wrong.
-   It returns
-   0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
-   processor takes subnormal numbers for zero. Call it once, when the program starts. */
+/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results are wrong.
+   This happens, for example, with options of clang that its macros do not show, with another rounding mode, or where
+   the processor takes subnormal numbers for zero. Call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
@@ -410,15 +412,15 @@ VM_API int vm_self_check(void)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* bits of the mantissa that are stored */
-#define VMI_BIAS 1023     /* the stored exponent of the number 1 */
+#define VMI_STORED_DIG 52 /* number of bits of the mantissa that are stored */
+#define VMI_BIAS 1023     /* stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
 #define VMI_BIAS 127
 #endif
 
-/* The bits of x as an integer */
+/* Returns the bits of x as an integer. */
 VM_API vmi_bits vmi_to_bits(vm_real x)
 {
     vmi_bits bits;
@@ -426,7 +428,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
-/* The number that has these bits */
+/* Returns the number that has these bits. */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -434,8 +436,8 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* x 2^k, rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. The product
-   is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
+/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
+   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -448,11 +450,12 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* (y + y_lo) 2^k for y between 1/2 and 2, rounded only once, also where the result is subnormal */
+/* Returns (y + y_lo) 2^k for y between 1/2 and 2. The result is rounded only once, also where it is subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits. Adding a power of two to y removes the same digits with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
+           superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -462,7 +465,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* The bits of a number as a signed integer, and the bits of the number 1 */
+/* The signed integer type that holds the bits of a vm_real, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
@@ -475,8 +478,9 @@ typedef int32_t vmi_signed_bits;
 /* base/words.h - products, quotients and roots with two and three times the digits
 
    Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
-   number in three words (vmi_three, hi + mid + lo) three times. p is the number of digits of vm_real, 53 or 24 bits.
-   Errors are relative to the result of a product, quotient or root, and to the larger term of a sum.
+   number in three words (vmi_three, hi + mid + lo) has three times as many. p is the number of digits of vm_real, 53 or
+   24 bits. The error of a product, quotient or root is given relative to the result; that of a sum, relative to its
+   larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -484,17 +488,17 @@ typedef int32_t vmi_signed_bits;
 #ifndef VARMASS_BASE_WORDS_H
 #define VARMASS_BASE_WORDS_H
 
-/* Multiplying by this number and subtracting cuts a vm_real into two halves of p/2 digits each (Veltkamp). */
+/* The factor of Veltkamp's method, which splits a vm_real into two halves of p/2 digits each */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
 #define VM_SPLIT VM_C(4097.0)
 #endif
 
-/* a b as an exact pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor underflows. A fused
-   multiply-add gives it where the processor has one; else both factors are split into halves, with the same result.
-   "+ 0" makes a product a sum, so that a compiler that fuses operations cannot put the unrounded product into a later
-   sum. */
+/* Returns the exact product a b as a pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor
+   underflows. Where the processor has a fused multiply-add, this is used; elsewhere both factors are split into halves,
+   with the same result. Each "+ 0" makes a product a sum: a compiler that fuses operations then cannot use the
+   unrounded product in a later sum. */
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
@@ -511,8 +515,8 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 }
 
 /* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
-   apart from rounding, with an error of 2^-(2p) x, and in *quarter this multiple modulo 4. Beyond 2^(p-1) quarter
-   periods the digits of x say nothing about the phase: then both results are 0. */
+   apart from rounding, with an error of 2^-(2p) x, and writes the number of this multiple modulo 4 to *quarter.
+   Beyond 2^(p-1) quarter periods the digits of x say nothing about the phase: then both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -528,28 +532,28 @@ VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
     return vmi_two(p.hi / scale, p.lo / scale);
 }
 
-/* x with the second half of its digits set to zero */
+/* Returns x with the second half of its digits set to zero. */
 VM_API vm_real vmi_head(vm_real x)
 {
     const vmi_bits above = (vmi_bits)1 << ((VM_MANT_DIG + 1) / 2);
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of two words each; the relative error is below 2^-(2p - 4) */
+/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of two words each; the error is below 2^-(2p - 4) of the larger term */
+/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of two words each; the relative error is below 2^-(2p - 4) */
+/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -557,13 +561,13 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* The number hi + mid + lo, where each word is below an ulp of the word before it. The relative error of each
-   operation below is less than 2^-(3p - 4). */
+/* The number hi + mid + lo, where each word is below an ulp of the word before it. Each operation on such numbers has
+   a relative error below 2^-(3p - 4). */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
-/* a + b + c as a number in three words, for |a| >= |b| >= |c| or nearly so */
+/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c|, at least approximately */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -574,7 +578,7 @@ VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
     return x;
 }
 
-/* x + y */
+/* The sum x + y of numbers in three words */
 VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
 {
     const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
@@ -582,7 +586,7 @@ VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
     return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
 }
 
-/* x y */
+/* The product x y of numbers in three words */
 VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
 {
     const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
@@ -592,7 +596,7 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
-/* x / y by long division: each of three steps gives a word of the quotient */
+/* The quotient x / y by long division: each of three steps gives a word of the quotient */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -604,10 +608,10 @@ VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
     return vmi_three_words(quotient[0], quotient[1], quotient[2]);
 }
 
-/* x^4 */
+/* The fourth power of x */
 VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
-/* x times a power of two, without rounding */
+/* The product of x and a power of two, which is exact */
 VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
 {
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
@@ -626,7 +630,7 @@ VM_API vmi_three vmi_three_sqrt(vmi_three a)
     return x;
 }
 
-/* pi/2 in three words */
+/* The number pi/2 in three words */
 VM_API vmi_three vmi_half_pi(void)
 {
 #if VM_MANT_DIG > 24
@@ -638,7 +642,7 @@ VM_API vmi_three vmi_half_pi(void)
 #endif
 }
 
-/* a - root^2 without loss of digits, for root = sqrt(a) rounded */
+/* Returns a - root^2 without loss of digits, where root is sqrt(a) after rounding. */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
     const vm_real head = vmi_head(root), tail = root - head;
@@ -652,7 +656,7 @@ VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
     return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
 }
 
-/* x, or the bound that it lies beyond; NaN stays NaN */
+/* Returns x if it lies between low and high, else the bound that x exceeds. A NaN stays NaN. */
 VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
 {
     if (x > high) x = high;
@@ -660,20 +664,20 @@ VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
     return x;
 }
 
-/* x times a power of two, without rounding */
+/* The product of x and a power of two, which is exact */
 VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
 
-/* x - y */
+/* The difference x - y of numbers in two words */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* The square root of x >= 0. Below 2^-500 (float 2^-80) the low word is lost. */
+/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word is lost. */
 VM_API vm_two vmi_two_root(vm_two x)
 {
     if (x.hi > 0) return vmi_root(x.hi, x.lo);
     return vmi_two(0, 0);
 }
 
-/* -x */
+/* The number -x */
 VM_API vm_two vmi_minus(vm_two x)
 {
     x.hi = -x.hi;
@@ -681,7 +685,7 @@ VM_API vm_two vmi_minus(vm_two x)
     return x;
 }
 
-/* x / 2 */
+/* The number x / 2 */
 VM_API vm_two vmi_half(vm_two x)
 {
     x.hi /= 2;
@@ -689,7 +693,7 @@ VM_API vm_two vmi_half(vm_two x)
     return x;
 }
 
-/* x times factor, a number of one word */
+/* The product of x and a factor of one word */
 VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 {
     vm_two p = vmi_two_product(x.hi, factor);
@@ -699,9 +703,10 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 #endif
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
-   The C library's functions differ from machine to machine in the last bits. These do not: they use the basic
-   operations alone. Most of them return a low word too, so that a power has all its digits. They have no branch but
-   where a result is subnormal, so that a compiler can vectorise loops over them.
+   The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
+   bits everywhere: they use only basic operations, which every machine rounds in the same way. Most of them return a
+   result in two words, so that a power made from them has all its digits. They branch only where a result is subnormal,
+   so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
@@ -711,8 +716,10 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 
 #include <stdint.h>
 
-/* Constants of vmi_log for the interval `row` of 32: column 0 is 1/c, columns 1 and 2 are ln c in two words, the
-   first a multiple of 2^-42 (float 2^-16) as the first word of ln 2 is, so that k ln 2 + ln c has no rounding error */
+/* Returns a constant of vmi_log for the interval `row`, one of 32. The number c lies close to all numbers of this
+   interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
+   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
+   rounding error. */
 VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -787,9 +794,10 @@ VM_INLINE vm_real vmi_log_constant(int row, int column)
     return VM_READ(table[row][column]);
 }
 
-/* ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). x = 2^k z, where z lies
-   between 0.708 and 1.417. With c close to z and r = z/c - 1, ln x = k ln 2 + ln c + ln(1 + r). 1/c has few digits,
-   so that the square of the first half of r is exact. c is 1 where z is within 0.01 of 1. */
+/* Returns ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). Method: x = 2^k z,
+   where z lies between 0.708 and 1.417. Let c be a constant close to z and r = z/c - 1; then
+   ln x = k ln 2 + ln c + ln(1 + r). The constant 1/c has few digits, so that the square of the first half of r is
+   exact. c is 1 where z is within 0.01 of 1. */
 VM_API vm_two vmi_log(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -809,7 +817,7 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
     const int row = (int)(44 * z - VM_C(30.5));
     const vm_real by_c = vmi_log_constant(row, 0);
-    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* without rounding errors */
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* no rounding error */
     const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
     const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + vmi_log_constant(row, 1), r.hi);
     const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
@@ -829,10 +837,10 @@ VM_API vm_two vmi_log(vm_real x)
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* Writes e^(x + x_lo) as 2^k (1 + p + p_lo), |p| < 0.42, and returns p. It needs |x| <= 1500 (float 200) and |x_lo|
-   at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for |x| < 0.34, where k = 0, p
-   alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 + r^3 E(r), where the square of
-   the first half of r is exact. */
+/* Writes e^(x + x_lo) as 2^k (1 + p + p_lo), |p| < 0.42, and returns p. |x| must be at most 1500 (float 200), and
+   |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for |x| < 0.34, where
+   k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 + r^3 E(r), where the
+   square of the first half of r is exact. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
@@ -868,12 +876,13 @@ VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
     return sum.hi;
 }
 
-/* e^(x + x_lo) within 0.53 ulp, subnormal results included, for any x and |x_lo| at most an ulp of x */
+/* Returns e^(x + x_lo) within 0.53 ulp, also where the result is subnormal. x may be any number; |x_lo| is at most an
+   ulp of x. */
 VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 2);
     const vm_real least = VM_C(-0.6931471805599453094) * (VMI_BIAS + VM_MANT_DIG + 2);
-    const vm_real inside = vmi_smaller(vmi_larger(x, least), largest); /* NaN becomes least */
+    const vm_real inside = vmi_smaller(vmi_larger(x, least), largest); /* a NaN becomes `least` */
     vm_real p_lo, p;
     vm_two y;
     int k;
@@ -884,7 +893,7 @@ VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
     return vmi_ldexp_two(y.hi, y.lo + p_lo, k);
 }
 
-/* x^y for x > 0 within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
+/* Returns the power x^y for x > 0, within 0.6 ulp if x.lo is 0 or |ln x| > 100 eps. */
 VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
@@ -895,8 +904,9 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* atan(y/x) within 1 ulp for x, y >= 0 that are not both 0. The angle is reduced by pi/2 and pi/4 until the tangent
-   is at most tan(pi/8), where the polynomial A is used. */
+/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
+   subtracted from pi/2; from the result, if it is above pi/8 (middle), pi/4 is subtracted. What remains is at most
+   pi/8, where the polynomial A gives the arctangent. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -922,7 +932,8 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     return angle;
 }
 
-/* The sine and the cosine of z, |z| <= 0.79, within 0.55 ulp, where z.lo is at most an ulp of z.hi */
+/* Computes the sine and the cosine of the angle z, |z| <= 0.79, which is a little more than pi/4. |z.lo| is at most an
+   ulp of z.hi. */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -943,14 +954,14 @@ VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
     *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
 }
 
-/* The integer nearest to x, |x| < 2^15; 0 for NaN */
+/* Returns the integer nearest to x, for |x| < 2^15, and 0 if x is NaN. */
 VM_INLINE int vmi_nearest(vm_real x)
 {
     if (x != x) return 0;
     return (int)(x + VM_COPYSIGN(VM_C(0.5), x));
 }
 
-/* ln x of a number in two words */
+/* Returns the logarithm of a number x in two words, also in two words. */
 VM_API vm_two vmi_two_log(vm_two x)
 {
     const vm_two l = vmi_log(x.hi);
@@ -958,7 +969,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* The sine and the cosine of any x, reduced by pi/2 in two words; NaN for infinite x */
+/* Computes the sine and the cosine of any angle x in radians. First x is reduced by a multiple of pi/2, which is used
+   in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -977,7 +989,7 @@ VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
     if (x < 0) *sine = -*sine;
 }
 
-/* The angle of the point (x, y), between -pi and pi, within 2 ulp; 0 for x = y = 0 */
+/* Returns the angle of the point (x, y) in radians, between -pi and pi, and 0 for x = y = 0. */
 VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 {
     vm_real angle = 0;
@@ -989,10 +1001,11 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 #endif
 /* jacobi/agm.h - the arithmetic-geometric mean and the quarter period from it
 
-   a_0 = 1 and b_0 = k' = sqrt(1 - m) are replaced again and again by their arithmetic and their geometric mean. Both
-   tend to the same limit, agm(1, k'), and K = pi/(2 agm(1, k')). The number of right digits doubles in each step.
-   Here the mean is computed in one, two and three words: in one for comparison (jacobi/descending.h), in two and
-   three to reduce arguments next to a zero of an elliptic function (jacobi/reduction.h).
+   The numbers a_0 = 1 and b_0 = k' = sqrt(1 - m) are replaced again and again by their arithmetic mean a_1 and their
+   geometric mean b_1. Both sequences tend to one limit, agm(1, k'), and the quarter period is K = pi/(2 agm(1, k')).
+   The number of right digits doubles in each step. The mean is computed in one word for comparison
+   (jacobi/descending.h), and in two and three words to reduce arguments next to a zero of an elliptic function
+   (jacobi/reduction.h). p is the number of digits of vm_real.
 
        vmi_three K = vmi_K_three_words(VM_C(0.7), 0); // K(0.3) with three times the digits
 
@@ -1000,21 +1013,23 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 #ifndef VARMASS_JACOBI_AGM_H
 #define VARMASS_JACOBI_AGM_H
 
-/* 1 where no elliptic function has the complementary parameter m1 = 1 - m: negative, NaN or infinite */
+/* Returns 1 if m1 = 1 - m is negative, infinite or NaN, so that no elliptic function has this parameter, else 0. */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 
-/* Levels of the ladder below; the smallest m1 > 0, 5e-324, needs 13. */
+/* The number of pairs a_n, b_n that a vmi_ladder can hold. The smallest m1 > 0, 5e-324, needs 13 of them. */
 #define VMI_LADDER 16
 
-/* The numbers a_n, b_n of all steps, from which sn, cn, dn are computed step by step back */
+/* The numbers a_n and b_n of all steps of the arithmetic-geometric mean. sn, cn and dn are computed from them,
+   beginning with the last step and ending with the first. */
 typedef struct VM_TAG(vmi_ladder) {
-    int n;                                /* the last level */
+    int n;                                /* index of the last pair a_n, b_n */
     vm_real a[VMI_LADDER], b[VMI_LADDER]; /* a_0 = 1, b_0 = k'; a_(n+1) = (a_n + b_n)/2, b_(n+1) = sqrt(a_n b_n) */
-    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 at the last level */
+    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 for the last n */
 } vmi_ladder;
 
-/* Computes agm(1, b0), b0 > 0 and finite, in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4: there sn
-   differs from the sine by at most eps/60, and a_n from the limit by at most eps/16 of it. */
+/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. Then the sine
+   of the phase a_n u may replace the sn of the last step: they differ by at most eps/60. The relative error of a_n is
+   at most eps/16. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
@@ -1030,12 +1045,12 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
     l->n = n;
 }
 
-/* K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0. Plans need it, and
-   arguments next to a multiple of K. */
+/* Returns the quarter period K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0.
+   Plans need so many digits, and so does the reduction of an argument that is next to a multiple of K. */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON;
-    vm_real lift = 1, c; /* lift keeps the square root's words from underflow and overflow */
+    vm_real lift = 1, c; /* lift: a factor that keeps the words of the square root from underflow and overflow */
     vmi_three a = vmi_three_words(1, 0, 0), b;
     if (m1 < tiny) lift = 1 / tiny;
     if (m1 > 1 / tiny) lift = VM_EPSILON;
@@ -1050,13 +1065,14 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
     return vmi_three_over(vmi_half_pi(), vmi_three_plus(a, vmi_three_words(-c * c / (4 * a.hi), 0, 0)));
 }
 
-/* agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step is the series agm(s + c, s - c) =
-   s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2. It leaves a relative error of x eps/8 < 2^-85 (float 2^-41). For the
-   argument u this changes sn, cn and dn/k', whose slope is at most max(1, k'), by less than eps/8. */
+/* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step is replaced by the series
+   agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2, where s is the mean of a_n and b_n and c half
+   their difference. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). For the argument u this error
+   changes sn, cn and dn/k' by less than eps/8, since their slope is at most max(1, k'). */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
-    vm_real lift = 1, slope; /* lift keeps the square root's words from underflow */
+    vm_real lift = 1, slope; /* lift: a factor that keeps the words of the square root from underflow */
     vm_two root, kp, a, b, p;
     if (m1 < tiny) lift = 1 / tiny;
     root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
@@ -1084,8 +1100,8 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 
    K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x). The argument is
    the parameter m = k^2 <= 1, negative ones included. The forms with suffix _m1 take m1 = 1 - m, which keeps its
-   digits where m is close to 1. Between m = -33.5 and m = 0.971 both are series after one or two steps of the
-   arithmetic-geometric mean; outside they are sums with the logarithm of k' = sqrt(1 - m).
+   digits where m is close to 1. Between m = -33.5 and m = 0.971 K and E are computed by series after one or two steps
+   of the arithmetic-geometric mean, for other m by sums with the logarithm of k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 
@@ -1094,10 +1110,10 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 #ifndef VARMASS_JACOBI_INTEGRALS_H
 #define VARMASS_JACOBI_INTEGRALS_H
 
-/* 1 where K and E are computed by series, 0 where by logarithms */
+/* Is 1 if K and E are computed by series for this m1 = 1 - m, and 0 if they are computed by logarithms. */
 #define VMI_MIDDLE(m1) ((m1) > VM_C(0.029) && (m1) < VM_C(34.5))
 
-/* ln(4/k') for m1 < 1 and ln(4 k') for m1 > 1, in two words */
+/* Returns ln(4/k') for m1 < 1 and ln(4 k') for m1 > 1 in two words, where k'^2 = m1 + m1_lo. */
 VM_API vm_two vmi_log_4(vm_real m1, vm_real m1_lo)
 {
 #if VM_MANT_DIG > 24
@@ -1111,8 +1127,8 @@ VM_API vm_two vmi_log_4(vm_real m1, vm_real m1_lo)
     return vmi_two(sum.hi, sum.lo + (ln4_lo + half * (L.lo + m1_lo / m1)));
 }
 
-/* K for 1 - m = c <= 1/2 and l = ln(4/k'), with a relative error of 2^-58 (float 2^-30):
-   K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)), where the polynomials A and B were fitted together */
+/* Returns K for 1 - m = c <= 1/2 and l = ln(4/k'), with a relative error of 2^-58 (float 2^-30):
+   K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)), where the polynomials A and B were fitted together. */
 VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
 {
     const vm_real cc = c * c, head = vmi_head(c), tail = c - head;
@@ -1138,7 +1154,8 @@ VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
     return vmi_fast_two_sum(sum.hi, sum.lo + (l.lo + middle));
 }
 
-/* E - 1 for 1 - m = c <= 1/2 and l = ln(4/k'), with an error of 2^-56 (float 2^-29): E - 1 = c (l A(c) - B(c)) */
+/* Returns E - 1 for 1 - m = c <= 1/2 and l = ln(4/k'), with an error of 2^-56 (float 2^-29):
+   E - 1 = c (l A(c) - B(c)), where A and B are polynomials. */
 VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
 {
     const vm_real cc = c * c;
@@ -1162,9 +1179,9 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* S of K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295; the error of x S is 2^-60 (float 2^-31).
-   After a step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'), this covers all of
-   VMI_MIDDLE. */
+/* Returns the series S(x) in K = pi/(1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.0295. The error of x S is
+   2^-60 (float 2^-31). A step of the arithmetic-geometric mean replaces k' by 2 sqrt(k')/(1 + k'). It makes x small
+   enough for every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1178,8 +1195,8 @@ VM_API vm_real vmi_K_series(vm_real x)
 #endif
 }
 
-/* x S of E = (pi/4) (1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.503, with an error of 2^-58.7 (float
-   2^-32.5) */
+/* Returns x S(x), where E = (pi/4) (1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.503. The error is
+   2^-58.7 (float 2^-32.5). */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -1201,9 +1218,9 @@ VM_API vm_real vmi_E_series(vm_real x)
 #endif
 }
 
-/* K for 1 - m = m1 + m1_lo. In the middle by two steps of the arithmetic-geometric mean and the series: K = 2 pi (1 +
-   x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m near 1 by logarithms; for m < -33.5 too, since k'
-   K(m) = K(mu) with 1 - mu = 1/(1 - m). */
+/* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
+   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m near 1 it comes from
+   logarithms, and for m < -33.5 too, since k' K(m) = K(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -1217,15 +1234,15 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
-    K = vmi_K_by_log(vmi_smaller(m1, 1 / m1), vmi_log_4(m1, m1_lo));
+    K = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo));
     if (m1 < 1) return K.hi;
     root = vmi_root(m1, m1_lo);
     quotient = K.hi / root.hi;
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* E for 1 - m = m1 + m1_lo: in the middle by the series, for m near 1 by logarithms, for m < -33.5 by E(m) = k' E(mu)
-   with 1 - mu = 1/(1 - m) */
+/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from the series, for m near 1 from logarithms,
+   and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -1234,7 +1251,7 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real kp_lo = m1_lo * VM_C(0.09); /* m1_lo/(2 k') for m < -15, elsewhere it is too small to matter */
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k', m1_lo/(2 k') for m < -15; else negligible */
         const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }
@@ -1247,23 +1264,23 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 }
 
 /* K(m), the complete elliptic integral of the first kind, from m1 = 1 - m >= 0.
-   See jacobi_K; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_K; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
 
 /* E(m), the complete elliptic integral of the second kind, from m1 = 1 - m >= 0.
-   See jacobi_E; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_E; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
 
-/* K(m), the complete elliptic integral of the first kind, for m <= 1: a quarter of the period of sn.
-   Within 2 ulp. Infinite at m = 1; NaN for m > 1 and for infinite m. DLMF 19.2.8. */
+/* K(m), the complete elliptic integral of the first kind, for m <= 1: a quarter of the period of sn. The error is at
+   most 2 ulp. Returns infinity for m = 1, and NaN for m > 1 and for infinite m. DLMF 19.2.8. */
 VM_API vm_real jacobi_K(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     return vmi_K(m1.hi, m1.lo);
 }
 
-/* E(m), the complete elliptic integral of the second kind, for m <= 1.
-   Within 2 ulp. 1 at m = 1; NaN for m > 1 and for infinite m. DLMF 19.2.8. */
+/* E(m), the complete elliptic integral of the second kind, for m <= 1. The error is at most 2 ulp. Returns 1 for
+   m = 1, and NaN for m > 1 and for infinite m. DLMF 19.2.8. */
 VM_API vm_real jacobi_E(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1271,7 +1288,8 @@ VM_API vm_real jacobi_E(vm_real m)
 }
 
 /* k' K(m) = sqrt(1 - m) K(m), the left side of equation (307), for m <= 1.
-   It falls from infinity for m towards -infinity to 0 at m = 1. NaN for m > 1 and for infinite m. */
+   It falls from infinity, as m tends to -infinity, to 0 at m = 1. The error is at most 5 ulp. Returns NaN for m > 1
+   and for infinite m. */
 VM_API vm_real jacobi_kpK(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1284,40 +1302,43 @@ VM_API vm_real jacobi_kpK(vm_real m)
 #endif
 /* jacobi/theta.h - Neville's theta functions, from which sn, cn and dn are quotients
 
-   Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so
-   on. Here the four are computed for an argument v that was reduced to |v| <= K/2, up to a common factor. No
-   subtraction loses digits, so that each has a small relative error. Near 0 (VMI_NEAR) they come from the Laurent
-   series of cs^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a nome that is at
-   most 0.003.
+   Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so on.
+   The four theta functions are computed for an argument v that was reduced to |v| <= K/2, up to a common factor. No
+   subtraction loses digits, so that each of them has a small relative error. Near 0 (see VMI_NEAR) they come from the
+   Laurent series of cs^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a nome that
+   is at most 0.003.
 
    Source: DLMF 20.2, 20.7, 22.6, 23.9. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_THETA_H
 #define VARMASS_JACOBI_THETA_H
 
-/* What the theta functions far from 0 need of m; see vmi_far_prepare */
+/* The numbers that the theta functions far from 0 need for one m. vmi_far_prepare computes them. */
 typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
-    vm_real defect;    /* 1 - (phase per unit of the argument) */
-    vm_real f[3], g[2], scale[2]; /* coefficients */
+    vm_real defect;    /* 1 - z/v, where z is the phase and v the argument */
+    vm_real f[3], g[2], scale[2]; /* f for P and Q, g for E, scale for theta_s and theta_c: see vmi_far_prepare */
 } vmi_theta_form;
 
-/* The forms: the series near 0; theta functions with the nome of 1 - m (m near 1), or of 1/(1 - m) (m < -20) */
+/* The three methods: the series near 0; theta functions with the nome of 1 - m, for m near 1; theta functions with
+   the nome of 1/(1 - m), for m < -20 */
 enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
 
 /* The number of terms of a plan's polynomials */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions times a common factor: the elliptic function pq is p/q for any two letters p and q */
+/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them: sn = s/n and so
+   on. */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
 
-/* The Laurent series is used for v^2 max(1, 1 - m) up to this number: for all |v| <= K/2 if -21.5 < m < 0.955 */
+/* The Laurent series is used if v^2 max(1, 1 - m) is at most this number. For -21.5 < m < 0.955 this holds for all
+   |v| <= K/2. */
 #define VMI_NEAR VM_C(2.2)
 
-/* The terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., for theta = w^2 and m1_theta = (1 - m) w^2. Since
-   cs^2(w) + (2 - m)/3 is Weierstrass' function of w (DLMF 23.9), for k > 3
+/* Computes the terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., for theta = w^2 and m1_theta = (1 - m) w^2.
+   Since cs^2(w) + (2 - m)/3 is Weierstrass' function of w (DLMF 23.9), for k > 3
      c_k = 3/((2k + 1)(k - 3)) (c_2 c_(k-2) + c_3 c_(k-3) + ... + c_(k-2) c_2) */
 VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 {
@@ -1327,14 +1348,14 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
     c[3] = e * (9 * product - 2 * ee) * VM_C(5.291005291005291005e-3);
 }
 
-/* The theta functions near 0: the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
-   Subtractions occur only in c and f, far from their zeros. If b/a = sc^2(w),
+/* The theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
+   Only theta.c and f are computed by subtractions, and both are far from 0. If b/a = sc^2(w),
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
-     s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2.   */
+     s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 {
     vmi_thetas theta;
-    const vm_real w = v / 4, w2 = w * w, r = m1 * w * w; /* not m1 * w2, which may underflow */
+    const vm_real w = v / 4, w2 = w * w, r = m1 * w * w; /* m1 * w2 might underflow */
     vm_real c[4], more, a, f, g, b, s, aa, rb;
 #if VM_MANT_DIG > 24
     vm_real c22;
@@ -1365,15 +1386,15 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     return theta;
 }
 
-/* Prepares the theta functions far from 0. For m near 1 they have the imaginary argument i z, z = u agm(1, k), and
-   the nome q of c = 1 - m; for m < -20 (the reciprocal form) z = k' u agm(1, k), and q is the nome of c = 1/(1 - m),
-   since sn(u | m) = sd(k' u | m/(m - 1))/k'. In both cases c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2
-   = 0.03,
+/* Prepares the theta functions far from 0. Their argument is imaginary, i z, and q is the nome of c. k is sqrt(1 - c).
+     For m near 1 (the hyperbolic form), c = 1 - m and z = u agm(1, k).
+     For m < -20 (the reciprocal form), c = 1/(1 - m) and z = k' u agm(1, k), since sn(u | m) = sd(k' u | m/(m - 1))/k'.
+   In both forms c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2 = 0.03,
      theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
      theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X.
-   The terms that are left out are below 1e-18. f contains the factor between d and n, so that f0 is near 1/2. scale
-   is near 1 apart from 1/k'. One step of the arithmetic-geometric mean from 1 and k reaches (1 + k)/2 and the
-   parameter x. */
+   The terms that are left out are below 1e-18. The coefficients f contain the factor between theta_d and theta_n, so
+   that f0 is near 1/2. The factors `scale` are near 1, but in the reciprocal form that of theta_s contains 1/k'. x is
+   the parameter after one step of the arithmetic-geometric mean from 1 and k. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = vmi_smaller(m1, 1 / m1), root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
@@ -1390,7 +1411,7 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     q6 = q2 * q4;
     even = q2 + q6;
     odd = 2 * t->q + 2 * q4;
-    f0 = ((odd - 2 * even) - even * odd) / (2 * (1 + even)); /* f0 - 1/2 */
+    f0 = ((odd - 2 * even) - even * odd) / (2 * (1 + even)); /* the field f[0] minus 1/2 */
     t->f[0] = VM_C(0.5) + f0;
     share = t->f[0] / (1 - even);
     t->f[1] = share * 2 * t->q * (1 - q4);
@@ -1402,7 +1423,7 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     if (m1 > 1) t->scale[0] = (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi;
 }
 
-/* Arguments at m = 1 are cut to this number: from there on tanh is 1 and 1/cosh is 0. */
+/* For m = 1 a larger argument is replaced by this number, since tanh then rounds to 1 and 1/cosh to 0. */
 #define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0))
 
 /* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by 2 exp(-z), so that sinh z
@@ -1410,7 +1431,7 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
     vmi_thetas theta;
-    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* a nome below this changes no result: X <= sqrt(q)/2 < eps */
+    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* a smaller nome changes no result: X <= sqrt(q)/2 < eps */
     const vm_real sign = VM_COPYSIGN((vm_real)1, argument.hi), v = sign * argument.hi, product = v * t->defect;
     const vm_real z = v - product, z_lo = ((v - z) - product) + sign * argument.lo * (1 - t->defect);
     vm_real p, p_lo, power, root, less, e, X, XX, P, Q, E, O, d, n;
@@ -1423,9 +1444,9 @@ VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_t
     X = 0;
     if (t->q > tiny) X = t->q * ((e + 1 / e) / 2);
     XX = X * X;
-    P = t->f[2] * XX; /* without f0 */
+    P = t->f[2] * XX; /* P without its term f[0] */
     Q = t->f[1] * X;
-    E = t->g[1] * XX - t->g[0]; /* without 1 */
+    E = t->g[1] * XX - t->g[0]; /* E without its term 1 */
     O = 2 * X;
     d = root * (1 + (E + O));
     n = (1 + e) * (t->f[0] + (P + Q));
@@ -1440,7 +1461,7 @@ VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_t
     return theta;
 }
 
-/* The theta functions far from 0 of one v and one m */
+/* The theta functions far from 0 for a single v and m, without a plan */
 VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 {
     vmi_theta_form t;
@@ -1449,9 +1470,9 @@ VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
     return vmi_theta_far(&t, m1 > 1, v);
 }
 
-/* The theta functions at an argument longer by so many quarter periods. One quarter turns s, c, d, n into c, -k's,
-   k'n, d; two change the signs of s and c. Products with 0, 1 and -1 replace a branch, which would be mispredicted
-   half the time. */
+/* The theta functions at an argument that is larger by the given number of quarter periods. One quarter period turns s,
+   c, d, n into c, -k's, k'n, d; two of them change the signs of s and c. Products with 0, 1 and -1 replace a branch,
+   which would be mispredicted half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
     const vmi_bits one = vmi_to_bits(1), odd = (vmi_bits)0 - (quarters & 1);
@@ -1466,7 +1487,7 @@ VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quar
     return shifted;
 }
 
-/* sn, cn and dn from the theta functions; dn is kept between 1 and bound */
+/* sn, cn and dn from the theta functions, where dn is kept between 1 and bound */
 VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real low = vmi_smaller(bound, 1), high = vmi_larger(bound, 1), per_n = 1 / theta.n;
@@ -1478,20 +1499,21 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 #endif
 /* jacobi/reduction.h - reduces the argument of an elliptic function by its quarter period
 
-   u = j K + v, where K is the quarter period, j a whole number and |v| at most K/2 apart from rounding. v needs a
-   small relative error, for next to a zero sn is v itself. Therefore K is taken with as many words as the distance
-   from the next zero asks for: a short form (one word and corrections), two words, three words.
+   The argument is written as u = j K + v, where K is the quarter period, j a whole number and |v| at most K/2 apart
+   from rounding. v needs a small relative error, for next to a zero sn is v itself. The closer u is to a zero, the more
+   digits of K are needed. Therefore K is used in three forms: as one word with corrections, in two words, or in three
+   words.
 
    Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_REDUCTION_H
 #define VARMASS_JACOBI_REDUCTION_H
 
-/* Multiples of K below this number (2^30, float 2^13) are exact for K in short pieces. */
+/* The products of the pieces of K (see vmi_pieces) and a whole number below this one (2^30, float 2^13) are exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
-/* K as three pieces and a last word. The pieces are so short that their products with a whole number below
-   VMI_EXACT_QUARTERS are exact: they are multiples of 2^(e-21), 2^(e-44) and 2^(e-67), where 2^e <= K < 2^(e+1)
-   (float 2^(e-9), 2^(e-20), 2^(e-31)). */
+/* Writes K to `piece` as a sum of three short numbers, the pieces, and a last word. The pieces are so short that their
+   products with a whole number below VMI_EXACT_QUARTERS are exact: they are multiples of 2^(e-21), 2^(e-44) and
+   2^(e-67), where 2^e <= K < 2^(e+1) (float 2^(e-9), 2^(e-20), 2^(e-31)). */
 VM_API void vmi_pieces(vmi_three K, vm_real *piece)
 {
     const vmi_bits exponent = vmi_to_bits(K.hi) & ~(((vmi_bits)1 << VMI_STORED_DIG) - 1);
@@ -1506,34 +1528,37 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
     piece[3] = K.hi;
 }
 
-/* The sum of three terms in two words */
+/* Returns the sum of the three terms of x in two words. */
 VM_INLINE vm_two vmi_two_terms(vmi_three x)
 {
     const vm_two sum = vmi_two_sum(x.hi, x.mid);
     return vmi_two_sum(sum.hi, sum.lo + x.lo);
 }
 
-/* u minus the nearest multiple of K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. K is given in pieces and
-   per_K = 1/K. The last bits of *quarters say which multiple it was. Loops over this function can be vectorised. */
+/* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. The array K comes from
+   vmi_pieces, and per_K is 1/K. The last bits of *quarters become those of j. Loops over this function can be
+   vectorised. */
 VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
     vmi_three rest;
-    rest.hi = (u - j * K[0]) - j * K[1]; /* no rounding error: a multiple of 2^-p K below K */
+    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: below K, and a multiple of eps K/2 */
     rest.mid = -j * K[2];
     rest.lo = -j * K[3];
-    *quarters = vmi_to_bits(shifted); /* the last bits of the sum are j */
+    *quarters = vmi_to_bits(shifted); /* the last bits of `shifted` are those of j */
     return rest;
 }
 
 /* Adding and subtracting this number rounds a number below 6 to a multiple of 2^-23 (float 2^-8). */
 #define VMI_REDUCTION_GRID (VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0))
 
-/* u minus a multiple of K, and which multiple in the last bits of *quarters, for 0 < u < 2.5 K where VMI_MIDDLE(m1)
-   holds; kp is k'. The result is within eps of its size; where it is below u/64, and digits would be lost, it is NaN.
+/* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. The last bits of
+   *quarters become those of j. The relative error of the result is at most about eps. Where the result would be below
+   u/64, it would lose digits and is NaN.
    Method: after two steps of the arithmetic-geometric mean the phase u (1 + f)^2 with f^2 = k' has the quarter period
    2 pi (1 + x S), where x S is small. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
-   2^-8, 2^-9), so that their squares, (1 + f)^2 of them, and the product of this with the head of u are exact. */
+   2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
+   of u are exact. */
 VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1546,7 +1571,7 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     const vm_real h = (1 - f) / (1 + f), x = vmi_fourth_power(h), S = vmi_K_series(x);
     const vm_real u_head = vmi_head(u), phase = u_head * rate_head;
     const vm_real phase_lo = (u - u_head) * rate_head + u * rate_tail;
-    const int second = phase > 6 * half_pi.hi; /* used as a number: a branch would often be mispredicted */
+    const int second = phase > 6 * half_pi.hi; /* serves as a number: a branch would often be mispredicted */
     const vm_real j = (vm_real)(4 + 4 * second);
     const vm_real rest = (phase - j * half_pi.hi) + ((phase_lo - j * half_pi.mid) - j * half_pi.hi * x * S);
     *quarters = 0;
@@ -1556,9 +1581,9 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     return rest / (rate_head + rate_tail);
 }
 
-/* u minus the nearest multiple of K in two words, and which multiple in the last bits of *quarters, for any u > 0 and
-   m1 > 0. The period is taken in two words; next to a multiple, below 128 K, in three. Where u is so long that no
-   digit of the phase is left, the result is 0. */
+/* Returns u minus the nearest multiple j K in two words, for any u > 0 and m1 > 0. The last bits of *quarters become
+   those of j. K is used in two words, or in three if u is below 128 K and next to a multiple of K. Where u is so large
+   that no digit of the phase is left, the result is 0. */
 VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1575,7 +1600,7 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     phase = vmi_two_product(u, rate.hi);
     whole = vmi_two_product(j, half_pi.hi);
     rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
-    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* for u > K/(16 eps), by the rounding of count */
+    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* this may happen for u > K/(16 eps), since count is rounded */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         rest = vmi_two_sum(rest.hi - side * half_pi.hi, rest.lo - side * half_pi.mid);
         *quarters += (vmi_bits)(side < 0 ? 3 : 1);
@@ -1591,8 +1616,9 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
-/* u minus the nearest multiple of K for any u >= 0 and m1, NaN where one of them is refused. The low word of the
-   result goes to *v_lo, the last bits of the multiple to *quarters. reach < 30 says that u < 2.5 K. */
+/* Returns u minus the nearest multiple j K for any u >= 0 and m1, or NaN if u or m1 lies outside the domain. The low
+   word of the result goes to *v_lo, the last bits of j to *quarters. reach is about (2u/K)^2; if reach is below 30,
+   u < 2.5 K. */
 VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo,
                               vmi_bits *quarters)
 {
@@ -1616,26 +1642,26 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reac
 /* jacobi/functions.h - the elliptic functions sn, cn, dn and their quotients
 
    sn(u | m), cn(u | m) and dn(u | m) of Jacobi, for every real argument u and every parameter m = k^2 <= 1, negative
-   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). They solve the oscillators with cubic springs and
-   turn the torque-free body. Who needs one m for many u prepares a plan (jacobi/plans.h).
+   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). The motions of oscillators with cubic springs and
+   of bodies that rotate without torque are written with them. For many u and one m prepare a plan (jacobi/plans.h).
 
        vm_real sn, cn, dn;
        jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
 
-   Method: near 0 by a series (vmi_theta_near), far from 0 by theta functions, after reduction by the quarter period.
+   Method: u is reduced by the quarter period. Near 0 a series is used (vmi_theta_near), far from 0 theta functions.
    DLMF 22. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
-/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error; NaN where u or m is refused.
-   *bound is a limit that dn cannot pass. Near 0 neither K nor k' is needed. */
+/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN if u or m lies outside the
+   domain. dn lies between 1 and *bound. For a small |u| neither K nor k' is needed. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
-    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* (2u/K)^2, roughly */
+    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* about (2u/K)^2 */
     vm_real v, v_lo;
     vmi_bits quarters;
     vmi_thetas theta;
-    *bound = m1; /* here dn lies between 1 and sqrt(k'), and m1 lies beyond sqrt(k') */
+    *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), so also between 1 and m1 */
     if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
     *bound = VM_SQRT(m1);
     v = vmi_reduced(VM_FABS(u), m1, m1_lo, reach, &v_lo, &quarters);
@@ -1652,13 +1678,14 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     vm_real bound;
     const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
-    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less than by 1/n */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* has one rounding less than theta.c (1/theta.n) */
 }
 
-/* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. Pure numbers. |sn| <= 1, |cn| <= 1, dn lies between
-   1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. Within 8 ulp for |u| <= 100 K, next to the
-   zeros too, and within 4 eps of the largest value for |u| <= 1e9 (float 1e4). NaN for m > 1 and for infinite
-   arguments; at m = 1 sn = tanh, cn = dn = 1/cosh. docs/cost.md has its time. DLMF 22. */
+/* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies
+   between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 8 ulp for
+   |u| <= 100 K, next to the zeros too, and at most 4 eps times the function's largest value for |u| <= 1e9 (float 1e4).
+   The results are NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for
+   infinite u. docs/cost.md has the time. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1666,13 +1693,13 @@ VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_rea
 }
 
 /* sn, cn and dn for the complementary parameter m1 = 1 - m >= 0.
-   See jacobi_sncndn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_sncndn; m1 keeps its digits where m is close to 1. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vmi_sncndn(u, m1, 0, sn, cn, dn);
 }
 
-/* The theta function named s, c, d or n */
+/* Returns the theta function whose name is s, c, d or n. */
 VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
 {
     if (name == 's') return t.s;
@@ -1681,7 +1708,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* The quotient pq = theta_p/theta_q. At m = 1 both may have underflowed to the same number: then it is 1. */
+/* The quotient pq = theta_p/theta_q. For m = 1 both theta functions may underflow to the same number: then the quotient
+   is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;
@@ -1693,43 +1721,49 @@ VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 }
 
 /* cd(u | m) = cn/dn.
-   Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   The error is at most 8 ulp for |u| <= 100 K; the domain is that of jacobi_sncndn. */
 VM_API vm_real jacobi_cd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 'd'); }
 
 /* sd(u | m) = sn/dn.
-   Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   The error is at most 8 ulp for |u| <= 100 K; the domain is that of jacobi_sncndn. */
 VM_API vm_real jacobi_sd(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'd'); }
 
 /* nd(u | m) = 1/dn.
-   Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   The error is at most 8 ulp for |u| <= 100 K; the domain is that of jacobi_sncndn. */
 VM_API vm_real jacobi_nd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'd'); }
 
 /* sc(u | m) = sn/cn.
-   Infinite at odd multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at odd multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_sc(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'c'); }
 
 /* dc(u | m) = dn/cn.
-   Infinite at odd multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at odd multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_dc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 'c'); }
 
 /* nc(u | m) = 1/cn.
-   Infinite at odd multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at odd multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_nc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'c'); }
 
 /* cs(u | m) = cn/sn.
-   Infinite at even multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at even multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_cs(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 's'); }
 
 /* ds(u | m) = dn/sn.
-   Infinite at even multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at even multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_ds(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 's'); }
 
 /* ns(u | m) = 1/sn.
-   Infinite at even multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at even multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_ns(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 's'); }
 
 /* sn(u | m) alone.
-   Domain and accuracy are those of jacobi_sncndn, which computes all three in the same time. */
+   Domain and accuracy are those of jacobi_sncndn, which computes all three functions in the same time. */
 VM_API vm_real jacobi_sn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;
@@ -1738,7 +1772,7 @@ VM_API vm_real jacobi_sn(vm_real u, vm_real m)
 }
 
 /* cn(u | m) alone.
-   Domain and accuracy are those of jacobi_sncndn, which computes all three in the same time. */
+   Domain and accuracy are those of jacobi_sncndn, which computes all three functions in the same time. */
 VM_API vm_real jacobi_cn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;
@@ -1747,7 +1781,7 @@ VM_API vm_real jacobi_cn(vm_real u, vm_real m)
 }
 
 /* dn(u | m) alone.
-   Domain and accuracy are those of jacobi_sncndn, which computes all three in the same time. */
+   Domain and accuracy are those of jacobi_sncndn, which computes all three functions in the same time. */
 VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;
@@ -1764,9 +1798,10 @@ VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 #ifndef VARMASS_JACOBI_AMPLITUDE_H
 #define VARMASS_JACOBI_AMPLITUDE_H
 
-/* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. It is odd, continuous and rising
-   (apart from 4 ulp), and am(u + 2K) = am(u) + pi. Within 8 ulp for |u| <= 100 K. NaN for m > 1 and for infinite
-   arguments. Method: j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to u. */
+/* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. am is odd, continuous and rising
+   (apart from errors of 4 ulp), and am(u + 2K) = am(u) + pi. The error is at most 8 ulp for |u| <= 100 K. Returns NaN
+   for m > 1 and for infinite arguments. Method: am = j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to
+   u. */
 VM_API vm_real jacobi_am(vm_real u, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1781,7 +1816,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
     j = VM_FLOOR(turns + VM_C(0.5));
     if (!(2 * j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
     odd = j - 2 * VM_FLOOR(j / 2);
-    if ((odd > 0) != (theta.c < 0)) { /* next to an odd multiple of K the sign of cn decides */
+    if ((odd > 0) != (theta.c < 0)) { /* next to an odd multiple of K the sign of cn decides which j is right */
         if (turns > j) j += 1;
         else j -= 1;
     }
@@ -1792,11 +1827,34 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 }
 
 #endif
+/* base/chebyshev.h - the step that makes a polynomial shorter by means of Chebyshev's polynomials
+
+       vm_real c[3] = {1, 1, VM_C(0.5)};
+       vmi_remove_highest(c, 2, 0); // 1 + t + t^2/2 is about c[0] + c[1] t for 0 <= t <= 1
+
+   Source: Lanczos, Applied Analysis (1956). Tests: tests/test_jacobi.c, tests/test_ateb.c. */
+#ifndef VARMASS_BASE_CHEBYSHEV_H
+#define VARMASS_BASE_CHEBYSHEV_H
+
+/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's polynomial of
+   degree n. For 0 <= t <= 1 this changes the values by at most |c_n| 2^(1-2n). The coefficients with an index below
+   `lowest` stay as they are. */
+VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
+{
+    vm_real term = c[n];
+    int k;
+    for (k = n; k > lowest; k--) {
+        term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
+        c[k - 1] -= term;
+    }
+}
+
+#endif
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
-   A plan holds what depends on m alone: the quarter period in pieces and polynomials in place of the series. Each
-   call is then faster, and more so in arrays, where the compiler vectorises the loop (docs/cost.md). A plan is plain
-   data: it may be copied, and it may be a constant in flash.
+   A plan holds what depends on m alone: the quarter period as a sum of short numbers, and polynomials that replace the
+   series. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md
+   has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -1808,16 +1866,16 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 
 #include <string.h>
 
-/* One parameter m, prepared by jacobi_plan_init. Fields that the form does not use are 0. */
+/* One parameter m, prepared by jacobi_plan_init. Fields that the form (the method for this m) does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
-    int form;            /* VMI_NEAR_FORM, which uses a and b, or VMI_HYPERBOLIC or VMI_RECIPROCAL, which use theta */
-    vm_real m1;          /* 1 - m */
-    vm_real K[4], per_K; /* the quarter period in three short pieces and a last word (0 at m = 1), and 1/K */
-    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of polynomials in u^2 */
-    vmi_theta_form theta;               /* the field kp, k', is there in every form */
+    int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
+    vm_real m1;          /* complementary parameter 1 - m */
+    vm_real K[4], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
+    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, see vmi_plan_prepare */
+    vmi_theta_form theta;               /* its field kp = k' is set in every form */
 } jacobi_plan;
 
-/* 1 + c[0] y + c[1] y^2 + ..., VMI_TERMS terms */
+/* The polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c */
 VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
 {
     const vm_real yy = y * y, y4 = yy * yy, low = (c[0] + y * c[1]) + yy * (c[2] + y * c[3]);
@@ -1829,25 +1887,21 @@ VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
     return 1 + y * (low + y4 * high);
 }
 
-/* Terms of the series from which a plan's polynomials are made; the terms that are left out are below eps/500 at K/2 */
+/* The number of terms of the series from which a plan's polynomials are made. The terms that are left out are below
+   eps/500 at u = K/2. */
 enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 };
 
-/* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by one of degree VMI_TERMS for 0 <= t
-   <= 1. Each step removes the highest power by subtracting a multiple of Chebyshev's polynomial of that degree. */
+/* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by a polynomial of degree VMI_TERMS
+   that is close to it for 0 <= t <= 1. Each step removes the highest power: it subtracts a multiple of Chebyshev's
+   polynomial of the same degree. */
 VM_API void vmi_shorten(vm_real *c)
 {
-    int n, k;
-    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) {
-        vm_real term = c[n];
-        for (k = n; k > 1; k--) {
-            term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
-            c[k - 1] -= term;
-        }
-    }
+    int n;
+    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Fills p->a and p->b: the coefficients of w^2 cs^2(w) and of -theta d(cs^2)/d theta, theta = w^2, at w = v/2 in
-   powers of v^2, for |v| <= longest */
+/* Computes the coefficients p->a of w^2 cs^2(w) and p->b of -theta^2 d(cs^2)/d theta in powers of v^2, where w = v/2
+   and theta = w^2, for |v| <= longest. The constant coefficients are 1 and are not stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -1869,7 +1923,7 @@ VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
     }
 }
 
-/* Prepares 1 - m = m1 + m1_lo. Returns 0, or -1 where no elliptic function has this parameter. */
+/* Prepares a plan for 1 - m = m1 + m1_lo. Returns 0, or -1 where no elliptic function has this parameter. */
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_three K;
@@ -1894,8 +1948,8 @@ VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
     return 0;
 }
 
-/* Prepares a plan for the parameter m = k^2 <= 1.
-   Returns 0, or -1 for m > 1, NaN and infinite m; then the plan stays as it was. */
+/* Prepares a plan for the parameter m = k^2 <= 1. Returns 0, or -1 for m > 1, NaN and infinite m, where the plan
+   stays as it was. */
 VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1903,11 +1957,11 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 }
 
 /* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
-   See jacobi_plan_init; m1 keeps its digits where m is close to 1. */
+   Domain and result are those of jacobi_plan_init; m1 keeps its digits where m is close to 1. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
 
-/* The theta functions near 0 by the plan's polynomials a and b at w = v/2 and one duplication. theta_s is v b, since
-   the derivative of sc^2 is 2 sc nc dc. Compare vmi_theta_near. */
+/* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
+   (compare vmi_theta_near). theta_s is v times the second polynomial, since the derivative of sc^2 is 2 sc nc dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -1919,8 +1973,8 @@ VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
     return theta;
 }
 
-/* sn, cn and dn at one u, where |u| = j K + rest and the last bits of quarters are j. There is no branch where the
-   compiler knows the form. */
+/* sn, cn and dn at one u, where |u| = j K + rest and the last bits of `quarters` are those of the integer j. There is
+   no branch if the compiler knows the form. */
 VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_three rest, vmi_bits quarters,
                               vm_real *sn, vm_real *cn, vm_real *dn)
 {
@@ -1932,7 +1986,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* a NaN is still in v.lo */
+        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* removes a NaN, but v.lo keeps it */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
@@ -1940,14 +1994,15 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* u minus the nearest multiple of K for u >= 0 that is too long for K in pieces, or for m = 1 */
+/* Returns u minus the nearest multiple of K, for a u that is too large for vmi_reduce_pieces. For m = 1 returns u
+   itself. */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
     vm_two v;
     int quarter;
     *quarters = 0;
-    if (p->per_K == 0) { /* m = 1: no period */
+    if (p->per_K == 0) { /* m = 1, where there is no period */
         const vm_real cut = u > VMI_LONGEST ? VMI_LONGEST : u;
         return vmi_three_words(cut, 0, 0);
     }
@@ -1958,7 +2013,8 @@ VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits 
 }
 
 /* sn, cn and dn of the argument u for the plan's parameter.
-   Any u; accuracy as jacobi_sncndn. NaN for infinite u, except at m = 1. docs/cost.md has its time. */
+   u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, except for m = 1.
+   docs/cost.md has the time. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real x = VM_FABS(u);
@@ -1971,13 +2027,13 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
         return;
     }
     vmi_plan_point(p, p->form, u, v, quarters, sn, cn, dn);
-    if (*sn == 0) { /* then cn and dn are exactly 1 or -1 */
+    if (*sn == 0) { /* then cn is exactly 1 or -1, and dn is 1 */
         *cn = VM_COPYSIGN((vm_real)1, *cn);
         *dn = 1;
     }
 }
 
-/* All n arguments, each |u| < VMI_EXACT_QUARTERS K, in a loop that compilers vectorise */
+/* sn, cn and dn of n arguments, each with |u| < VMI_EXACT_QUARTERS K, in a loop that compilers can vectorise */
 VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                              vm_real *dn)
 {
@@ -1989,16 +2045,15 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
     }
     if (form == VMI_NEAR_FORM) return;
     for (i = 0; i < n; i++)
-        if (sn[i] == 0) { /* then cn and dn are exactly 1 or -1 */
+        if (sn[i] == 0) { /* then cn is exactly 1 or -1, and dn is 1 */
             cn[i] = VM_COPYSIGN((vm_real)1, cn[i]);
             dn[i] = 1;
         }
 }
 
-/* sn, cn and dn of n arguments u[0] ... u[n - 1] for the plan's parameter. The arrays sn, cn, dn have n elements each
-   and overlap neither each other nor u. Values as jacobi_plan_sncndn; where the compiler fuses multiplications and
-   additions, the last bits may depend on the place in the array. Time: about half a sine an argument with gcc -O3
-   -march=native. */
+/* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
+   and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
+   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {
@@ -2015,19 +2070,19 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
 #endif
 /* jacobi/modulus.h - the parameter m from the quarter period
 
-   Solves K(m) = c and k' K(m) = c for m. The second is equation (307), which gives the Jacobi function whose period
-   is that of a strongly nonlinear oscillator. Both have one solution for each c > 0.
+   The functions solve K(m) = c and k' K(m) = c for m. The second equation is (307), which gives the Jacobi function
+   whose period is that of a strongly nonlinear oscillator. Each equation has one solution for every c > 0.
 
        vm_real m = jacobi_solve_kpK(VM_C(1.2)); // sqrt(1 - m) K(m) = 1.2
 
-   Method: Newton's method for the logarithm of the nome; in the middle a fixed-point iteration for the nome itself.
-   Tests: tests/test_jacobi.c. */
+   Method: Newton's method for the logarithm of the nome; for c between K(-1) and K(1/2) a fixed-point iteration for
+   the nome itself. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_MODULUS_H
 #define VARMASS_JACOBI_MODULUS_H
 
-/* (1 - R)/q for |q| <= 0.1, where m = 16 q R and R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. This form loses no digits
-   for small q. With b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q = (2 - q + 2 q^3 - q^5 + 2 q^8 -
-   q^11)/theta_3. */
+/* Returns (1 - R)/q for |q| <= 0.1, where m = 16 q R and R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. This form loses
+   no digits for small q. Method: with b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q is
+   (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
 VM_API vm_real vmi_theta_loss(vm_real q)
 {
     const vm_real y = q * q, y2 = y * y, theta3 = 1 + 2 * (q + y2 * (1 + y2 * q));
@@ -2037,30 +2092,30 @@ VM_API vm_real vmi_theta_loss(vm_real q)
 
 /* A parameter m, given by a nome q */
 typedef struct VM_TAG(vmi_solution) {
-    int circular;        /* 1: q is the nome of m */
-    int upside;          /* for circular = 0; 0: q is the nome of 1 - m, 1: of 1/(1 - m) */
-    vm_real q, L, L_lo;  /* the nome; for circular = 0 it is exp(-L - L_lo) */
+    int circular;        /* 1 if q is the nome of m, else 0 */
+    int upside;          /* used if circular is 0: 0 if q is the nome of 1 - m, 1 if q is that of 1/(1 - m) */
+    vm_real q, L, L_lo;  /* the nome q, which is exp(-L - L_lo) if circular is 0 */
 } vmi_solution;
 
-/* The nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of k' K = c, and -q that of K
-   = c. */
+/* Returns the nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of the m that solves
+   k' K = c, and -q is the nome of the m that solves K = c. */
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
-    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* 1 - theta_4^2 */
-    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4)/2 = q - q^4 + q^9 */
+    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* less = 1 - theta_4(q)^2 */
+    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4(q))/2 = q - q^4 + q^9 */
     vm_real q = start;
     int i;
-    for (i = 0; i < 6; i++) /* each step adds 3 digits */
+    for (i = 0; i < 6; i++) /* each step gains about 3 digits of q */
         q = start + vmi_fourth_power(q) * (1 - vmi_fourth_power(q) * q);
     return q;
 }
 
-/* After a step of Newton's method that is shorter than this the error is below eps. */
+/* After a step of Newton's method that is shorter than this number, the error is below eps. */
 #define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
-/* L = -ln q for c >= K(1/2), where K = L theta_3(q)^2/2 = c. Newton's method for lambda = 2c - L = 2c (1 -
-   theta_3^-2), 0 <= lambda < 0.57, starts at 0 and needs at most seven steps. */
+/* Finds L = -ln q with K = L theta_3(q)^2/2 = c, for c >= K(1/2). The unknown is lambda = 2c - L = 2c (1 - theta_3^-2),
+   between 0 and 0.57. Newton's method starts at lambda = 0 and needs at most seven steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -2077,16 +2132,16 @@ VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
     s->L_lo = L.lo;
 }
 
-/* ln(1 + x) for 0 <= x < 0.0019 by its series */
+/* Returns ln(1 + x) for 0 <= x < 0.0019, by its series. */
 VM_API vm_real vmi_small_log(vm_real x)
 {
     return x - x * x * (VM_C(0.5) - x * (VM_C(0.3333333333333333333) - x * (VM_C(0.25) - x * VM_C(0.2))));
 }
 
-/* L = -ln q for 0 < c <= K(-1), where k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c. Newton's method for
+/* Finds L = -ln q with k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c, for 0 < c <= K(-1). Newton's method solves
      L/2 - ln L - 2 ln(1 + q^2 + q^6) = ln(2/c),
-   whose left side is convex and rising. It starts above the solution and needs at most seven steps. The residual is
-   computed in two words. */
+   whose left side is convex and rising. Newton's method starts above the solution and needs at most seven steps. The
+   residual is computed in two words. */
 VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
 {
     const vm_two ln_c = vmi_log(c), ln2 = vmi_log(2);
@@ -2107,12 +2162,12 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     s->L_lo = sum.lo;
 }
 
-/* The parameter with k' K = c, or with K = c where inverse_of_K is 1, for c > 0. Both are one problem, since k' K(m)
-   is K(m/(m - 1)). For c > 1000 (float: much earlier) 1 - m underflows to 0 or overflows, so that c = 1000 serves for
-   all. */
+/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. Both are
+   one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 1 - m underflows to 0 or overflows (in float much
+   earlier), so that every such c gives the result of c = 1000. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
-    const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1), K(1/2) */
+    const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1) and K(1/2) */
     vmi_solution s;
     if (c > 1000) c = 1000;
     s.circular = c >= least && c <= most;
@@ -2129,7 +2184,8 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where they do not. */
+/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where these
+   numbers do not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {
     const vm_two ln2 = vmi_log(2);
@@ -2143,15 +2199,15 @@ VM_API vm_real vmi_solution_m1(const vmi_solution *s)
     return vmi_exp(sum.hi, sum.lo) * ratio;
 }
 
-/* m of the solution */
+/* Returns m of the solution. */
 VM_API vm_real vmi_solution_m(const vmi_solution *s)
 {
     if (s->circular) return 16 * s->q * (1 - s->q * vmi_theta_loss(s->q));
     return 1 - vmi_solution_m1(s);
 }
 
-/* The parameter m whose k' K(m) is c, for c >= 0: solves equation (307). m < 0 for c > pi/2, m = 1 for c = 0. Within
-   8 ulp of m, or of 1 - m where that is smaller. NaN for c < 0 and infinite c. */
+/* The parameter m whose k' K(m) is c, for c >= 0: solves equation (307). m is negative for c > pi/2, and 1 for c = 0.
+   The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK(vm_real c)
 {
     vmi_solution s;
@@ -2161,8 +2217,8 @@ VM_API vm_real jacobi_solve_kpK(vm_real c)
     return vmi_solution_m(&s);
 }
 
-/* The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits.
-   c >= 0; NaN for c < 0 and infinite c. */
+/* The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits. The error is at most 4 ulp plus the
+   change of 1 - m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
 {
     vmi_solution s;
@@ -2172,8 +2228,8 @@ VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* The complementary parameter 1 - m of jacobi_solve_K, with all its digits.
-   c >= 0, infinite for c = 0; NaN for c < 0 and infinite c. */
+/* The complementary parameter 1 - m of jacobi_solve_K, with all its digits. Returns infinity for c = 0, and NaN for
+   c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_K_m1(vm_real c)
 {
     vmi_solution s;
@@ -2183,9 +2239,9 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K.
-   m < 0 for c < pi/2, -infinity for c = 0. Within 4 ulp and what an ulp of c changes. NaN for c < 0 and
-   infinite c. */
+/* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K. m is negative for c < pi/2, and
+   -infinity for c = 0. The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0
+   and infinite c. */
 VM_API vm_real jacobi_solve_K(vm_real c)
 {
     vmi_solution s;
@@ -2197,7 +2253,8 @@ VM_API vm_real jacobi_solve_K(vm_real c)
 #endif
 /* jacobi/means.h - mean values of cn^2, cn^4 and cn^6 over a period
 
-   Averaged equations of oscillators with a cubic spring need these means: equations (383), (384), (408).
+   Averaged equations of oscillators with a cubic spring need these means: equations (383), (384), (408). C2, C4 and
+   C6 are the means of cn^2, cn^4 and cn^6.
 
        vm_real C2, C4, C6;
        jacobi_cn_means(VM_C(0.5), &C2, &C4, &C6);
@@ -2206,33 +2263,36 @@ VM_API vm_real jacobi_solve_K(vm_real c)
 #ifndef VARMASS_JACOBI_MEANS_H
 #define VARMASS_JACOBI_MEANS_H
 
-/* The means from the nome q of m, |q| <= 0.1. The recurrences (384), (408) would divide 0 by 0 at m = 0; here both
-   are divided by m on paper, with 1/2 - C2 = q S and m = 16 q R. */
+/* Computes the means from the nome q of m, for |q| <= 0.1. The recurrences (384) and (408) would divide 0 by 0 at
+   m = 0. In this form m is cancelled from both, by means of two series S and R in q: 1/2 - C2 = q S and m = 16 q R. */
 VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
     const vm_real low = -2 + y * (6 + y * (-16 + 37 * y));
     const vm_real high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
-    const vm_real series = low + (y * y) * (y * y) * high;             /* (S - 1)/q^2 */
-    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* d/m */
-    const vm_real eta = (loss + q * series) / (256 * R * R);           /* (delta - 1/16)/m */
+    const vm_real series = low + (y * y) * (y * y) * high;             /* is (S - 1)/q^2 */
+    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* is d/m */
+    const vm_real eta = (loss + q * series) / (256 * R * R);           /* is (delta - 1/16)/m */
     *C2 = VM_C(0.5) - d;
     *C4 = (1 - 4 * d + 2 * delta) / 3;
     *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
 }
 
-/* The means by (383), (384), (408) from K and E in two words, for 1 - m = c < 1/2 and l = ln(4/k') */
-VM_API void vmi_means_from_K(vm_real c, vm_two l, vm_real *C2, vm_real *C4, vm_real *C6)
+/* Returns C2 by (383) from K and E, for 1 - m = c <= 1/2 and l = ln(4/k'): C2 = (E/K - c)/m. E/K is a sum of two words
+   here, because an error of C2 in a parameter near 4/5 doubles in the mean of sn^6. */
+VM_API vm_real vmi_mean_from_K(vm_real c, vm_two l)
 {
-    const vm_real m = 1 - c;
-    const vm_two K = vmi_K_by_log(c, l), less = vmi_two_product(c, K.hi);
-    *C2 = ((1 - less.hi) + (vmi_E_rest(c, l.hi) - (less.lo + c * K.lo))) / (m * K.hi);
-    *C4 = (2 * (m - c) * *C2 + c) / (3 * m);
-    *C6 = (4 * (m - c) * *C4 + 3 * c * *C2) / (5 * m);
+    const vm_two K = vmi_K_by_log(c, l);
+    const vm_real rest = vmi_E_rest(c, l.hi), ratio = (1 + rest) / K.hi;
+    const vm_two product = vmi_two_product(ratio, K.hi);
+    const vm_real ratio_lo = ((1 - product.hi) + (rest - (product.lo + ratio * K.lo))) / K.hi;
+    return ((ratio - c) + ratio_lo) / (1 - c);
 }
 
-/* Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1. Within 8 ulp. 0 at m = 1, where the period is
-   infinite; NaN for m > 1 and infinite m. Equations (383), (384), (408). */
+/* Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1. The errors are at most 8 ulp. The means are 0
+   for m = 1, where the period is infinite, and NaN for m > 1 and infinite m. Equations (383), (384), (408).
+   Outside -4 <= m <= 1/2 the recurrences (384) and (408) are solved for the means of sn^2 cn^2 and sn^2 cn^4. These
+   are small, and the others are sums of few of them, so that little is lost to rounding. */
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -2245,19 +2305,22 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        vmi_means_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo), C2, C4, C6);
-        if (m1.hi < 1) return;
-        *C6 = 1 - 3 * *C2 + 3 * *C4 - *C6; /* for m < 0 cn(u | m) = cd(k'u | mu), whose means are those of sn */
-        *C4 = 1 - 2 * *C2 + *C4;
-        *C2 = 1 - *C2;
+        /* for m < 0 cn(u | m) = cd(k' u | m/(m - 1)), and the means of cd are those of sn: S2 = 1 - C2, for one */
+        const vm_real ratio = m < 0 ? -1 / m : m1.hi / m; /* (1 - m)/m of the parameter m or m/(m - 1) */
+        const vm_real second = vmi_mean_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo));
+        const vm_real s2c2 = (second - ratio * (1 - 2 * second)) / 3, fourth = second - s2c2;
+        const vm_real s2c4 = (fourth - ratio * (3 * second - 4 * fourth)) / 5;
+        *C2 = m < 0 ? 1 - second : second;
+        *C4 = m < 0 ? 1 - (second + s2c2) : fourth;
+        *C6 = m < 0 ? 1 - (second + (2 * s2c2 - s2c4)) : fourth - s2c4;
     }
 }
 
 #endif
 /* jacobi/descending.h - sn, cn, dn and K by the arithmetic-geometric mean
 
-   The classical method, in which the number of steps shows what accuracy costs. jacobi_sncndn is faster and more
-   accurate; this is for comparison and teaching.
+   In this classical method the number of steps shows what accuracy costs. It serves for comparison and teaching:
+   jacobi_sncndn is faster and more accurate.
 
        vm_real sn, cn, dn;
        jacobi_agm_sncndn(VM_C(1.2), VM_C(0.3), 3, &sn, &cn, &dn); // with three steps
@@ -2266,10 +2329,11 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 #ifndef VARMASS_JACOBI_DESCENDING_H
 #define VARMASS_JACOBI_DESCENDING_H
 
-/* Goes back through the steps of the mean by Gauss' transformation, from the sine and cosine of the phase a_n u. The
-   functions are quotients, sn : cn : dn : 1 = s : c : d : q, and each step is
-     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a+ = a_(n+1).
-   No subtraction occurs, also for m < 0. */
+/* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation, beginning with the sine and
+   cosine of the phase a_n u. The functions are quotients of four numbers, sn : cn : dn : 1 = s : c : d : q. One step
+   turns s, c, d, q into
+     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a = a_n, b = b_n, a+ = a_(n+1).
+   No subtraction occurs, not even for m < 0. */
 VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
 {
     int n;
@@ -2285,10 +2349,10 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
-/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one)
-   cost less and are less accurate; from 15 steps on it takes as many as the type needs. The error then is 3 eps M (1
-   + M |u|) with M = max(1, k') for |u| <= 5K: it grows with |u|, since the argument is reduced by pi/2 and not by K.
-   NaN for m >= 1 and for infinite arguments. */
+/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one) cost
+   less and are less accurate. With steps >= 15 the function takes as many steps as the type needs; the error is then at
+   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|, since the phase a_n u is
+   reduced by pi/2, instead of u by K. The results are NaN for m >= 1 and for infinite arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -2318,7 +2382,7 @@ VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_r
 }
 
 /* K(m) by the arithmetic-geometric mean, for m <= 1.
-   Within 6 ulp. Infinite at m = 1; NaN for m > 1 and infinite m. */
+   The error is at most 6 ulp. Returns infinity for m = 1, and NaN for m > 1 and infinite m. */
 VM_API vm_real jacobi_agm_K(vm_real m)
 {
     vmi_ladder l;
@@ -2333,7 +2397,8 @@ VM_API vm_real jacobi_agm_K(vm_real m)
 
    The attitude of a body that rotates without torque needs, besides sn, cn and dn, the complete integral of the third
    kind Pi(-N | m) and theta functions of a complex argument. Both are computed here in two words, so that the
-   attitude stays right after a million turns (mechanics/torque_free.h). Everything here is internal.
+   attitude stays right after a million turns (mechanics/torque_free.h). All functions of this file are internal. p is
+   the number of digits of vm_real.
 
    Source: DLMF 19.8, 19.36, 20.7. Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_JACOBI_THIRD_KIND_H
@@ -2341,7 +2406,7 @@ VM_API vm_real jacobi_agm_K(vm_real m)
 
 /* Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The arguments
    are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has an error
-   of 2^-(2p - 4). An argument that is 2^-n of the largest needs log2(n) more. */
+   of 2^-(2p - 4). An argument that is 2^-n times the largest needs log2(n) duplications more. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -2373,24 +2438,26 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* The complete integral of the third kind */
+/* The complete integral of the third kind, Pi(-N | m), as its quotient with K(m) */
 typedef struct VM_TAG(vmi_third_kind) {
     vm_two mean;  /* agm(1, k') = pi/(2K) */
     vm_two ratio; /* Pi(-N | m)/K(m) */
     vm_two rest;  /* 1 - Pi(-N | m)/K(m) */
 } vmi_third_kind;
 
-/* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and below = 1/(1 +
-   N). With p = sqrt(1 + N) and the numbers a, g of the arithmetic-geometric mean (DLMF 19.8.6-7) each step is
+/* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and
+   below = 1/(1 + N). With p = sqrt(1 + N) and the numbers a, g of the arithmetic-geometric mean (DLMF 19.8.6-7),
+   starting with Q = 1, each step is
      e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2.
-   sum Q = 2 - sum Q (1 - e), so that the ratio and the rest are both sums of positive terms, accurate for any N. */
+   Since sum Q = 2 - sum Q (1 - e), both ratio = Pi/K and rest = 1 - Pi/K are sums of positive terms. Therefore they are
+   accurate for any N. */
 VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one more for each binary digit of p */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -2410,7 +2477,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* The sine and the cosine of the angle of x turns, |x| < 2^13, within an ulp */
+/* The sine and the cosine of the angle of x turns, 2 pi x, for |x| < 2^13 */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -2430,24 +2497,26 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* theta_4(z + i zy), up to a real factor, with the nome Q = q^2 of the doubled lattice, z = pi u/(2K), zy = pi y/(2K),
-   0 <= y < K'. A torque-free body turns at a mean rate and, about that, by a periodic angle: the angle of this complex
-   number. There are two forms. The direct form serves where K <= 2K', so that Q <= exp(-pi):
+/* The complex number theta_4(z + i zy), up to a real factor. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K',
+   where K' is K(1 - m). The nome is Q = q^2 (doubled lattice), where q is the nome of m. The angle of this number is
+   the periodic part of the angle by which a torque-free body turns. There are two forms.
+   The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)).
-   Elsewhere serves Jacobi's transformation, with Qd = exp(-pi K/(2K')) < exp(-pi), |u| <= K, v = (2n + 1) pi/(4K'):
+   The transformed form, by Jacobi's transformation, is used for larger K. With Qd = exp(-pi K/(2K')) < exp(-pi),
+   v = (2n + 1) pi/(4K') and |u| <= K it is
      e^(-i pi u y/(4KK')) times the sum over n >= 0 of
      Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')).
-   Four terms of either leave an error of 1e-19. The sums are stored as polynomials: the direct one in cos 2z, the other
-   in exp(+-pi |u|/(2K')). */
+   In both forms four terms leave an error of 1e-19. The sums are stored as polynomials: in cos 2z in the direct form,
+   in exp(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
-    vm_real decay; /* the rate of the exponential per x = u/(4K) in the second form; 0 in the direct form */
-    vm_real shift; /* turns per x of the factor e^(-i pi u y/(4KK')) */
-    vm_real Q;     /* Qd */
+    vm_real decay; /* rate of the exponential per x = u/(4K) in the transformed form; 0 in the direct form */
+    vm_real shift; /* the factor e^(-i pi u y/(4KK')) turns by shift x turns */
+    vm_real Q;     /* the nome Qd; 0 in the direct form */
     vm_real re[4], im[4];
 } vmi_doubled_theta;
 
-/* The direct form; Kc is K' */
+/* Prepares the direct form; Kc is K'. */
 VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
 {
     vmi_doubled_theta d;
@@ -2471,7 +2540,7 @@ VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
     return d;
 }
 
-/* The form by Jacobi's transformation; Kc is K'. K may be infinite: then x is u itself. */
+/* Prepares the form by Jacobi's transformation; Kc is K'. K may be infinite: then x is u itself, not u/(4K). */
 VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 {
     const int aperiodic = !VM_IS_FINITE(K);
@@ -2488,14 +2557,14 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
     if (d.Q > 0) exponent = VM_PI * K / (2 * Kc);
     for (n = 0; n < 4; n++) {
         vmi_sincos_turns((vm_real)(2 * n + 1) * y / (8 * Kc), &sine, &cosine);
-        d.re[n] = power * cosine; /* Qd^(n^2) */
+        d.re[n] = power * cosine; /* power is Qd^(n^2) */
         d.im[n] = power * sine;
         power *= vmi_exp(-(vm_real)(2 * n + 1) * exponent, 0);
     }
     return d;
 }
 
-/* a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
+/* The polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
 /* The theta function at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), which the caller applies */

@@ -32,11 +32,11 @@
    WHAT TO CALL
      ateb_saca             sa and ca for one s and one alpha; ateb_sa and ateb_ca return one of them
      ateb_pi               Pi_alpha, half the period
-     ateb_plan_init        where alpha stays: the plan is prepared once; then ateb_plan_saca, or ateb_plan_saca_array
+     ateb_plan_init        prepares a plan for one alpha; then call ateb_plan_saca for one s, or ateb_plan_saca_array
                            for many s. ateb_plan_init_to makes a shorter and quicker plan of less accuracy. A plan is
                            plain data and may be a constant in flash; examples/ateb_plan prints one. On AVR copy it
                            from there to RAM, by memcpy_P, before it is used.
-     ateb_phase            s from sa and ca, as atan2 gives an angle
+     ateb_phase            s from sa and ca, as atan2 computes an angle from its sine and cosine
      ateb_mean             the mean of |sa|^p |ca|^q over a period (316)
      ateb_integral_...     integrals from 0 to s
      ateb_saca_nm          sa(n, m, s) and ca(m, n, s) with any two indices
@@ -45,29 +45,30 @@
    ERRORS
      alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
      outside 1e-4 to 1e5, and whatever else lies outside the domain that the comment of a function gives. A plan
-     refuses a bad alpha with -1 and stays as it was. Nothing else can fail. No allocation, no state; errno says
-     nothing.
+     refuses a bad alpha with -1 and stays as it was. Nothing else can fail. The functions allocate no
+     memory and keep no state; the value of errno means nothing.
 
    METHOD
      s is reduced to the first quarter by Pi_alpha, which comes from a table of polynomials, or, where s is large or
-     close to a zero, from one polynomial in two or three words. There the incomplete beta function is inverted: an
-     approximation of sa is taken as exact, its s is computed by a continued fraction of 12 levels (float 6) and one
-     power, and Taylor's series leads to the given s. A plan has polynomials for two parts of a quarter: Taylor series
-     from (275), economised to the accuracy that is wanted.
+     close to a zero, from one polynomial in two or three words. In the first quarter the incomplete beta function is
+     inverted: an approximation of sa is taken as exact, the s that belongs to it is computed by a continued fraction
+     of 12 levels (float 6) and one power, and a Taylor series corrects sa and ca for the difference from the given s.
+     A plan has polynomials for two parts of a quarter: Taylor series from (275), shortened to the accuracy that is
+     wanted.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
      VM_API               linkage of every function, default static inline
-     VM_INLINE            linkage of the functions that are fast only if they are inlined; VM_API makes smaller code
-                          with the same results
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
+                          the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
-                          They are exact, so that results are the same on every machine where the compiler does not
-                          contract products and sums
+                          These functions are exact, so that results are the same on every machine, unless the compiler
+                          fuses products and sums.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where none of the bounds below holds
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although none of the bounds below holds then
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -75,7 +76,7 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
      On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
      below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
 
@@ -84,26 +85,27 @@
                             |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. sa and ca are monotone
                             between their extremes apart from 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to within
                             1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
-     the zeros              of sa and ca are right to a relative error of 2^-125 (float 2^-58); for alpha above 5e8
-                            (float 2e4) and for plans, of 2^-102 (float 2^-44). This error, times |s| and the slope,
-                            comes on top of the others. It is felt only where s is within an ulp of a zero.
+     the zeros              of sa and ca: relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4) and
+                            for plans, <= 2^-102 (float 2^-44). This error, times |s| and the slope, adds to the errors
+                            above. It matters only where s is within an ulp of a zero.
      Pi_alpha               <= 1 ulp
-     by a plan              <= 2 ulp for these s and alpha up to 1e6, or the absolute error that the plan was made for
-     phase                  <= 4 ulp and what one ulp of sa and of ca moves it
+     sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
+                            was made for
+     phase                  <= 8 ulp plus the change that 6 ulp of sa and of ca make, for the sa and ca of ateb_saca
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
      beta_inc               <= 30 ulp of p and of q
-     beta_inc_inv           <= 16 ulp of x and of y, and what one ulp of the smaller of p and q moves them
-     sa(n, m), ca(m, n)     <= 8 ulp, apart from an error of the phase of 2^-102 |s| (float 2^-44 |s|)
-     integrals              some 10 ulp
+     beta_inc_inv           <= 16 ulp of x and of y plus the change that one ulp of the smaller of p and q makes
+     sa(n, m), ca(m, n)     <= 8 ulp plus the change that an error of 2^-102 |s| (float 2^-44 |s|) in s makes
+     integrals              those of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
-     docs/cost.md has the times, docs/counts.md the instructions of each function. The direct call takes some ten
-     sines, a plan two to seven, in arrays one. An ateb_plan has 552 bytes (float 184). The largest stack frame is
-     below 2 kB.
+     docs/cost.md has the times, docs/counts.md the instructions of each function. An ateb_plan has 552 bytes (float
+     184). The largest stack frame is below 2 kB.
 
    REFERENCES
-     [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (277) are its, in
-         corrected form where they are misprinted: (278), (280) mix up the indices and a sign, (279) lacks the bars.
+     [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]
+         has a misprint, the corrected equation is meant: (278) and (280) mix up the indices and have a wrong sign,
+         (279) lacks the bars of |u|.
      [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
      [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.7 (continued fractions), 15.8(iii) (quadratic
          transformations).

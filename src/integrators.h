@@ -19,37 +19,38 @@
            return rk45_solve(&s, 10.0) < 0; // the result is in s.y, at s.t
        }
 
-   METHODS, and when to take which
+   METHODS, and when to take which method
      rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
             time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
-            and none for the solution between steps. It is the method to begin with, and the best one in float, for an
-            f that is not smooth, for loose tolerances, for many events and for output at many times.
-     rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside it
-            is asked for. It is the fastest for a smooth f in double. Its roundings are larger: rtol is at least
-            256 eps, so that it has no use in float.
-     None of them is meant for stiff equations, which want an implicit method; rk45 and rk87 tell when an equation looks
-     stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
+            and none for the solution between steps. Begin with this method. It is also the best one in float,
+            for an f that is not smooth, for loose tolerances, for many events and for output at many times.
+     rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside
+            the step is asked for. It is the fastest for a smooth f in double. Its rounding errors are larger than those
+            of rk45: rtol is at least 256 eps, which is too coarse for most uses in float.
+     None of these methods is meant for stiff equations, which need an implicit method; rk45 and rk87 report an equation
+     that looks stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
 
    CONVENTIONS
      The right-hand side f gets t, the n numbers y, room for the n derivatives, and the caller's pointer ctx. It returns
      0, or any other number to stop the run. t may run backward. All times and steps have the unit of t.
      The caller owns the memory: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
-     rk45 does. An rk45, its work and its events are all the state there is. An rk87 is an rk45 that rk87_init made; the
-     functions of the other method refuse it.
+     rk45 does. An rk45, its work and its events hold the whole state of a run. An rk87 is an rk45 that rk87_init made;
+     the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
-     The difference of the pair's two orders is the estimate of the error; the run goes on with the higher order. A step
-     is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component i. PI control
-     chooses the next step. Its size stays the same after an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     A step gives two results, by the two orders of the pair. Their difference is the estimate of the error; the run
+     goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
+     the step|) for every component i. The size of the next step is chosen by PI control. It stays the same after an
+     error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
      The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
-     A zero in rk45_options means the default, and a negative tolerance means none. rk45_defaults() fills in the
+     A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
      No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
-     misses the tolerance, the run takes the cause to be a jump of f: it accepts the step, counts it in s.missed, and
-     goes on behind the jump. If another such step misses before three steps have kept the tolerance, f is singular
-     there, or too stiff for t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other directly,
-     in one call of rk45_solve without events, both are dropped, so that s.t and s.y are where the trouble begins.
+     misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
+     the jump. If another such step misses the tolerance before three steps have kept it, f is singular there, or too
+     stiff for the resolution of t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other
+     directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both steps.
 
    TIME
      A step ends at a time that the type can hold, and its length is exactly the difference of the two times. So s.t
@@ -67,8 +68,8 @@
      or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
      happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
      motion that is reversed on contact does not touch twice.
-     Two zeros between two looks at g are not seen, nor is any even number. Set `checks` to look more often, or a
-     smaller h_max.
+     Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
+     h_max makes evaluations more frequent.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH
      The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
@@ -80,23 +81,26 @@
 
    STATUS
      0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
-     an error s.t and s.y are those of the last accepted step, also if f itself refused (its value is in s.rhs_status).
-     Where f or the state is not finite the step is shortened until it is too small, so that a run ends next to the
-     place where f ceases to exist. A call that refuses its arguments changes nothing.
+     an error s.t and s.y are those of the last accepted step, also if f itself stopped the run (the value that f
+     returned is in s.rhs_status). Where f or the state is not finite, the step is shortened until it is too small, so
+     that a run ends next to the point where f ceases to exist. A call that refuses its arguments changes nothing.
 
    SPEED
-     f is inlined, and the state is in registers, where f is static, n <= 8 is a constant, and the same function calls
-     rk45_init, looks at its status, and calls rk45_solve. Where the compiler cannot see which f and n s has, name them
-     once more: rk45_solve_with. Otherwise f is called through a pointer, and the state is in work.
+     The compiler inlines f and keeps the state in registers if f is static, n <= 8 is a constant, and one function
+     calls rk45_init, tests its status, and calls rk45_solve. Where the compiler cannot see which f and n belong to s,
+     call rk45_solve_with, which gets them as arguments once more. Otherwise f is called through a pointer, and the
+     state is in work.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
-     VM_INLINE            linkage of what has to be inlined for speed; VM_API makes smaller code with the same results
-     VM_SQRT, VM_FABS     the functions of the C library that are used (all of the shared block's, if any)
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
+                          the code is smaller and the results are the same.
+     VM_SQRT, VM_FABS     the functions of the C library that are used; define these two and VM_FLOOR and
+                          VM_COPYSIGN, or none of the four
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
                           and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where the checks for NaN do not work
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although the checks for NaN do not work then
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -104,7 +108,7 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
-     vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
 
    REFERENCES
      [1] Ch. Tsitouras, Runge-Kutta pairs of order 5(4) satisfying only the first column simplifying assumption,
@@ -125,6 +129,7 @@
 
 #include "base/self_check.h"
 #include "integrators/rk4.h"
-#include "integrators/adaptive.h"
+#include "integrators/rk45.h"
+#include "integrators/rk87.h"
 
 #endif

@@ -23,41 +23,44 @@
      jacobi_sncndn        sn, cn and dn for one u and one m; the twelve quotients and the amplitude have functions of
                           their own
      jacobi_K, jacobi_E   complete elliptic integrals
-     jacobi_plan_init     where m stays: the plan is prepared once; then jacobi_plan_sncndn, or
+     jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
                           jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
                           examples/jacobi_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
                           used.
      jacobi_solve_kpK     m from k'K(k^2); jacobi_solve_K returns m from K
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
-     jacobi_agm_...       the same functions by the arithmetic-geometric mean, with its steps counted
+     jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; for sn, cn and dn its number of steps is an
+                          argument
 
    ERRORS
      m > 1, m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give NaN. m = 1 gives the limits:
-     K is infinite, E = 1, sn = tanh and cn = dn = 1/cosh, at u = +-infinity too. A quotient at a pole is infinite. A
-     plan refuses a bad m with -1 and stays as it was. Nothing else can fail. No allocation, no state; errno says
-     nothing.
+     K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u, for u = +-infinity too. A quotient at a pole is
+     infinite. A plan refuses a bad m with -1 and stays as it was. Nothing else can fail. The functions allocate no
+     memory and keep no state; the value of errno means nothing.
 
    METHOD
-     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) comes from its Laurent series, and two duplications [1, 5] lead
-     to u; this needs no K and one square root. A u beyond about K/2 is reduced before, by the quarter period in as
-     many words as the distance of u from a zero asks for: from two steps of the AGM and a series, or from the AGM in
-     two or three words. Far from 0, for m near 1 or below -20, theta functions of an imaginary phase serve [1], with
-     the nome of 1 - m or 1/(1 - m), which is then at most 0.003. A plan has polynomials in u^2 in place of the
-     series. No digits cancel, not even at m = 1.
+     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5] lead
+     to u. This needs one square root, but not K.
+     If u is beyond about K/2, it is first reduced by the quarter period K. The closer u is to a zero, the more words of
+     K are used. K comes from two steps of the arithmetic-geometric mean and a series, or from the mean in two or three
+     words.
+     Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
+     or 1/(1 - m), which is then at most 0.003.
+     A plan has polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
      VM_API               linkage of every function, default static inline
-     VM_INLINE            linkage of the functions that are fast only if they are inlined; VM_API makes smaller code
-                          with the same results
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
+                          the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
-                          They are exact, so that results are the same on every machine where the compiler does not
-                          contract products and sums
+                          These functions are exact, so that results are the same on every machine, unless the compiler
+                          fuses products and sums.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where none of the bounds below holds
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although none of the bounds below holds then
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -65,31 +68,30 @@
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
      On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
      below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
 
    ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative
                   error <= 8 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
-                  within 1/2000 ulp of a zero). A plan is as accurate. From |u| = K/eps on, u contains no phase: then
-                  sn = 0 and cn = dn = 1.
+                  within 1/2000 ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u say nothing
+                  about the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
-     k'K          <= 4 ulp
+     k'K          <= 5 ulp
      means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
-     solvers      m and m1 within 4 ulp and what one ulp of c moves them
+     solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
 
    COST
-     docs/cost.md has the times, docs/counts.md the instructions of each function. K takes one or two sines, sn, cn
-     and dn together three to seven for |u| < 2K, by a plan two to five, in arrays one or less. A jacobi_plan has 304
-     bytes (float 112). The largest stack frame is about 1 kB.
+     docs/cost.md has the times, docs/counts.md the instructions of each function. A jacobi_plan has 304 bytes (float
+     112). The largest stack frame is about 1 kB.
 
    REFERENCES
      [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.
      [2] R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions, Numer. Math. 7 (1965) 78-90.
      [3] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
-     [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (307) are its.
+     [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (307) are its equations.
      [5] DLMF, 23.9 (Laurent series of Weierstrass' function), 22.6 (duplication).
 
    INDEX

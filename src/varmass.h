@@ -1,7 +1,7 @@
 /* varmass.h - dynamics of bodies whose mass varies
 
    Part of varmass (MIT licence): copy varmass.h, ateb.h, jacobi.h and integrators.h side by side, include varmass.h,
-   link with -lm. No allocation, no state, no other library.
+   link with -lm. varmass.h allocates no memory, keeps no state and needs no other library.
 
        #include <stdio.h>
        #include "varmass.h"
@@ -19,10 +19,11 @@
 
    CHAPTERS
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
-     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how
-                    a part must leave; energy of a jump; a rotor that breaks; Lagrange's equations across a jump and
-                    with variable mass; a pendulum that is cut; torque-free rotation; streams of mass: reactive force
-                    and torque; rockets; a band that winds up on a drum
+     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
+                    part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
+                    Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
+                    rotation; streams of mass with their reactive force and torque; rockets; a band that winds up on a
+                    drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping; Van
                     der Pol's oscillator, Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation,
                     resonance, turning points
@@ -37,24 +38,24 @@
      Axes         r, v and omega are in inertial axes. The inertia tensor is about the body's own mass centre, in body
                   axes; its entries xy, xz, yz are those of the tensor, minus the integral of x y dm and so on. v is
                   momentum/mass.
-     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1; all zero means
-                  identity.
+     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1. A q of four zeros
+                  means that body axes and inertial axes coincide.
      Arguments    Functions of numbers take the variable first, then the parameters, results last. Functions of an
                   object take the object first, then the variable. A parameter that may be NULL is called ..._or_NULL.
      Laws         A mass, stiffness or damping that depends on time is a vm_law.
      Damping      damping > 0 takes energy out.
-     Streams      reactive = 1: mass that joins or leaves has an absolute velocity of its own (at rest if it is 0),
-                  and the full reactive force acts; reactive = 0: it has the body's velocity, and there is no reactive
-                  force.
+     Streams      reactive = 1: mass that joins or leaves has an absolute velocity of its own (0 means at rest), and
+                  the full reactive force acts. reactive = 0: this mass has the body's velocity, and no reactive
+                  force acts.
      Names        X_to_Y and X_from_Y convert. X_rhs is the right-hand side of the differential equations of X,
-                  X_averaged_rhs that of the averaged ones. A suffix 2 means the plane, 1 means one dimension. Names
-                  that begin with vmi_ or VMI_ are internal.
+                  X_averaged_rhs that of the averaged equations. A suffix 2 means the plane, 1 means one dimension.
+                  Names that begin with vmi_ or VMI_ are internal.
 
    ERRORS
      Functions that can fail return a status: 0 (VM_OK), a positive number (done, with a remark) or a negative one
-     (outputs are untouched). vm_strerror() explains it. The same mistake has the same status in every function;
-     base/status lists them. Functions that return a number return NaN outside their domain, for infinite arguments
-     too. Outputs may be the inputs.
+     (the outputs are untouched). vm_strerror() explains a status. The same mistake has the same status in every
+     function; base/status lists all statuses. Functions that return a number return NaN outside their domain and for
+     infinite arguments. Outputs may be the inputs.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -63,30 +64,30 @@
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where nothing is promised
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although no result is promised to be right then
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
 
-   ACCURACY, as promised and tested (make test); docs/measurements.md has what was measured
+   ACCURACY, as promised and tested (make test); docs/measurements.md has the measured errors
      Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
-                  sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that moves on as before leaves omega as
-                  it was.
+                  sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
+                  body does not change omega.
      Rotation     torque-free: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs taken as
                   exact.
      Streams      closed forms within a few eps; a body and everything it has shed keep momentum, angular momentum and
                   energy to the integrator's tolerance.
      Lambert's W  within 1 ulp. The drum on a rigid shaft: within 4 ulp.
-     Oscillators  every route returns an estimate of its whole error in the field error, or infinity where it knows
-                  nothing.
+     Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
+                  estimate is possible.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation.
-     Others stand where they are used.
+     Other sources are named in the chapters that use them.
 
    INDEX
 @INDEX@ */

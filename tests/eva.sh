@@ -41,7 +41,7 @@ options() { # options HEADER
         echo "-eva-slevel 30 -eva-slevel-function vmi_agm:200,jacobi_agm_sncndn:500,vmi_descend:500" \
             "-eva-split-return-function vmi_plan_init:0,jacobi_plan_init:0,jacobi_plan_init_m1:0" ;;
     ateb)
-        series="vmi_ateb_series:0,vmi_ateb_series_power:0,vmi_ateb_economise:0,vmi_ateb_remove_highest:0"
+        series="vmi_ateb_series:0,vmi_ateb_series_power:0,vmi_ateb_economise:0,vmi_remove_highest:0"
         echo "-eva-slevel 30 -eva-slevel-function ateb_plan_init_to:20,vmi_ateb_part_init:0,$series" \
             "-eva-subdivide-non-linear-function $series -eva-split-return-function ateb_plan_init_to:0" ;;
     integrators)

@@ -154,11 +154,15 @@ static void test_laws(void)
     CHECK(vm_law_at(&law, 0, &f, &rate) == VM_BAD_ARGUMENT);
     CHECK(vm_law_inverse_integral(&law, 1, &f) == VM_BAD_ARGUMENT);
     law = vm_law_linear(1, -1);
-    CHECK(vm_law_at(&law, 2, &f, &rate) == VM_BAD_MASS);
+    CHECK(vm_law_at(&law, 2, &f, &rate) == VM_OK && f == -1 && rate == -1); /* it may be the law of a force */
     CHECK(vm_law_inverse_integral(&law, 2, &f) == VM_BAD_MASS);
     law = vm_law_quadratic(1, -3, 2);
     CHECK(vm_law_inverse_integral(&law, 2, &f) == VM_BAD_MASS);
     CHECK(vm_law_inverse_integral(&law, R(0.25), &f) == VM_OK);
+    law = vm_law_power(1, -1, R(0.5));
+    CHECK(vm_law_at(&law, 2, &f, &rate) == VM_DOMAIN && vm_law_inverse_integral(&law, 2, &f) == VM_BAD_MASS);
+    law = vm_law_user(NULL, NULL);
+    CHECK(vm_law_at(&law, VM_NAN, &f, &rate) == VM_BAD_ARGUMENT);
     law = vm_law_quadratic(1, 0, VM_MAX);
     f = rate = 7;
     CHECK(vm_law_at(&law, 0, &f, &rate) == VM_NOT_FINITE && f == 7 && rate == 7);

@@ -1,20 +1,20 @@
 /* ateb/beta.h - beta functions, their inverses, and mean values of sa and ca
 
    B(a, b) is the complete beta function, I_x(a, b) the regularised incomplete one, 0 <= I_x <= 1. Ateb functions are
-   inverses of incomplete beta functions, and their mean values are complete ones (316).
+   inverses of incomplete beta functions, and their mean values are quotients of complete beta functions (316).
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
-   Throughout y = 1 - x and q = 1 - p. The functions with the suffix _both take and return y and q too, which keep
+   In this file y = 1 - x and q = 1 - p. The functions with the suffix _both also take and return y and q, which keep
    their digits where x or p is close to 1.
 
-   Method: everything is done in logarithms of two words. With A = a + i, B = b + j, S = a + b + k, each at least 10,
-   by Stirling's formula
+   Method: the functions are computed from logarithms in two words. i, j and k are the least whole numbers for which
+   A = a + i, B = b + j and S = a + b + k are at least 10. Stirling's formula gives
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). Nothing large cancels where the
-   whole is not large, and no product leaves the range, since i, j, k <= 10.
+   where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). If this sum is not large, no large
+   terms cancel in it. No product overflows or underflows, since i, j, k <= 10.
 
    Source of the fraction: Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_H
@@ -26,7 +26,7 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 10, by Stirling's series */
+/* Returns delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 10, by Stirling's series */
 VM_API vm_real vmi_beta_stirling(vm_real z)
 {
     VM_TABLE vm_real c[9] = {
@@ -40,7 +40,8 @@ VM_API vm_real vmi_beta_stirling(vm_real z)
     return sum / z;
 }
 
-/* (z)_i with the least i for which z + i >= 10; *count becomes i and *z becomes z + i */
+/* Returns the product (z)_i = z (z + 1) ... (z + i - 1) with the least i for which z + i >= 10. *count becomes i, and
+   *z becomes z + i. */
 VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
 {
     const vm_two one = {1, 0};
@@ -52,7 +53,7 @@ VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
     return product;
 }
 
-/* ln(x^a y^b/B(a, b)), by the formula at the top of this file */
+/* Returns ln(x^a y^b/B(a, b)), by the formula at the top of this file. */
 VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
 {
 #if VM_MANT_DIG > 24
@@ -79,22 +80,22 @@ VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
     return vmi_two_sum(sum.hi, sum.lo + delta);
 }
 
-/* ln B(a, b) */
+/* Returns ln B(a, b). */
 VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
 {
     const vm_two none = {0, 0};
     return vmi_minus(vmi_beta_ln_density(a, b, none, none));
 }
 
-/* Whether a and b lie between 1e-4 and 1e5. Beyond, the series and fractions would take too long, and float would
-   have no digits left. */
+/* Returns 1 if a and b lie between 1e-4 and 1e5, else 0. Outside these limits the series and continued fractions would
+   need too many terms, and float would have no digits left. */
 VM_API int vmi_beta_is_in_domain(vm_real a, vm_real b)
 {
     return a >= VM_C(1e-4) && a <= VM_C(1e5) && b >= VM_C(1e-4) && b <= VM_C(1e5);
 }
 
 /* The complete beta function B(a, b), for a and b from 1e-4 to 1e5.
-   Within 1 ulp. NaN for other a or b. Time: 70 sines. Equation (261). */
+   The error is at most 1 ulp. Returns NaN for other a or b. Equation (261). */
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
@@ -103,9 +104,10 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
     return vmi_exp(l.hi, l.lo);
 }
 
-/* I_x(a, b) B(a, b)/(x^a y^b) for a > 1 and x <= (a + 1)/(a + b + 2), by the continued fraction of Didonato and
-   Morris, evaluated from its end: 1/f_0, where f_n = constant + ratio/f_(n+1). All terms are positive except
-   for the last ones. Where a and b are large, digits cancel in excess = a y - b x: it is computed in two words. */
+/* Returns I_x(a, b) B(a, b)/(x^a y^b) for y = 1 - x, a > 1 and x <= (a + 1)/(a + b + 2). This is 1/f_0 of the continued
+   fraction of Didonato and Morris, f_n = constant + ratio/f_(n+1), which is evaluated from its end. All terms are
+   positive except for the last ones. Where a and b are large, digits cancel in excess = a y - b x; therefore the excess
+   is computed in two words. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
@@ -114,7 +116,7 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
     vm_real excess = (product.hi - b) + product.lo, f;
     long m = 0;
     if (x <= y) excess = (a - product.hi) - product.lo;
-    if (terms <= VM_C(1e8)) m = (long)terms; /* terms is 2e7 at most, or NaN */
+    if (terms <= VM_C(1e8)) m = (long)terms; /* terms is at most 2e7, or NaN */
     f = (a + (vm_real)m) / 2;
     for (; m >= 0; m--) {
         const vm_real n = (vm_real)m, c = a + 2 * n, next = n + 1, share = (a + n) / (c + 1) * x;
@@ -125,11 +127,11 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
     return 1 / f;
 }
 
-/* I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3: a times the sum over n >= 1 of (1 - b)_n/n! x^n/(a + n). The
-   terms are below (b x)^n/n! with b x < 2, or below x^n. */
+/* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. This is a times the sum over n >= 1 of (1 - b)_n/n!
+   x^n/(a + n). Term n is below the larger of x^n and (b x)^n/n!, where b x < 2. */
 VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
 {
-    const vm_real most = 200; /* 96 terms are enough, unless x is NaN */
+    const vm_real most = 200; /* limit of the loop if x is NaN; otherwise 96 terms are enough */
     vm_real power = 1, term, sum = 0, n = 0;
     do {
         n += 1;
@@ -140,13 +142,13 @@ VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
     return a * sum;
 }
 
-/* ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). For k = 0 1 - e^l is -p, without loss of digits. */
+/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). If k = 0, 1 - e^l is -p, which has lost no digits. */
 VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
 {
     vm_two rest = {0, 0};
     vm_real p, p_lo;
     int k;
-    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* it is -e^l, which is tiny; or l is NaN */
+    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* the result is -e^l, which is tiny, or NaN */
         rest.hi = -vmi_exp(l.hi, 0);
         return rest;
     }
@@ -180,8 +182,8 @@ VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
     return mirrored;
 }
 
-/* ln I_x(a, b) for x <= (a + 1)/(a + b + 2). For a small a I_x is close to 1, and the difference counts: there the
-   series gives it without loss of digits, and the factor y^b is left out. */
+/* Returns ln I_x(a, b) for x <= (a + 1)/(a + b + 2). Where a is small, I_x is close to 1, and 1 - I_x must keep its
+   digits. Therefore a series is used for a <= 1: it loses no digits and has no factor y^b. */
 VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b)
 {
     vm_two f;
@@ -192,8 +194,8 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b)
     return vmi_two_plus(vmi_beta_ln_density(vmi_two(a, 0), vmi_two(b, 0), at.ln_x, at.ln_y), f);
 }
 
-/* ln I_x(a, b) and ln I_y(b, a), whose arguments add up to 1. The one of the shorter tail is computed, the other
-   follows from it. */
+/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where p + q = 1. The logarithm of the shorter tail of the
+   distribution is computed; the other logarithm follows from p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two *ln_p, vm_two *ln_q)
 {
     if (at->x * (a + b + 2) <= a + 1) {
@@ -205,16 +207,16 @@ VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_tw
     }
 }
 
-/* Whether x and y are not negative and add up to 1, apart from rounding */
+/* Returns 1 if x and y are not negative and add up to 1, apart from rounding, else 0. */
 VM_API int vmi_beta_is_split_of_1(vm_real x, vm_real y)
 {
     return x >= 0 && y >= 0 && VM_FABS((x + y) - 1) <= 4 * VM_EPSILON;
 }
 
-/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from x and y = 1 - x, of
-   which the smaller carries the digits. a and b lie between 1e-3 and 1e4; from 1e-4 and up to 1e5 it is less accurate
-   and slower. p and q within 30 ulp each. NaN for other a or b, for x or y below 0, and where x + y is not 1. Time:
-   120 sines. DLMF 8.17, equation (273). */
+/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from x and y = 1 - x; the
+   smaller of x and y carries the digits. For a and b from 1e-3 to 1e4 the errors of p and q are at most 30 ulp each.
+   a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. The results are NaN for
+   other a or b, for x or y below 0, and if x + y is not 1. docs/cost.md has the time. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
     vmi_beta_point at;
@@ -255,7 +257,8 @@ VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
     return p;
 }
 
-/* The point x/y = e^t. The logarithms are those of e^-|t| as it was rounded, so that x + y = 1 in two words. */
+/* Returns the point with x/y = e^t, where y = 1 - x. The logarithms belong to the rounded value of e^-|t|, so that
+   x + y = 1 in two words. */
 VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 {
     const vm_real size = VM_FABS(t), e = vmi_exp(-size, 0);
@@ -270,13 +273,14 @@ VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
     return at;
 }
 
-/* The point where I_x(a, b) = p, from ln p, for p <= 1/2. Newton's method for ln I_x as a function of t = ln(x/y),
-   which is concave: from the zero of its asymptote at the left, which lies left of the solution, all steps go to the
-   right. The last step is taken in x, y, ln x and ln y. */
+/* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. Newton's method is used for ln I_x as a function of
+   t = ln(x/y). This function is concave. The start is the point where the asymptote of the function for t to -infinity
+   equals ln p. It lies left of the solution, so that all steps go to the right. The last step changes x, y, ln x
+   and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* its square is below eps */
-    const int most = 60;                                               /* 20 steps are enough */
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* a step shorter than this is the last one */
+    const int most = 60;                                               /* largest number of steps; 20 are enough */
     const vm_two a2 = vmi_two(a, 0), b2 = vmi_two(b, 0);
     const vm_two start = vmi_two_plus(ln_p, vmi_two_plus(vmi_log(a), vmi_beta_ln(a2, b2)));
     vm_real t = start.hi / a, step;
@@ -299,18 +303,18 @@ VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
     return result;
 }
 
-/* The point where I_x(a, b) = p, for p > 0, q > 0 and p + q = 1, from the smaller of p and q */
+/* Returns the point where I_x(a, b) = p, for p > 0, q > 0 and p + q = 1, from the smaller of p and q */
 VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_real b)
 {
     if (p <= q) return vmi_beta_invert(vmi_log(p), a, b);
     return vmi_beta_mirrored(vmi_beta_invert(vmi_log(q), b, a));
 }
 
-/* The inverse of ateb_beta_inc_both, x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from p and
-   q = 1 - p, of which the smaller carries the digits; ln x says what x is where x underflows. a and b lie between
-   1e-3 and 1e4; from 1e-4 and up to 1e5 it is less accurate and slower. Within 16 ulp of x, of y and of ln x, and
-   what one ulp of the smaller of p and q moves them. NaN for other a or b, for p or q below 0, and where
-   p + q is not 1. Time: 1000 sines, 5000 where a and b are some 1e4. */
+/* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from p and
+   q = 1 - p; the smaller of p and q carries the digits. ln x is also right where x underflows. For a and b from 1e-3 to
+   1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q makes. a
+   and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. The results are NaN for
+   other a or b, for p or q below 0, and if p + q is not 1. docs/cost.md has the time. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
@@ -335,7 +339,7 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
     }
 }
 
-/* The inverse of ateb_beta_inc, x with I_x(a, b) = p, for 0 <= p <= 1.
+/* The inverse of ateb_beta_inc: x with I_x(a, b) = p, for 0 <= p <= 1.
    Domain and accuracy are those of ateb_beta_inc_inv_both. */
 VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 {
@@ -344,8 +348,9 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
     return x;
 }
 
-/* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need it.
-   Within 2 ulp. alpha up to 1e30, p and q up to 1e6; NaN beyond. Time: 160 sines. Equation (316). */
+/* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need this
+   mean. alpha may be up to 1e30, p and q up to 1e6; for larger ones the result is NaN. The error is at most 2 ulp.
+   Equation (316). */
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 {
     const vm_real largest_alpha = VM_C(1e30), largest_power = VM_C(1e6);

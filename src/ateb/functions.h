@@ -1,16 +1,15 @@
 /* ateb/functions.h - the Ateb functions sa and ca for any real argument and any alpha >= 0
 
    v = sa(1, alpha, s) and u = ca(alpha, 1, s) solve v' = u|u|^(alpha-1), u' = -2 v/(alpha + 1) with v(0) = 0 and
-   u(0) = 1: equations (275), (276). They have the period 2 Pi_alpha (ateb/period.h) and make up the motion of the
-   oscillator with the restoring force x|x|^(alpha-1). Who needs one alpha for many arguments prepares a plan
-   (ateb/plans.h).
+   u(0) = 1: equations (275), (276). They have the period 2 Pi_alpha (ateb/period.h) and describe the motion of the
+   oscillator with the restoring force x|x|^(alpha-1). For many arguments and one alpha prepare a plan (ateb/plans.h).
 
        vm_real sa, ca;
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
 
    Method: s is reduced to the first quarter of the period, where an incomplete beta function is inverted
-   (ateb/inversion.h). r is the distance of s from the nearest zero of sa, d that from the nearest zero of ca, so that
-   r + d = Pi_alpha/2. Tests: tests/test_ateb.c. */
+   (ateb/inversion.h). r is the distance of s from the nearest zero of sa, and d the distance from the nearest zero of
+   ca, so that r + d = Pi_alpha/2. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_FUNCTIONS_H
 #define VARMASS_ATEB_FUNCTIONS_H
 
@@ -22,19 +21,19 @@
 #include "period.h"
 #include "powers.h"
 
-/* Where s lies: s is `quarter` quarters of the period plus rest, and quarter counts modulo 4. r and d are its
-   distances from the nearest zeros of sa and ca. */
+/* The position of s in the period. s is `quarter` quarters of the period plus rest, where whole periods (4 quarters)
+   are left out. r and d are the distances of s from the nearest zeros of sa and ca. */
 typedef struct VM_TAG(vmi_ateb_place) {
     vm_real rest, r, d;
     int quarter;
 } vmi_ateb_place;
 
-/* The rest of s > 0 beyond the nearest multiple of the quarter period, for an s that is large or close to a zero.
-   c->quarter is replaced by two words that are right to 2^-102 (float 2^-44). Where the rest is so small that their
-   error would be felt, three words are used. */
+/* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large or close to a zero.
+   c->quarter is replaced by two words with a relative error of 2^-102 (float 2^-44). If the result is so small that
+   this error would matter, three words are used. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
-    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* 2^-44, 2^-16 */
+    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* about 2^-44 (float 2^-16) */
     vm_real rest, count;
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
@@ -45,16 +44,19 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
         if (count * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + count * Q.lo);
     }
     if (VM_FABS(rest) < c->quarter.hi) return rest;
-    return 0; /* s is beyond 2^52 quarters */
+    return 0; /* s is above 2^52 quarters: its digits do not give the phase */
 }
 
-/* a for the weight 1, b for the weight 0. A condition would become a branch, which is mispredicted half the time. */
+/* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, which is mispredicted half
+   the time. */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
-/* The place of s >= 0, by the quickest of three ways. 1. For s <= (alpha + 1)/2, s lies in the first quarter, and r =
-   s does not have to wait for Pi_alpha. 2. For s <= 128 (alpha + 1), the quick quarter period of c is enough, unless
-   s is close to a zero. Its products with the number of quarters are exact. The number comes from its high word
-   alone, so that the rest may be a little longer than half a quarter. 3. Any other s is reduced finely. */
+/* Returns the position of s >= 0 in the period, by the quickest of three ways.
+     1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
+     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero. Its products with the
+        number of quarters are exact. This number comes from the high word of c->quarter alone, so that the rest may be
+        a little longer than half a quarter.
+     3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
     const vm_real n = c->n.hi, to_integer = VM_C(1.5) / VM_EPSILON;
@@ -69,7 +71,7 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
         at.d = (c->quarter.hi - s) + c->quarter.lo;
         return at;
     }
-    if (is_coarse) { /* a quotient that is rounded to an integer counts the quarters in its last bits */
+    if (is_coarse) { /* the last bits of the rounded quotient are the number of quarters */
         const vm_real high = vmi_head(c->quarter.hi), low = c->quarter.hi - high;
         const vm_real shifted = vmi_rounded(s / c->quarter.hi + to_integer);
         const vm_real count = vmi_rounded(shifted - to_integer);
@@ -86,8 +88,8 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     return at;
 }
 
-/* Gives sa and ca of the first quarter the signs that they have at s, where |s| is so many quarters plus rest. It
-   works on the bits of the signs, without a branch. */
+/* Gives sa and ca of the first quarter the signs that they have at s, where |s| is `quarter` quarters plus rest. The
+   function works on the bits of the signs, without a branch. */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
     const int last = 8 * (int)sizeof(vm_real) - 1;
@@ -97,10 +99,10 @@ VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real
     *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd << last)));
 }
 
-/* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. Any real s and alpha >= 0, pure numbers. |sa| <= 1,
-   |ca| <= 1; sa is odd in s and ca is even, to the last bit. Within 4 eps for |s| <= 1e9 (float 1e4); within 8 ulp
-   for |s| <= 100 Pi_alpha, next to the zeros too. NaN for alpha < 0, NaN and infinite arguments. Time: about 10
-   sines. Equations (275), (276). */
+/* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. s is any real number and alpha >= 0; both are pure
+   numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 eps for
+   |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, next to the zeros too. The results are NaN for
+   alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275), (276). */
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     vmi_ateb c;
@@ -125,7 +127,7 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 }
 
 /* sa(1, alpha, s), the Ateb sine, alone.
-   Domain and accuracy are those of ateb_saca, which computes both in the same time. */
+   Domain and accuracy are those of ateb_saca, which computes both functions in the same time. */
 VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
 {
     vm_real sa, ca;
@@ -134,7 +136,7 @@ VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
 }
 
 /* ca(alpha, 1, s), the Ateb cosine, alone.
-   Domain and accuracy are those of ateb_saca, which computes both in the same time. */
+   Domain and accuracy are those of ateb_saca, which computes both functions in the same time. */
 VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 {
     vm_real sa, ca;

@@ -1,9 +1,9 @@
 /* ateb/integrals.h - integrals of Ateb functions
 
-   Of the four simplest integrals from 0 to s two need functions of their own,
+   Two of the four simplest integrals from 0 to s need functions of their own,
      integral of sa^2 = (s - sa ca) (alpha+1)/(alpha+3),
      integral of |ca|^(alpha+1) = s - integral of sa^2,
-   and two are in closed form: that of sa is (1 - ca) (alpha+1)/2, that of ca |ca|^(alpha-1) is sa.
+   and two have a closed form: the integral of sa is (1 - ca) (alpha+1)/2, and that of ca |ca|^(alpha-1) is sa.
 
        vm_real work = ateb_integral_sa2(VM_C(0.7), VM_C(1.5));
 
@@ -16,11 +16,11 @@
 #include "inversion.h"
 
 /* The integral of sa(1, alpha, s)^2 from 0 to s.
-   No digits cancel for a small s. Within some 10 ulp; domain as ateb_saca, NaN outside it. */
+   No digits cancel for a small s. The domain is that of ateb_saca; the result is NaN outside it. */
 VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
 {
     const vm_real q = 1 / (alpha + 1), b = q + VM_C(0.5);
-    vm_real sa, ca, w, rest; /* rest = s - sa ca; near 0 from s = sa ca (1 + w b vmi_ateb_w_fraction(q, w)) */
+    vm_real sa, ca, w, rest; /* rest = s - sa ca, which for small s is sa ca w b vmi_ateb_w_fraction(q, w) */
     ateb_saca(s, alpha, &sa, &ca);
     w = sa * sa;
     if (VM_FABS(s) < VMI_ATEB_CHANGE_OVER) rest = sa * ca * (w * b * vmi_ateb_w_fraction(q, w));
@@ -29,7 +29,7 @@ VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
 }
 
 /* The integral of |ca(alpha, 1, s)|^(alpha+1) from 0 to s.
-   Within some 10 ulp; domain as ateb_saca, NaN outside it. */
+   The domain is that of ateb_saca; the result is NaN outside it. */
 VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 {
     vm_real sa, ca;

@@ -9,10 +9,10 @@
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
      2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
 
-   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v, beyond it the second for p; at the
-   change-over w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and its r (or d) is computed. It differs
-   little from the given one, and a Taylor series corrects v (or p) for the difference. So one continued fraction for
-   2F1 and one power are enough.
+   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v; for larger r the second is solved for p; at
+   the change-over w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
+   computed. The computed r (or d) differs little from the given one, and a Taylor series corrects v (or p) for the
+   difference. Therefore one continued fraction for 2F1 and one power are enough.
 
    Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_INVERSION_H
@@ -25,18 +25,19 @@
 #include "period.h"
 #include "powers.h"
 
-/* Up to this distance from a zero of sa the first equation above is used, beyond it the second. */
+/* Up to this distance r from a zero of sa, sa is computed by vmi_ateb_near_sa_zero; for larger r by
+   vmi_ateb_near_ca_zero. */
 #define VMI_ATEB_CHANGE_OVER VM_C(0.55)
 
 /* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
      e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
      e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
-   Two levels gain 7 bits or more for z < 0.303. e_j tends to z/4, which gives a start for the last Y. These are the
-   numbers of levels. */
+   Two levels gain 7 bits or more for z < 0.303. e_j tends to z/4, which gives a start for the last Y. The constants
+   are the numbers of levels of the two fractions, in w and in p. */
 enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
-/* Y_1 = P/Q from Y, the one after the last level, and from e_(j+1)/z = e_by_z[j]. There is no division. The e_j/z do
-   not depend on z, so that they are computed while the processor waits for z. */
+/* Computes Y_1 = P/Q from Y, the value after the last level, and from e_(j+1)/z = e_by_z[j], without a division. The
+   numbers e_j/z do not depend on z, so that the processor computes them while it waits for z. */
 VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
 {
     int j;
@@ -49,7 +50,8 @@ VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, v
     }
 }
 
-/* (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. Here e_j/w = constant + q slope. */
+/* Returns (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. Each e_j/w is linear in q: an element of
+   `constant` plus q times one of `slope`. */
 VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
 {
     VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,    VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
@@ -68,8 +70,9 @@ VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
     return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
 }
 
-/* Numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. Here e_(j+1)/p is
-   (constant + q slope + q^2 square)/((q + index)(q + index + 1)), each at j. */
+/* Computes two numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. e_(j+1)/p is
+   (constant + q slope + q^2 square)/((q + index)(q + index + 1)), where each name stands for element j of the table
+   with this name. */
 VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
 {
     VM_TABLE vm_real index[13] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
@@ -84,16 +87,17 @@ VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
     vmi_ateb_fraction(e_by_p, p, VMI_ATEB_P_LEVELS, 1 - p * (1 + p / 2) / 4, P, Q);
 }
 
-/* (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits cancel. */
+/* Returns (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits cancel. */
 VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
 {
     const vm_real l = vmi_ateb_ln_ratio(t), z = q * l;
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* sa and ca for 0 <= r <= VMI_ATEB_CHANGE_OVER. The guess v is the series of sa up to r^9, within 1e-5, with
-   coefficients in k = 1 - q, cut to half of the digits so that w = v^2 is exact. h is r minus the r that belongs to
-   v; Taylor's series in e = h/u leads to sa and ca. */
+/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). The guess v
+   of sa is the series of sa up to r^9, which is right to 1e-5 and whose coefficients are polynomials in k = 1 - q. v is
+   shortened to half of its digits, so that w = v^2 is exact. h is r minus the r that belongs to v; a Taylor series in
+   e = h/u, where u is the ca that belongs to v, gives sa and ca. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
@@ -109,8 +113,8 @@ VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca
     *ca = 1 - (one_minus_u + h * q * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667))));
 }
 
-/* (2^k (1 + t)/(1 - t))^n/4 to a relative error of 2e-7 (1 + |logarithm of the result|), for a result that is a
-   normal number. It is 2^power/4, where power is split into an integer and z between -1/2 and 1/2. */
+/* Returns (2^k (1 + t)/(1 - t))^n/4 with a relative error of 2e-7 (1 + |logarithm of the result|), if the result is a
+   normal number. The result is 2^power/4, where power is split into an integer and z between -1/2 and 1/2. */
 VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
 {
     const vm_real to_integer = VM_C(1.5) / VM_EPSILON, tt = t * t;
@@ -124,15 +128,16 @@ VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
                          (vmi_to_bits(shifted) << VMI_STORED_DIG));
 }
 
-/* The number y = 2 q d in two words, whose power n is X; its logarithm is vmi_ateb_ln_of(k, t). */
+/* The number y = 2 q d in two words, whose power y^(alpha + 1) is X; ln y is vmi_ateb_ln_of(k, t) */
 typedef struct VM_TAG(vmi_ateb_base) {
     vm_two y;
     vm_real k, t;
 } vmi_ateb_base;
 
-/* The base from r and d, where z = 2 r - (Pi_alpha - (alpha + 1)), so that y = 1 - q z. It is taken from the
-   smaller of r and d; for r < d y > 1/2. The low word of y counts: where alpha is large, a small change of y is a
-   large one of X = y^(alpha+1). For y < 1/2 X is so small that y.lo need not be scaled by 2^-k. */
+/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y is 1 - q z, where
+   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; for r < d, y > 1/2. The low word of
+   y matters: where alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so
+   small that y.lo need not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
@@ -144,15 +149,16 @@ VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, v
     } else if (d < 1 / VM_EPSILON) {
         base.y = vmi_two_product(twice_q.hi, d);
         base.y.lo += twice_q.lo * d + twice_q.hi * d_lo;
-    } else base.y = vmi_two(twice_q.hi * d, 0); /* here X underflows, and the low word does not count */
+    } else base.y = vmi_two(twice_q.hi * d, 0); /* here X underflows, and the low word does not matter */
     mantissa = vmi_ateb_mantissa(base.y.hi, &base.k);
     scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), base.y.hi - sqrt_half); /* 2^-k for y > 1/2 */
     base.t = ((mantissa - 1) + scale * base.y.lo) / (mantissa + 1);
     return base;
 }
 
-/* p within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). It is the (1, 1) Pade approximant of p/X4 and what it
-   lacks, X4^3 q (1 - q) times a polynomial fitted by tests/gen/ateb_coefficients.py. */
+/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed by its (1, 1) Pade
+   approximant and a correction, which contains X4^3 q (1 - q) and a polynomial fitted by
+   tests/gen/ateb_coefficients.py. */
 VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 {
     const vm_real k = 1 - q, m = (1 + q) * (2 + q);
@@ -162,21 +168,21 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
            (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
 }
 
-/* sa and ca for r >= VMI_ATEB_CHANGE_OVER, in terms of y = 2 q d and ln X = (alpha + 1) ln y. The equation to solve
-   is
-     ln X = ln x + (alpha + 1) ln(1 + q T), and its derivatives, with E = 1 + q T, are
+/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from that of ca. q is 1/(alpha + 1),
+   y = 2 q d, and ln X = (alpha + 1) ln y. The equation
+     ln X = ln x + (alpha + 1) ln(1 + q T) is solved for p. Its derivatives, with E = 1 + q T, are
      dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
-   rho is what ln X has more than the ln X of the guess; Taylor's series in rho leads to sa and ca. */
+   rho is ln X minus the ln X that belongs to the guess; a Taylor series in rho gives sa and ca. */
 VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
 {
-    const vm_real least_ln = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8): X is negligible */
+    const vm_real least_ln = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* X < eps/8 may be neglected */
     const vm_real n = c->n.hi, q = c->q.hi, twice_q = 2 * q;
     const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(twice_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
     const vm_real y = base.y.hi, ln_X = n * vmi_ateb_ln_of(base.k, base.t);
-    vm_real p, v, P, Q;       /* the guess of p, its v, and E = P/(P - B) */
+    vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and E = P/(P - B) */
     vm_real B, E, E_loss;     /* E_loss = 1 - 1/E, so that u/y of the guess is 1 - E_loss */
     vm_real rho, vE;          /* vE = v E */
-    vm_real sa_rate, ca_rate; /* -dv/d(ln X) and -d ln(u/y)/d(ln X) */
+    vm_real sa_rate, ca_rate; /* -d(sa)/d(ln X) and -d ln(ca/y)/d(ln X) */
     vm_real sa_change, ca_change;
     *sa = 1;
     *ca = y + base.y.lo;

@@ -1,14 +1,14 @@
 /* ateb/period.h - Pi_alpha, half the period of the Ateb functions
 
-   sa and ca have the period 2 Pi_alpha, where Pi_alpha = B(1/(alpha + 1), 1/2) by (277): 2 for alpha = 0, pi for 1.
-   ateb_pi returns it; the internal functions return a quarter of the period, Pi_alpha/2, in as many words as the
-   reduction of an argument needs.
+   sa and ca have the period 2 Pi_alpha, where Pi_alpha = B(1/(alpha + 1), 1/2) by (277). It is 2 for alpha = 0 and pi
+   for alpha = 1. ateb_pi returns Pi_alpha; the internal functions return a quarter of the period, Pi_alpha/2, in as
+   many words as the reduction of an argument needs.
 
        vm_real period = 2 * ateb_pi(3);
 
    Two methods: a table of polynomials for Pi_alpha - (alpha + 1), which is quick and enough for most arguments, and
-   one polynomial of degree 33 (float 17) in two or three words. In the comments n = alpha + 1 and q = 1/n.
-   The tables are computed by tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
+   one polynomial of degree 33 (float 17) in two or three words. In the comments of this file n = alpha + 1 and
+   q = 1/n. The tables are computed by tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
 
@@ -17,10 +17,10 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* Coefficient i of the polynomial in t = 2q - 1 for (1 + q)(2 + q)(3 + q) f(q), where
+/* Returns coefficient i of the polynomial in t = 2q - 1 that equals (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha, between 1 and 2 for 0 < q <= 1.
-   It is the interpolation in Chebyshev's points; each coefficient is about 1/18 of the one before it. Each has up to
-   three words; which_word 0 is the largest. Words that would change nothing are 0. */
+   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A
+   coefficient has up to three words; which_word = 0 selects the largest. Words that would change nothing are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
@@ -70,12 +70,12 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
     return i < (int)(sizeof lowest / sizeof *lowest) ? VM_READ(lowest[i]) : 0;
 }
 
-/* The degree of this polynomial */
+/* The degree of the polynomial of vmi_ateb_coefficient */
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
-/* The polynomial of vmi_ateb_coefficient in two words. The coefficients from the one at TWO_WORDS on are small enough
-   for one word. Each coefficient exceeds the sum of the terms behind it, so that two operations a step are enough for
-   the high words. */
+/* The polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small that one
+   word is enough. Each coefficient exceeds the sum of the terms after it, so that Dekker's sum of two numbers is
+   enough for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
     enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };
@@ -94,7 +94,7 @@ VM_API vm_two vmi_ateb_polynomial(vm_two t)
     return sum;
 }
 
-/* f(q) = q Pi_alpha to a relative error of 2^-102 (float 2^-44) */
+/* Returns f(q) = q Pi_alpha with a relative error of 2^-102 (float 2^-44) */
 VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 {
     const vm_two one = {1, 0}, minus_one = {-1, 0}, twice_q = vmi_two(2 * q.hi, 2 * q.lo);
@@ -104,8 +104,8 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
     return vmi_two_over(vmi_ateb_polynomial(vmi_two_plus(minus_one, twice_q)), divisor);
 }
 
-/* Pi_alpha/2 in three words, to a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float 3e4). The
-   product n f(q)/2, where 1/(i + q) = n/(i n + 1). */
+/* Returns Pi_alpha/2 in three words, with a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float
+   3e4). It is the product n f(q)/2, where each factor 1/(i + q) of f is computed as n/(i n + 1). */
 VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 {
     const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
@@ -125,7 +125,7 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 }
 
 /* The columns of the table of g(q) = Pi_alpha - (alpha + 1): the low words of g and of its slope at q = row/32, g and
-   its slope there, and the further coefficients of the Taylor series. The slope has half of the digits. */
+   its slope at that q, and the further coefficients of the Taylor series. The slope has half of the digits. */
 enum {
     VMI_ATEB_G_LOW,
     VMI_ATEB_G_SLOPE_LOW,
@@ -135,7 +135,7 @@ enum {
     VMI_ATEB_G_COLUMNS = VM_MANT_DIG > 24 ? 12 : 8
 };
 
-/* A number from the table of g(q). Row 0 is for q = 0 (g = 2 ln 2), row 32 for q = 1 (g = 1). */
+/* Returns a number from the table of g(q). Row 0 is for q = 0 (g = 2 ln 2), row 32 for q = 1 (g = 1). */
 VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -344,22 +344,22 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
     return VM_READ(table[row][column]);
 }
 
-/* g(q) = Pi_alpha - (alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute error below 2^-66 (float
-   2^-36). It is a polynomial in the distance h of q from the nearest multiple of 1/32. The low word may be as large
-   as 2^-13. */
+/* Returns g(q) = Pi_alpha - (alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute error below 2^-66
+   (float 2^-36). g is computed as a polynomial in the distance h of q from the nearest multiple of 1/32. Its low word
+   may be as large as 2^-13. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24
-    const vm_real to_row = VM_C(211106232532992.0); /* 1.5 2^47: the last digit of a sum with it is worth 1/32 */
+    const vm_real to_row = VM_C(211106232532992.0); /* 1.5 2^47; adding it rounds a number to a multiple of 1/32 */
 #else
-    const vm_real to_row = VM_C(393216.0); /* 1.5 2^18 */
+    const vm_real to_row = VM_C(393216.0); /* 1.5 2^18; adding it rounds a number to a multiple of 1/32 */
 #endif
     enum { S = VMI_ATEB_G_SERIES };
     const vm_real shifted = vmi_rounded(q.hi + to_row), h = q.hi - vmi_rounded(shifted - to_row);
     const vm_real h_head = vmi_head(h), hh = (h + q.lo) * (h + q.lo);
     const int row = (int)(vmi_to_bits(shifted) & 63);
     const vm_real slope = vmi_ateb_g_constant(row, VMI_ATEB_G_SLOPE);
-    vm_two g = vmi_fast_two_sum(vmi_ateb_g_constant(row, VMI_ATEB_G_VALUE), slope * h_head); /* an exact product */
+    vm_two g = vmi_fast_two_sum(vmi_ateb_g_constant(row, VMI_ATEB_G_VALUE), slope * h_head); /* the product is exact */
     vm_real series = (vmi_ateb_g_constant(row, S) + h * vmi_ateb_g_constant(row, S + 1)) +
                      hh * (vmi_ateb_g_constant(row, S + 2) + h * vmi_ateb_g_constant(row, S + 3));
 #if VM_MANT_DIG > 24
@@ -372,7 +372,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* What the functions need of alpha. A low word may exceed an ulp of its high word where a function says so. */
+/* The numbers that the functions need for one alpha. A low word may exceed an ulp of its high word where a function
+   says so. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -380,7 +381,8 @@ typedef struct VM_TAG(vmi_ateb) {
     vm_two quarter; /* Pi_alpha/2, a quarter of the period */
 } vmi_ateb;
 
-/* Sets n and q, and the rest to 0. The remainder 1 - n q is exact, since n and q are cut into halves. */
+/* Sets the fields n = alpha + 1 and q = 1/n, and sets g and quarter to 0. The remainder 1 - n q is exact, since n and q
+   are split into halves. */
 VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
 {
     vm_real n_head, n_tail, q_head;
@@ -394,8 +396,8 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets g and quarter, whose low words may be as large as 2^-13. The phase has the absolute error of
-   Pi_alpha, however large Pi_alpha is; as a sum of n and g it has a small one for a large alpha too. */
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. The absolute error of Pi_alpha enters the
+   phase. It is small for a large alpha too, since Pi_alpha is the sum of n and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -413,22 +415,24 @@ VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
     c->quarter = vmi_fast_two_sum(c->quarter.hi, c->quarter.lo);
 }
 
-/* Pi_alpha, half the period of sa and ca, for alpha >= 0. Pi_alpha = B(1/(alpha + 1), 1/2), a pure number: 2 for
-   alpha = 0, pi for 1, close to alpha + 1 + 2 ln 2 for a large alpha. Within 1 ulp. NaN for alpha < 0, NaN and
-   infinite alpha. Time: 1.5 sines. Equation (277). */
+/* Pi_alpha, half the period of sa and ca, for alpha >= 0. Pi_alpha = B(1/(alpha + 1), 1/2) is a pure number: 2 for
+   alpha = 0, pi for alpha = 1, and close to alpha + 1 + 2 ln 2 for a large alpha. The error is at most 1 ulp. Returns
+   NaN for alpha < 0, NaN and infinite alpha. docs/cost.md has the time. Equation (277). */
 VM_API vm_real ateb_pi(vm_real alpha)
 {
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
-    vmi_ateb_constants(&c, alpha);
-    return 2 * c.quarter.hi;
+    vmi_ateb_index_constants(&c, alpha);
+    vmi_ateb_period_constants(&c);
+    return 2 * vmi_fast_two_sum(c.quarter.hi, c.quarter.lo).hi;
 }
 
-/* Whether alpha is so large that three terms of g(q) at q = 0 give the quarter period in two words */
+/* Returns 1 if alpha is so large that three terms of g(q) at q = 0 give the quarter period in two words, else 0. */
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
-/* Pi_alpha/2 to a relative error of 2^-102 (float 2^-44). Pi_alpha is n + g(q), with g(q) = 2 ln 2 + q g'(0) + q^2
-   g''(0)/2, for a large alpha, and n f(q) for others. */
+/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
+   Pi_alpha is n + g(q), with g(q) = 2 ln 2 + q g'(0) + q^2 g''(0)/2; for any other alpha it is n f(q), where f is
+   vmi_ateb_gamma_ratio. */
 VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 {
     const vm_two one = {1, 0};

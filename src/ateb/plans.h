@@ -1,15 +1,16 @@
 /* ateb/plans.h - sa and ca for many arguments and one alpha
 
-   A plan holds what depends on alpha alone: Pi_alpha/2 and polynomials for two parts of a quarter of the period. Each
-   call then takes two to seven sines; arrays take one where the compiler vectorises the loop. A plan of less accuracy
-   is shorter and quicker. A plan is plain data: it may be copied, and it may be a constant in flash.
+   A plan holds what depends on alpha alone: Pi_alpha/2 and polynomials for two parts of a quarter of the period. A
+   call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md has the
+   times). A plan of less accuracy is shorter and quicker. A plan is plain data: it may be copied, and it may be a
+   constant in flash.
 
        ateb_plan p;
        vm_real sa, ca;
        if (ateb_plan_init(&p, VM_C(1.5)) == 0) ateb_plan_saca(&p, VM_C(0.7), &sa, &ca);
 
-   Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). With
-   polynomials A and C, up to a change-over
+   Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). A and C are
+   polynomials. Up to a change-over
      sa = r (1 + tau A(tau)) and ca = 1 + tau C(tau), where tau = r^2;
    beyond it, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
@@ -21,6 +22,7 @@
 #define VARMASS_ATEB_PLANS_H
 
 #include "../base/bits.h"
+#include "../base/chebyshev.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/sums.h"
@@ -37,28 +39,28 @@
 #define ATEB_PLAN_LENGTH 8
 #endif
 
-/* The polynomials of one part of a quarter: odd is A for the function that has its zero there, even is C for the
-   other one. The constant terms come first; what is not used is 0. */
+/* The polynomials of one part of a quarter: odd is A, for the function that has its zero in this part, and even is C,
+   for the other function. The constant terms come first; coefficients that are not used are 0. */
 typedef struct VM_TAG(vmi_ateb_part) {
     vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
 
-/* One alpha, prepared by ateb_plan_init. Pure numbers. */
+/* One alpha, prepared by ateb_plan_init. All fields are pure numbers. */
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
-    vm_real quarter_parts[3]; /* its three parts, of which the first two have half of the digits or less */
+    vm_real quarter_parts[3]; /* numbers with the sum quarter; the first two have half of the digits or less */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| below it products of quarter_parts and a number of quarters are exact */
-    vm_real change_over;      /* the first part serves up to this distance r from a zero of sa */
-    vm_real n, g;             /* alpha + 1, Pi_alpha - (alpha + 1) */
+    vm_real longest;          /* for |s| < longest the products of quarter_parts and a number of quarters are exact */
+    vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
+    vm_real n, g;             /* alpha + 1 and Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
-    int length;               /* how many terms the polynomials have, an even number */
+    int length;               /* number of terms of the polynomials, an even number */
     int twice_alpha;          /* 2 alpha where tau is computed by products, -1 where it is an exponential */
-    vmi_ateb_part part[2];    /* up to the change-over, and beyond it */
+    vmi_ateb_part part[2];    /* polynomials for r up to the change-over, and for larger r */
 } ateb_plan;
 
-/* d d^alpha for twice_alpha = 0 ... 14, from d + d_lo. twice_alpha is the sum of powers of two: 1 is a square root of
-   d, 2 is d, 4 is d^2, 8 is d^4. */
+/* Returns d^(1 + alpha) from d + d_lo, where alpha = twice_alpha/2 and twice_alpha = 0 ... 14. Each bit of twice_alpha
+   stands for a factor: 1 for sqrt(d), 2 for d, 4 for d^2, and 8 for d^4. */
 VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real d2 = d * d;
@@ -71,7 +73,7 @@ VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
     return power * d + power * (p->n * d_lo);
 }
 
-/* d d^alpha as vmi_ateb_product computes it, to the same bits, but without branches */
+/* Returns d^(1 + alpha) with the same bits as vmi_ateb_product, but without branches. */
 VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real half = (vm_real)(p->twice_alpha & 1), one = (vm_real)(p->twice_alpha >> 1 & 1);
@@ -81,13 +83,14 @@ VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d
     return power * d + power * (p->n * d_lo);
 }
 
-/* 2 q d in two words, from d + d_lo */
+/* Returns 2 q d = 2 d/(alpha + 1) in two words, from d + d_lo. */
 VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* X = (2 q d)^(alpha+1) and *y = 2 q d. Where X would be subnormal it is the least normal number, roughly. */
+/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1), and writes 2 q d to *y. Where X would be subnormal, about the
+   least normal number is returned. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vm_real least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -97,8 +100,8 @@ VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d,
     return vmi_ateb_exp(vmi_larger(ln_X, least_ln));
 }
 
-/* base (1 + tau odd(tau)) and 1 + tau even(tau), where base is r or 2 q d. Terms with even and with odd powers are
-   added up apart, so that the processor computes both at once. */
+/* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where base is r or 2 q d. Terms with even powers of
+   tau and terms with odd powers are added up separately, so that the processor computes both sums at once. */
 VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two base, vm_real tau, vm_real *odd,
                                 vm_real *even)
 {
@@ -115,8 +118,8 @@ VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two ba
     *even = 1 + tau * (even0 + tau * even1);
 }
 
-/* |s| minus the nearest multiple of Pi_alpha/2, for |s| < p->longest, which is 2^26 quarters (float 2^12). The last
-   bits of *quarter count the quarters. */
+/* Returns |s| minus the nearest multiple of Pi_alpha/2, for |s| < p->longest, which is 2^26 quarters (float 2^12).
+   The last bits of *quarter become those of the number of quarters. */
 VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *quarter)
 {
     const vm_real x = VM_FABS(s), to_integer = VM_C(1.5) / VM_EPSILON;
@@ -126,8 +129,9 @@ VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *
 }
 
 /* sa and ca of the argument s for the plan's alpha.
-   Any s; within 2 ulp for the s of ateb_saca and alpha up to 1e6, or the accuracy that the plan was made for. NaN for
-   infinite and NaN s. Time: 1.5 to 3 sines for alpha = 0, 1/2, 1, ..., 7, else 3 to 7. */
+   s may be any number. For alpha up to 1e6 and the s for which ateb_saca has a bound in ulp, the error of a full plan
+   is at most 2 ulp; a shorter plan has the accuracy that it was made for. The results are NaN for infinite and NaN s.
+   docs/cost.md has the time. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost;
@@ -169,14 +173,14 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
-/* a where the bits of the mask are set, else b */
+/* Returns a if all bits of the mask are set, and b if none is set. */
 VM_INLINE vm_real vmi_select(vmi_bits mask, vm_real a, vm_real b)
 {
     return vmi_from_bits((vmi_to_bits(a) & mask) | (vmi_to_bits(b) & ~mask));
 }
 
-/* ateb_plan_saca without branches, for arrays: both parts are evaluated and one is selected. It needs
-   twice_alpha >= 0 and |s| < p->longest; length is p->length or a larger even number. */
+/* Computes what ateb_plan_saca computes, without branches, for arrays: both parts are evaluated, and one of them is
+   selected. twice_alpha must not be negative, and |s| < p->longest; length is p->length or a larger even number. */
 VM_INLINE void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_real *sa, vm_real *ca)
 {
     vmi_bits quarter;
@@ -196,7 +200,8 @@ VM_INLINE void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
-/* All n arguments, each |s| < p->longest, in a loop that compilers vectorise where length is a constant */
+/* Computes sa and ca of n arguments, each with |s| < p->longest, in a loop that compilers vectorise if length is a
+   constant. */
 VM_INLINE void vmi_ateb_loop(const ateb_plan *p, int length, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     int i;
@@ -208,7 +213,7 @@ VM_INLINE void vmi_ateb_loop(const ateb_plan *p, int length, int n, const vm_rea
     }
 }
 
-/* All n arguments by the loop of the least constant length that is enough */
+/* Computes sa and ca of n arguments by the loop with the least constant length that is enough. */
 VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
 #if ATEB_PLAN_LENGTH > 8
@@ -229,18 +234,19 @@ VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real 
     else vmi_ateb_loop(p, 4, n, s, sa, ca);
 }
 
-/* Whether the registers are wide: in narrow ones both parts take longer than a branch and one part */
+/* Is 1 on processors with wide vector registers. With narrow ones, computing both parts takes longer than a branch
+   and one part. */
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
 #else
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each; s may be sa or ca,
-   otherwise they do not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend on the
-   place in the array. Time: about one sine an argument with gcc -O3 -march=native -fno-math-errno for alpha = 0, 1/2,
-   1, ..., 7; else that of ateb_plan_saca. Blocks of 64 arguments are copied; those that are too long or not finite
-   are computed one by one. */
+/* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
+   ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend
+   on the index in the array. Arguments are copied in blocks of 64; arguments that are too long or not finite are
+   computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors with wide vector
+   registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     enum { BLOCK = 64 };
@@ -265,7 +271,8 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
     }
 }
 
-/* The coefficient w_j of w = b^alpha, where b_0 = 1, from w_0 ... w_(j-1) and b_1 ... b_j (Euler) */
+/* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. It is computed
+   from w_0 ... w_(j-1) and b_1 ... b_j (by Euler). */
 VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
 {
     vm_real sum = 0;
@@ -274,15 +281,16 @@ VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, con
     return sum / (vm_real)j;
 }
 
-/* Terms of the Taylor series from which the polynomials are made */
+/* The number of terms of the Taylor series from which the polynomials are made */
 enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 
-/* The Taylor coefficients in r^2 of sa/r (odd) and ca (even), or, beyond the change-over, in X of ca/(2 q d) (odd)
-   and sa (even), term by term from the differential equations (275) */
+/* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0 they are those of
+   sa/r (odd) and ca (even) in powers of r^2; for beyond = 1 they are those of ca/(2 q d) (odd) and sa (even) in powers
+   of X = (2 q d)^(alpha+1). */
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
-    const vm_real large = VM_C(1e30); /* beyond it alpha j could overflow, and the coefficients no longer change */
-    vm_real w[VMI_ATEB_TERMS];        /* the power alpha of the series of ca */
+    const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
+    vm_real w[VMI_ATEB_TERMS];        /* the series of ca to the power alpha */
     int j;
     if (alpha > large) {
         alpha = large;
@@ -305,34 +313,22 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Removes the highest power of c_0 + c_1 t + ... + c_k t^k, 0 <= t <= 1, by subtracting a multiple of Chebyshev's
-   polynomial of degree k, which changes the values by at most |c_k| 2^(1-2k) */
-VM_API void vmi_ateb_remove_highest(vm_real *c, int k)
-{
-    vm_real term = c[k];
-    int i;
-    for (i = k; i > 0; i--) {
-        term *= -((vm_real)i * (vm_real)(2 * i - 1)) / (2 * (vm_real)(k - i + 1) * (vm_real)(k + i - 1));
-        c[i - 1] -= term;
-    }
-}
-
 /* Economises c_1 + c_2 tau + c_3 tau^2 + ... for 0 <= tau <= limit: writes to result a polynomial in tau/unit
-   with at most ATEB_PLAN_LENGTH terms, and returns how many it has. Its error is at most tolerance/limit where the
-   terms are enough. c is overwritten. */
+   with at most ATEB_PLAN_LENGTH terms, and returns the number of its terms. Its error is at most tolerance/limit if
+   these terms are enough. c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* to a polynomial in t = tau/limit, times limit */
+    for (i = 0; i <= highest; i++) { /* makes c limit times the polynomial, in powers of t = tau/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* height = 2^(1-2k) */
+    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), the change for c[k] = 1 */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
-        vmi_ateb_remove_highest(c, k);
+        vmi_remove_highest(c, k, 0);
         height *= 4;
     }
     power = 1;
@@ -344,8 +340,8 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     return k + 1;
 }
 
-/* Fills one part of the plan, beyond = 0 or 1, and returns how many terms its polynomials have. unit is the X for
-   which tau of this part is 1; in the first part tau is r^2 and unit is 1. */
+/* Fills part 0 or 1 (`beyond`) of the plan and returns the number of terms of its polynomials. unit is the value of X
+   at which tau is 1 in part 1; in part 0 tau is r^2 and unit is 1. */
 VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_real unit,
                               vm_real tolerance)
 {
@@ -362,7 +358,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Sets what serves the reduction: the quarter period in pieces, and up to which s they are exact */
+/* Sets the fields for the reduction: the quarter period as a sum, and the s up to which products with its terms are
+   exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
     p->quarter = vmi_ateb_fine_quarter(c);
@@ -375,12 +372,12 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 
 /* Prepares a plan for alpha >= 0 and a given accuracy. `accuracy` is the largest absolute error of sa and ca that is
    allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or
-   -1 for alpha < 0 and where a number is NaN or infinite; then the plan stays as it was. Time: 15 us. */
+   -1 for alpha < 0 and if a number is NaN or infinite; then the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    /* Beyond the change-over sa comes from X, whose rounding errors count X/(2 sa) times. That is 0.33 for a
-       change-over at r = 0.92; it would be 0.5 at 0.73, which makes 2.3 ulp. Further out the polynomials would be too
-       short. */
+    /* Beyond the change-over sa is computed from X, whose rounding errors enter with the factor X/(2 sa). This factor
+       is 0.33 for a change-over at r = 0.92; for one at r = 0.73 it would be 0.5, and the error 2.3 ulp. For a
+       change-over beyond 0.92 the polynomials would have too few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
     vm_real tolerance = VM_EPSILON / 16, unit = 1;
     int length, length_beyond;
@@ -406,7 +403,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 }
 
 /* Prepares a plan of full accuracy for alpha >= 0.
-   Returns 0, or -1 for alpha < 0, NaN and infinite alpha; then the plan stays as it was. Time: 15 us. */
+   Returns 0, or -1 for alpha < 0, NaN and infinite alpha; then the plan stays as it was. */
 VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_to(p, alpha, 0); }
 
 #endif

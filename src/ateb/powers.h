@@ -1,8 +1,8 @@
 /* ateb/powers.h - a logarithm and an exponential that are quicker and have one word only
 
-   vmi_log and vmi_exp (base/elementary.h) return two words. The functions here return one, with an error of one or
-   two ulp. They serve where the result is multiplied by less than about 1/2 before it counts: in the inversion of the
-   incomplete beta function and in plans.
+   vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
+   of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in the inversion of
+   the incomplete beta function and in plans.
 
        vm_real y = vmi_ateb_exp(vmi_ateb_ln(3) / 2); // the square root of 3
 
@@ -16,7 +16,7 @@
 #include "../base/real.h"
 #include "../base/sums.h"
 
-/* ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2) for |t| < 0.18, where L is a polynomial */
+/* Returns ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2) for |t| < 0.18, where L is a polynomial. */
 VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
 {
     const vm_real x = t * t;
@@ -32,8 +32,8 @@ VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
     return 2 * t + t * x * L;
 }
 
-/* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2), and returns z. Subtracting the bits of
-   sqrt(1/2) makes the exponent of the difference k. */
+/* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2). Returns z, and k in *k. When the bits
+   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. */
 VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
 {
 #if VM_MANT_DIG > 24
@@ -46,7 +46,7 @@ VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
     return vmi_from_bits((above & (one - 1)) + least);
 }
 
-/* ln(2^k (1 + t)/(1 - t)) for |t| < 0.18. The product of k and the first word of ln 2 has no rounding error. */
+/* Returns ln(2^k (1 + t)/(1 - t)) for |t| < 0.18. The product of k and the first word of ln 2 has no rounding error. */
 VM_API vm_real vmi_ateb_ln_of(vm_real k, vm_real t)
 {
 #if VM_MANT_DIG > 24
@@ -57,7 +57,7 @@ VM_API vm_real vmi_ateb_ln_of(vm_real k, vm_real t)
     return k * ln2_hi + (vmi_ateb_ln_ratio(t) + k * ln2_lo);
 }
 
-/* ln x for a normal number x > 0 */
+/* Returns ln x for a normal number x > 0. */
 VM_API vm_real vmi_ateb_ln(vm_real x)
 {
     vm_real k;
@@ -65,7 +65,7 @@ VM_API vm_real vmi_ateb_ln(vm_real x)
     return vmi_ateb_ln_of(k, (z - 1) / (z + 1));
 }
 
-/* (e^z - 1 - z)/z^2 for |z| < 0.36, a polynomial */
+/* Returns (e^z - 1 - z)/z^2 for |z| < 0.36, by a polynomial. */
 VM_API vm_real vmi_ateb_exp_series(vm_real z)
 {
     const vm_real zz = z * z;
@@ -81,11 +81,11 @@ VM_API vm_real vmi_ateb_exp_series(vm_real z)
     const vm_real E01 = VM_C(0.500000001824) + z * VM_C(0.166666664398);
     const vm_real E23 = VM_C(0.0416664198173) + z * VM_C(0.00833340486371);
     const vm_real E45 = VM_C(0.00139382863335) + z * VM_C(1.98219343782e-4);
-    return E01 + zz * (E23 + zz * E45); /* z^4 could be subnormal, which is slow */
+    return E01 + zz * (E23 + zz * E45); /* this form avoids z^4, which could be subnormal and slow */
 #endif
 }
 
-/* e^x for an x whose result is a normal number. x = k ln 2 + z, so that e^x = 2^k (1 + z + z^2 E(z)). */
+/* Returns e^x if this is a normal number. Method: x = k ln 2 + z, so that e^x = 2^k (1 + z + z^2 E(z)). */
 VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;

@@ -1,8 +1,9 @@
 /* ateb/two_indices.h - Ateb functions with two indices, sa(n, m, s) and ca(m, n, s)
 
-   They satisfy |sa|^(n+1) + |ca|^(m+1) = 1 and have the period 2 Pi(n, m), where Pi(n, m) = B(1/(n+1), 1/(m+1)). For
-   n = 1 and m = alpha they are the functions of ateb/functions.h, which are 100 times as fast. The swapped pair
-   sa(alpha, 1, s), ca(1, alpha, s), which (278) and (280) need, is ateb_saca_nm(s, alpha, 1, &sa, &ca).
+   sa(n, m, s) and ca(m, n, s) satisfy |sa|^(n+1) + |ca|^(m+1) = 1 and have the period 2 Pi(n, m), where
+   Pi(n, m) = B(1/(n+1), 1/(m+1)). For n = 1 and m = alpha they are the functions of ateb/functions.h, which are much
+   faster. The swapped pair sa(alpha, 1, s), ca(1, alpha, s), which (278) and (280) need, comes from
+   ateb_saca_nm(s, alpha, 1, &sa, &ca).
 
        vm_real sa, ca;
        ateb_saca_nm(VM_C(0.7), 2, 3, &sa, &ca);
@@ -19,14 +20,14 @@
 #include "beta.h"
 #include "functions.h"
 
-/* Whether n may be an index */
+/* Returns 1 if n may be an index, that is, if it is 0 or lies between 1e-4 and 1e5, else 0. */
 VM_API int vmi_ateb_index_is_in_domain(vm_real n) { return n == 0 || (n >= VM_C(1e-4) && n <= VM_C(1e5)); }
 
-/* 1/(n + 1) */
+/* Returns 1/(n + 1) in two words. */
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
-/* B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a, DLMF 8.17.8, for b <= 1. Each term is at most half of the one
-   before it, so that 2 VM_MANT_DIG terms are enough for two words. */
+/* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). Each term is at most half of the
+   one before it, so that 2 VM_MANT_DIG terms are enough for two words. */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {
     const vm_two one = {1, 0}, c = vmi_two_plus(a, b);
@@ -40,9 +41,9 @@ VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
     return vmi_two_over(sum, a);
 }
 
-/* Pi(n, m) = B(a, b) for a = 1/(n + 1) and b = 1/(m + 1), to a relative error of 2^-102 (float 2^-44); the logarithms
-   of ateb/beta.h would leave 2^-64. It is B_(1/2)(a, b) + B_(1/2)(b, a), where 2^(a+b) = e^y comes from its power
-   series. */
+/* Returns Pi(n, m) = B(a, b) for a = 1/(n + 1) and b = 1/(m + 1), with a relative error of 2^-102 (float 2^-44); the
+   logarithms of ateb/beta.h would give 2^-64. It is B_(1/2)(a, b) + B_(1/2)(b, a), where 2^(a+b) = e^y comes from its
+   power series. */
 VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
 {
     enum { TERMS = VM_MANT_DIG > 24 ? 32 : 18 };
@@ -61,15 +62,15 @@ VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
 }
 
 /* Pi(n, m), half the period of sa(n, m, s) and ca(m, n, s). Each index is 0 or lies between 1e-4 and 1e5.
-   Pi(n, m) = B(1/(n+1), 1/(m+1)); Pi(1, alpha) is ateb_pi(alpha). Within 1 ulp. NaN for other indices. Time: 1000
-   sines. */
+   Pi(n, m) = B(1/(n+1), 1/(m+1)); Pi(1, alpha) is ateb_pi(alpha). The error is at most 1 ulp. Returns NaN for other
+   indices. */
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
 {
     if (!vmi_ateb_index_is_in_domain(n) || !vmi_ateb_index_is_in_domain(m)) return VM_NAN;
     return vmi_ateb_pi_nm(n, m).hi;
 }
 
-/* x^a where I_x(a, b) = p and q = 1 - p, by logarithms: x itself may underflow */
+/* Returns x^a for the x with I_x(a, b) = p, where q = 1 - p. Logarithms are used, since x itself may underflow. */
 VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 {
     vm_two power;
@@ -80,8 +81,9 @@ VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 }
 
 /* sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices. s is any real number; each index is 0 or lies
-   between 1e-3 and 1e3, or, less accurately, between 1e-4 and 1e5. Pure numbers. Within 8 ulp, apart from an error of
-   the phase of 2^-102 |s| (float 2^-44 |s|). NaN for other indices, NaN and infinite s. Time: 2500 sines. */
+   between 1e-3 and 1e3. All are pure numbers. The errors are at most 8 ulp plus the change that an error of 2^-102 |s|
+   (float 2^-44 |s|) in s makes. Indices between 1e-4 and 1e5 are allowed too, with less accuracy. The results are NaN
+   for other indices and for NaN and infinite s. */
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
 {
     vm_real a, b, rest, r, d; /* r and d: the distances of s from the nearest zeros of sa and ca */

@@ -1,17 +1,18 @@
 /* base/arrays.h - loops over arrays of numbers
-   Whether all numbers of an array are finite, copies, and the loops over the components of a small state, which the
-   compiler unrolls where it knows the number n of components, so that they live in registers.
+   vmi_all_finite tests whether all numbers of an array are finite, and vmi_copy copies an array. The macro VMI_EACH
+   writes a loop over the n components of a state. Where the compiler knows a small n, it unrolls such loops and keeps
+   the components in registers.
 
        vm_real y[3] = {1, 2, 3}, z[3];
        if (vmi_all_finite(3, y)) vmi_copy(3, y, z);
 
-   Tests: tests/test_rk4.c and all others of the integrators. */
+   Tests: tests/test_rk4.c and the other tests of the integrators. */
 #ifndef VARMASS_BASE_ARRAYS_H
 #define VARMASS_BASE_ARRAYS_H
 
 #include "real.h"
 
-/* Whether none of the n numbers is infinite or NaN */
+/* Returns 1 if all n numbers are finite, and 0 if one of them is infinite or NaN. */
 VM_API int vmi_all_finite(int n, const vm_real *y)
 {
     int i;
@@ -20,7 +21,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
     return 1;
 }
 
-/* A loop `VMI_EACH(i, n) statement` over components, unrolled where the compiler knows n. */
+/* `VMI_EACH(i, n) statement` executes the statement for i = 0 ... n - 1. gcc unrolls this loop where it knows n. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
     !defined(__OPTIMIZE_SIZE__)
 #define VMI_UNROLL _Pragma("GCC unroll 16")
@@ -29,8 +30,8 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #endif
 #define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
 
-/* Systems of up to VMI_SMALL components, where the compiler knows n, are stepped in local arrays, others in the
-   caller's work. */
+/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL. An integrator then keeps a state of n
+   components in local arrays; otherwise it keeps the state in the caller's array `work`. */
 #define VMI_SMALL 8
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
@@ -38,7 +39,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #define VMI_IS_SMALL(n) 0
 #endif
 
-/* Copies n numbers; the arrays do not overlap, unless they are the same. */
+/* Copies n numbers. The arrays `from` and `to` must not overlap, but they may be one and the same array. */
 VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 {
     int i;

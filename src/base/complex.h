@@ -10,12 +10,12 @@
 #include "hypot.h"
 #include "real.h"
 
-/* The complex number re + i im */
+/* A complex number re + i im */
 typedef struct VM_TAG(vm_complex) {
     vm_real re, im;
 } vm_complex;
 
-/* re + i im */
+/* Returns the complex number re + i im. */
 VM_API vm_complex vmi_complex(vm_real re, vm_real im)
 {
     vm_complex z;
@@ -24,22 +24,22 @@ VM_API vm_complex vmi_complex(vm_real re, vm_real im)
     return z;
 }
 
-/* a + b, a - b, c a, i c a */
+/* The sum a + b, the difference a - b, and the products c a and i c a with a real number c */
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
 VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
 VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
 VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); }
 
-/* a b */
+/* The product a b */
 VM_API vm_complex vmi_c_times(vm_complex a, vm_complex b)
 {
     return vmi_complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
 }
 
-/* The conjugate of a, re - i im */
+/* The complex conjugate of a, which is a.re - i a.im */
 VM_API vm_complex vmi_c_conjugate(vm_complex a) { return vmi_complex(a.re, -a.im); }
 
-/* e^(i angle) */
+/* The complex number e^(i angle), for an angle in radians */
 VM_API vm_complex vmi_c_turn(vm_real angle)
 {
     vm_complex e;
@@ -47,10 +47,10 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
     return e;
 }
 
-/* |z| */
+/* The modulus |z| */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 
-/* a/b by Smith's method, which is right where the square of |b| overflows or underflows */
+/* The quotient a/b by Smith's method, which is also right where |b|^2 overflows or underflows */
 VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;

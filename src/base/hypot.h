@@ -6,7 +6,7 @@
 
 #include "real.h"
 
-/* sqrt(x^2 + y^2) within 2 ulp, also where the squares overflow or underflow; NaN if x or y is NaN */
+/* Returns the length sqrt(x^2 + y^2), also where the squares overflow or underflow, and NaN if x or y is NaN. */
 VM_API vm_real vmi_hypot(vm_real x, vm_real y)
 {
     const vm_real a = VM_FABS(x), b = VM_FABS(y), most = vmi_larger(a, b), least = vmi_smaller(b, a);

@@ -1,13 +1,13 @@
 /* base/lambert.h - Lambert's function W
 
    w = W(x) solves w e^w = x. The equation has one solution for x >= 0 and two for -1/e <= x < 0: the branch W_0 >= -1
-   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The forms that take the logarithm of the argument work
-   where the argument itself would overflow or underflow.
+   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The functions that take the logarithm of the argument
+   work where the argument itself would overflow or underflow.
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
    Method: two steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973) from a start that is right to
-   2 %. The residual is computed in two words, so that little but the rounding of the last step remains.
+   2 %. The residual is computed in two words, so that the error is little more than the rounding of the last step.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
@@ -18,14 +18,15 @@
 #include "sums.h"
 #include "words.h"
 
-/* The relative correction of w by Fritsch, Shafer and Crowley, where z = ln(x/w) - w is the residual and w1 = 1 + w */
+/* Returns the relative correction of w by Fritsch, Shafer and Crowley, where z = ln(x/w) - w is the residual and
+   w1 = 1 + w */
 VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 {
     const vm_real first = z / w1, half_q = w1 + 2 * z / 3;
     return first * ((half_q - first / 2) / (half_q - first));
 }
 
-/* W from l = ln|x| and a start w, for x that is not close to -1/e */
+/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| and a rough value w of W. */
 VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
 {
     int i;
@@ -37,10 +38,10 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* W from s = -1 - ln(-x), for x close to -1/e; lower is 1 for W_-1, 0 for W_0. w = -1 - v, where v - ln(1 + v) = s, v
-   > 0 for W_-1 and v < 0 for W_0. A number x that rounding has put below -1/e (s down to -eps/2) counts as -1/e. The
-   start for W_-1 is by Barry, Culligan-Hensley and Barry (ACM TOMS 21, 1995), that for W_0 a series in sqrt(2s), good
-   for s < 0.4. */
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
+   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
+   -eps/2 and 0 is caused by rounding and means x = -1/e. The start for W_-1 is by Barry, Culligan-Hensley and Barry
+   (ACM TOMS 21, 1995); the start for W_0 is a series in sqrt(2s), which is good for s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
@@ -65,7 +66,8 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
     return -(sum.hi + (sum.lo + dv));
 }
 
-/* -1 - ln(-x) for x < -1/4, computed from 1 + e x in two words, which keeps all digits of the distance to -1/e */
+/* Returns -1 - ln(-x) for x < -1/4. It is computed from 1 + e x in two words, so that it keeps its digits where x is
+   close to -1/e. */
 VM_API vm_two vmi_lambert_depth(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -78,15 +80,15 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     return vmi_minus(ln);
 }
 
-/* A start for W_0, right to 2 %, for -1/4 <= x < 1 */
+/* A rough value of W_0(x), right to 2 %, for -1/4 <= x < 1 */
 VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (7 + x * VM_C(2.5))); }
 
-/* A start for W_0, right to 2 %, for x >= 1, from L = ln(1 + x) (Winitzki) */
+/* A rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki) */
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
-/* Lambert's W, upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x, a pure number, is taken as exact;
-   the result is within 1 ulp. NaN for x < -1/e, except that the number next to -1/e counts as -1/e and gives -1; NaN
-   for infinite x. */
+/* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
+   as exact. The error is at most 1 ulp. Returns NaN for x < -1/e and for infinite x, except that the number next to
+   -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_real start;
@@ -98,9 +100,9 @@ VM_API vm_real vm_lambert_w0(vm_real x)
     return vmi_lambert_far(vmi_log(VM_FABS(x)), start);
 }
 
-/* Lambert's W, lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x, a pure number, is taken as
-   exact; the result is within 1 ulp. -infinity at x = 0, NaN for x > 0 and x < -1/e, except that the number next to
-   -1/e counts as -1/e and gives -1. */
+/* Lambert's W_-1(x), the lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x is a pure number and
+   taken as exact. The error is at most 1 ulp. Returns -infinity for x = 0, and NaN for x > 0 and x < -1/e, except
+   that the number next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_wm1(vm_real x)
 {
     vm_two ln;
@@ -111,13 +113,13 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
     return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_minus(ln)), 1);
 }
 
-#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* for ln|x| below this number W_0(x) = x */
+#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* if ln|x| is less than this number, W_0(x) rounds to x */
 
-/* Wright's omega function: W_0(e^l), the solution of w + ln w = l, for any l.
-   e^l itself may overflow or underflow. l is taken as exact; the result is within 1 ulp. NaN for infinite l. */
+/* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
+   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
-    const vm_real direct_from = 40; /* from here on ln(1 + e^l) = l */
+    const vm_real direct_from = 40; /* for l >= 40, ln(1 + e^l) rounds to l */
     vm_real start;
     if (!VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
@@ -127,8 +129,8 @@ VM_API vm_real vm_wright_omega(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), start);
 }
 
-/* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1.
-   e^l itself may underflow. l is taken as exact; the result is within 1 ulp. NaN for l > -1 and infinite l. */
+/* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1. It also works where e^l itself
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
@@ -137,8 +139,8 @@ VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
-/* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1.
-   e^l itself may underflow. l is taken as exact; the result is within 1 ulp. NaN for l > -1 and infinite l. */
+/* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1. It also works where e^l itself
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;

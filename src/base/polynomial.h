@@ -15,8 +15,9 @@
 #include "hypot.h"
 #include "real.h"
 
-/* The correction of the approximate root number i: Newton's step p/p' for the polynomial divided by all z - z_j of
-   the other approximations, which keeps them from meeting. 0 where the polynomial is 0 within its rounding errors. */
+/* Returns the correction of the approximate root i. It is Newton's step for the polynomial divided by z - z_j for each
+   other approximate root z_j; this division keeps two approximations from converging to the same root. The correction
+   is 0 where the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -44,7 +45,7 @@ VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, cons
     return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
 }
 
-/* 1 where the polynomial at the real number x is 0 within its rounding errors */
+/* Returns 1 if the polynomial is 0 within its rounding errors at the real number x, else 0. */
 VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
 {
     vm_real p = c[0], size = VM_FABS(c[0]);
@@ -66,12 +67,12 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
     im[j] = y;
 }
 
-/* Orders the roots: real ones first, from the largest to the smallest, then conjugate pairs by rising |im|, im > 0
-   before im < 0. Imaginary parts that only rounding has left become 0, and the two roots of a pair become exactly
-   conjugate. */
+/* Sorts the roots: first the real roots from the largest to the smallest, then the conjugate pairs by rising |im|, in
+   each pair the root with im > 0 first. Imaginary parts that are only rounding errors become 0, and the two roots of a
+   pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* the distance by which rounding splits a double root */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this distance */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -94,8 +95,8 @@ VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
     }
 }
 
-/* The n roots (re[i], im[i]) of a polynomial of degree n. The error of a simple root is a few n eps times its
-   condition number. */
+/* Computes the n roots (re[i], im[i]) of a polynomial of degree n. The error of a simple root is a few n eps times
+   its condition number. */
 VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
     const int most_sweeps = 100;
@@ -104,7 +105,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* the start must not be symmetric about the real axis, else it stays so */
+    for (i = 0; i < m; i++) /* the start is not symmetric about the real axis: symmetry would persist */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {

@@ -1,7 +1,7 @@
 /* base/scalars.h - functions that keep their digits where the plain formula loses them
 
-   e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the limits of the C
-   library's.
+   The functions compute e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the
+   limits of the C library's pow.
 
        vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
 
@@ -15,10 +15,11 @@
 #include "sums.h"
 #include "words.h"
 
-/* Infinity if the condition holds, else 0 */
+/* Returns infinity if the condition holds, else 0. */
 VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
 
-/* x^y for x >= 0 within 0.6 ulp, with the limits of the C library's pow at 0 and infinity; NaN for x < 0 */
+/* Returns x^y for x >= 0 within 0.6 ulp, and NaN for x < 0. At 0 and infinity it has the limits of the C library's
+   pow. */
 VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {
     if (x != x || y != y || x < 0) return VM_NAN;
@@ -28,8 +29,8 @@ VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
     return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
 }
 
-/* e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real; for small
-   y it is below 2^-p of the result. Infinity where the result overflows. */
+/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
+   for small y it is below 2^-p of the result. The result is infinity where it overflows. */
 VM_API vm_two vmi_expm1(vm_two y)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
@@ -50,8 +51,9 @@ VM_API vm_two vmi_expm1(vm_two y)
     return vmi_fast_two_sum(sum.hi, sum.lo + power.lo);
 }
 
-/* ln(1 + x) in two words for -1 < x < 1e299 (float 1e34), NaN beyond. The relative error is below 2^-(p+7), where p
-   is the number of digits of vm_real. 1 + x = y (1 + t), where y is one word and t is below an ulp of 1. */
+/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is
+   below 2^-(p+7), where p is the number of digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
+   below an ulp of 1. */
 VM_API vm_two vmi_log1p(vm_two x)
 {
     const vm_two sum = vmi_two_sum(1, x.hi), low = vmi_two_sum(sum.lo, x.lo);
@@ -60,7 +62,7 @@ VM_API vm_two vmi_log1p(vm_two x)
     return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
 }
 
-/* (e^x - 1)/x within 2 eps, 1 at x = 0 */
+/* Returns (e^x - 1)/x, which is 1 at x = 0. */
 VM_API vm_real vmi_exp_ratio(vm_real x)
 {
     if (x > VM_MAX) return x;
@@ -68,7 +70,7 @@ VM_API vm_real vmi_exp_ratio(vm_real x)
     return vmi_expm1(vmi_two(x, 0)).hi / x;
 }
 
-/* ln(1 + x)/x within 2 eps, 1 at x = 0, NaN for x <= -1 */
+/* Returns ln(1 + x)/x, which is 1 at x = 0, and NaN for x <= -1 and infinite x. */
 VM_API vm_real vmi_log_ratio(vm_real x)
 {
     if (!(x > -1) || !VM_IS_FINITE(x)) return VM_NAN;
@@ -76,9 +78,9 @@ VM_API vm_real vmi_log_ratio(vm_real x)
     return vmi_log1p(vmi_two(x, 0)).hi / x;
 }
 
-/* (x - y)/x^2, where y = ln(1 + x) is given with x. For |x| >= 1/4 it is a quotient in two words, whose error is that
-   of x and y, amplified by the subtraction. For smaller |x| it is within 2 ulp, by the series of ln((1 + u)/(1 - u))
-   with u = x/(2 + x), |u| <= 1/7. */
+/* Returns (x - y)/x^2, where y = ln(1 + x) is given with x. For |x| >= 1/4 the result is a quotient in two words; its
+   error is that of x and y, amplified by the subtraction. For smaller |x| the result is one word, from the series of
+   ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 {
 #if VM_MANT_DIG > 24

@@ -27,28 +27,28 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body without inertia about an axis (a rod, a point) keeps its spin about
-                                    this axis, and the angular momentum that was left for it is lost */
+    VM_NULL_AXIS = 1,            /* done, but a body (a rod, a point) has no inertia about an axis: it keeps its spin
+                                    about this axis, and the angular momentum that the spin should take up is lost */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
-    VM_NOT_FINITE = -2,          /* a number that was given, or that arises, is infinite or NaN */
-    VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the mass of the rest */
-    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation it may be that of the rest */
+    VM_NOT_FINITE = -2,          /* an argument, or a number computed from the arguments, is infinite or NaN */
+    VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the remaining body's mass */
+    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation this may be the remaining body's */
     VM_SINGULAR = -5,            /* a system of linear equations has no unique solution */
     VM_DOMAIN = -6,              /* a parameter lies outside its domain */
-    VM_NO_LAW = -7,              /* the chosen route does not exist for this oscillator */
+    VM_NO_LAW = -7,              /* this problem has no such route (method of solution) or closed form */
     VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator did not reach the end */
-    VM_BAD_MOTION = -9,          /* scenes: a motion that does not exist, or on which an effect or event cannot act */
+    VM_BAD_MOTION = -9,          /* scenes: a kind of motion does not exist, or no such effect or event can act on it */
     VM_NO_SUCH_BODY = -10,       /* scenes: no body has this index */
     VM_NO_SUCH_COORDINATE = -11, /* scenes: the body has no such coordinate */
     VM_NO_SUCH_EFFECT = -12,     /* scenes: no effect has this index */
-    VM_TWO_MASS_LAWS = -13,      /* scenes: a mass has two laws, or has a law and is a state as well */
+    VM_TWO_MASS_LAWS = -13,      /* scenes: a mass has two laws, or it has a law and is a component of the state too */
     VM_BAD_ORDER = -14,          /* scenes: the law of a body's mass stands after another effect on this body */
     VM_MASS_IS_NO_STATE = -15,   /* scenes: a stream acts on a body whose mass is not a state */
     VM_TOO_MANY_EVENTS = -16,    /* scenes: events follow each other without end */
     VM_BAD_OPTIONS = -17,        /* scenes: the integrator refuses its options */
-    VM_STEP_TOO_SMALL = -18,     /* scenes: the tolerance needs steps so short that t + h is t */
+    VM_STEP_TOO_SMALL = -18,     /* scenes: the tolerance needs steps too short to change the time */
     VM_MAX_STEPS = -19,          /* scenes: max_steps steps were tried before t_end was reached */
     VM_SHORT_ARRAY = -20,        /* scenes and flows: an array is shorter than what is written into it */
     VM_BAD_TIMES = -21,          /* scenes: the times of output do not rise, or t_end lies before the present time */
@@ -60,15 +60,16 @@ enum {
     VM_LINK_NOT_LAST = -27,      /* scenes: another effect on the body stands after its link */
     VM_STORED_STREAM = -28,      /* scenes and reactive loads: a stream comes from a store, which cannot be used here */
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
-    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) for which M + M'(v) (v - u) is not positive */
+    VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) makes the effective mass M + M'(v) (reactive v - u) <= 0 */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
     VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
 };
 
-/* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). It is wrong for a pointer. */
+/* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
 #define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
-/* The meaning of a status as a line of text, which says what to do where it can. Any number is allowed. */
+/* The meaning of a status as a line of text. For an error the text also says, where possible, what to do. The status
+   may be any number. */
 VM_API const char *vm_strerror(int status)
 {
     switch (status) {
@@ -82,7 +83,7 @@ VM_API const char *vm_strerror(int status)
     case VM_BAD_INERTIA: return "no body can have this inertia";
     case VM_SINGULAR: return "the linear equations have no unique solution";
     case VM_DOMAIN: return "a parameter is outside its domain";
-    case VM_NO_LAW: return "this route does not exist for this oscillator: choose another, or call vm_osc_within";
+    case VM_NO_LAW: return "no such route or closed form exists for this problem: choose another route, or integrate";
     case VM_NOT_INTEGRATED: return "the integrator did not reach the end: allow a larger tolerance";
     case VM_BAD_MOTION: return "no body moves in this way, or the effect or event cannot act on a body that does";
     case VM_NO_SUCH_BODY: return "no body has this index: count from 0, the ground is VM_GROUND";
@@ -105,11 +106,28 @@ VM_API const char *vm_strerror(int status)
     case VM_LINK_NOT_LAST: return "another effect stands after the link of its body: list the link last";
     case VM_STORED_STREAM: return "a stream from a store cannot be used here: integrate vm_flow_rhs";
     case VM_DOES_NOT_GROW: return "the stream needs a growing body: vm_scene_body_growing_plane or _growing_free";
-    case VM_NO_EFFECTIVE_MASS: return "M + M'(v) (v - u) of the mass law M(v) is not positive: no force accelerates it";
+    case VM_NO_EFFECTIVE_MASS:
+        return "M + M'(v) (reactive v - u) of the mass law M(v) is not positive: no force accelerates it";
     case VM_NOT_STARTED: return "the scene was not started, or was changed after its start: call vm_scene_start";
     case VM_BAD_STIFFNESS: return "a stiffness is not positive";
     default: return "unknown status";
     }
+}
+
+/* Returns the rank of an error: the error with the smaller rank is reported. The ranks follow the order at the top of
+   this file; errors that are not named there follow in the order of their numbers. */
+VM_API int vmi_error_rank(int status)
+{
+    if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
+    return 2 * -status;
+}
+
+/* Returns the one of two statuses, VM_OK or errors, that a function returns if both apply. */
+VM_API int vmi_first_error(int a, int b)
+{
+    if (a == VM_OK) return b;
+    if (b == VM_OK || vmi_error_rank(a) < vmi_error_rank(b)) return a;
+    return b;
 }
 
 /* Copies n numbers if all of them are finite. Returns VM_OK, or VM_NOT_FINITE and leaves the target as it was. */

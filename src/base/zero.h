@@ -8,9 +8,10 @@
 
 #include "real.h"
 
-/* The zero of f between a and b, as exact as x can be, where fa = f(a) and fb = f(b) have opposite signs. Method: the
-   secant through the ends of the interval, where the value at an end that has stayed twice is halved (Illinois), and
-   a bisection after every fourth step that has not made the interval eight times shorter. */
+/* Returns a zero of f between a and b, as accurate as the type allows, where fa = f(a) and fb = f(b) have opposite
+   signs. Method (Illinois): the next x lies on the secant through the ends of the interval; when one end has stayed for
+   two steps, its value of f is halved. Every fourth step bisects the interval if the last four have not made it eight
+   times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {

@@ -1,6 +1,6 @@
 /* integrators/dense.h - the solution inside the last step of an adaptive run
    After each step of rk45 or rk87 its continuous extension, a polynomial in time, gives the state at any time within
-   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate of adaptive.h.
+   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate.
 
    Tests: tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_DENSE_H
@@ -11,7 +11,7 @@
 #include "ode.h"
 #include "runs.h"
 
-/* Makes the continuous extension of the last step ready, once for each step */
+/* Makes the continuous extension of the last step ready, if it is not ready yet. Returns a status. */
 VM_API int vmi_extend(rk45 *s)
 {
     int status = ODE_OK;
@@ -20,16 +20,16 @@ VM_API int vmi_extend(rk45 *s)
     return status;
 }
 
-/* y at the fraction x of the last step, 0 <= x <= 1, whose continuous extension is ready */
+/* Computes the state y at the fraction x of the last step, 0 <= x <= 1. The continuous extension must be ready. */
 VM_API void vmi_inside(const rk45 *s, vm_real x, vm_real *y) { s->pair.inside(s, x, y); }
 
-/* Whether t is within the last step, its ends included */
+/* Whether the time t is within the last step, its ends included */
 VM_API int vmi_is_in_last_step(const rk45 *s, vm_real t)
 {
     return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);
 }
 
-/* The place of t, which is within the last step: 0 at the beginning of the step, 1 at its end */
+/* The fraction of the last step at which the time t lies: 0 at the beginning of the step, 1 at its end */
 VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
 {
     const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
@@ -37,7 +37,8 @@ VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
     return VMI_SMALLER(x, VM_C(1.0));
 }
 
-/* y(t) for t within the last step of a run by `method`, whose continuous extension is ready */
+/* Computes the state y at a time t within the last step of a run by the pair `method`. The continuous extension must be
+   ready. Returns a status. */
 VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *y)
 {
     if (!s || !y || s->pair.method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
@@ -46,7 +47,8 @@ VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *
     return ODE_OK;
 }
 
-/* y(t) for t within the last step of a run by any pair. At the end of the step nothing is evaluated. */
+/* Computes the state y at a time t within the last step of a run by any pair. If t is s->t, f is not evaluated. Returns
+   a status. */
 VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 {
     if (!s || !y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;

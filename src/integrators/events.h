@@ -1,7 +1,9 @@
 /* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
-   After each step, g is followed along the continuous extension: it is looked at in a few points, and where it leaves
-   its side, the place is located to rounding. The first event that stops or restarts the run cuts the step there.
-   Events whose times rounding cannot tell apart happen together. Users set the events of the options: options.h.
+   After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of these
+   points, the time of the change is found as exactly as rounding allows. The first event that stops or restarts the run
+   ends the step there. Events whose times rounding cannot tell apart happen together. Users set the events of the
+   options: options.h. The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this sign
+   uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
 
        double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
        rk45 s;
@@ -32,23 +34,24 @@
 
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
-/* Places in a step are fractions of it, 0 to 1. This one means that there is no such place. */
+/* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
 #define VMI_NONE VM_C(2.0)
 
-/* After an event, g is first looked at after the fraction VMI_FIRST_LOOK of a step, then at distances that grow by
-   the factor VMI_WIDER. Its side is decided after the fraction VMI_QUIET at the latest. */
+/* After an event, g is evaluated at short distances from it, so that a short excursion of g is seen. The first distance
+   is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor VMI_WIDER. For at most the fraction
+   VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
 #if VM_MANT_DIG > 24
-#define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 */
-#define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 */
+#define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
+#define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 of a step, the longest time for which a sign is uncertain */
 #define VMI_WIDER 64
 #else
-#define VMI_FIRST_LOOK VM_C(2.44140625e-4) /* 2^-12 */
-#define VMI_QUIET VM_C(0.0009765625)       /* 2^-10 */
+#define VMI_FIRST_LOOK VM_C(2.44140625e-4) /* 2^-12 of a step, about the square root of VM_EPSILON */
+#define VMI_QUIET VM_C(0.0009765625)       /* 2^-10 of a step, the longest time for which a sign is uncertain */
 #define VMI_WIDER 8
 #endif
 
-/* Sets the side of each event in a state that no step led to, at a start or a restart. The side is 0 where g is 0, and
-   where the event has just happened and rounding could decide the sign of g. Returns a status. */
+/* Sets the side of each event, the sign of its g, at the start or the restart of a run. The side is 0 if g is 0, or if
+   the event has just happened and g is so small that rounding could decide its sign. Returns a status. */
 VM_API int vmi_watch_events(rk45 *s)
 {
     int i;
@@ -63,21 +66,21 @@ VM_API int vmi_watch_events(rk45 *s)
     return ODE_OK;
 }
 
-/* The time at the fraction x of the step */
+/* The time at the fraction x of the last step */
 VM_API vm_real vmi_time_inside(const rk45 *s, vm_real x)
 {
     if (x == 1) return s->t;
     return s->t_old + (s->t_old_low + x * s->h_done);
 }
 
-/* y at the fraction x of the step; at its end to the bit */
+/* Computes the state y at the fraction x of the last step. At x = 1 this is exactly s->y. */
 VM_API void vmi_state_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     if (x == 1) vmi_copy(s->n, s->y, y);
     else vmi_inside(s, x, y);
 }
 
-/* g at the fraction x of the step. Uses z. */
+/* The value of g at the fraction x of the last step. Overwrites the part VMI_Z of work. */
 VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
@@ -86,18 +89,18 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
     return e->g(vmi_time_inside(s, x), z, e->ctx);
 }
 
-/* What rounding may have done to a state, relative to it, in the steps of a run so far, as far as events that should
-   coincide are concerned */
+/* The relative change of a state that rounding may have caused in the steps of a run so far. This bound serves only to
+   decide whether events coincide. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
-/* g at x in a state moved by what rounding may have done to it: in this step up to x, or, if `earlier`, in the steps
-   before it as well. The sign of the move is `direction`. Each component is moved by another amount, so that a
-   difference of components moves too. */
+/* The value of g at the fraction x of the last step, in a state that is changed by as much as rounding may have changed
+   it: within this step, or, if `earlier` is not 0, since the run began. `direction`, -1 or 1, is the sign of the
+   change. Each component changes by another amount, so that a difference of two components changes too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
     const vm_real relative = earlier ? VMI_EARLIER_ROUNDING : vmi_least_rtol(&s->pair);
-    const vm_real end = earlier ? 1 : x; /* the share of the state at the end of the step */
+    const vm_real end = earlier ? 1 : x; /* weight of s->y in `size`, to which rounding is proportional */
     const vm_real rounding = (vm_real)direction * relative, golden = VM_C(0.6180339887498949);
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
     vm_real *z = vmi_part(s, VMI_Z), phase = 0;
@@ -113,7 +116,9 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real 
     return e->g(vmi_time_inside(s, x) * (1 + (vm_real)direction * VM_EPSILON), z, e->ctx);
 }
 
-/* Sets e->slack: the largest |g| that rounding can make at x. Returns whether rounding leaves g the sign `side`. */
+/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; `earlier` has the
+   meaning that it has in vmi_event_value_moved. Returns 1 if g certainly has the sign `side` there, in spite of
+   rounding, else 0. */
 VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlier, int side)
 {
     int direction, certain = 1;
@@ -128,22 +133,23 @@ VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlie
     return certain;
 }
 
-/* Whether the event counts when g leaves `side` */
+/* Whether the event, according to its field `direction`, happens when g leaves the sign `side` */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
 }
 
-/* Sets *at to the place in [a, b] at which g leaves the side that it has at a: the right end of [a, b] after it is
-   shrunk to what x resolves. ga and gb are g at a and b. The method is false position in the Illinois form, with
-   bisection every third time and where g is 0 over a distance. If g is 0 at b, and t cannot resolve how long before b
-   it became 0, the place is b. Returns a status. */
+/* Sets *at to a fraction of the last step between a and b at which g leaves the sign that it has at a. ga and gb are
+   the values of g at the fractions a and b. The interval is shrunk to the resolution of such fractions, and *at becomes
+   its right end. The method is false position in the Illinois form, with bisection every third time and while g stays 0
+   at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the initial
+   b. Returns a status. */
 VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
                       vm_real *at)
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept: > 0 if the last point replaced a, < 0 if it replaced b */
+    int count, kept = 0; /* kept: 1 if the last point replaced a, -1 if it replaced b */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
         vm_real x = b - gb * ((b - a) / (gb - ga)), g;
@@ -170,8 +176,9 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 
 enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
 
-/* The place of the next look at g after e->from. First come points at growing distances *gap from `start`, so that
-   an excursion of g much shorter than the step is seen; then the points that divide the step evenly, and `to`. */
+/* The fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
+   start + *gap, the next of those that divide the step evenly, and `to`. *gap is short at first and grows with each
+   call, so that an excursion of g that is much shorter than the step is seen. */
 VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
 {
     const int wanted = e->checks == 0 ? (int)VMI_CHECKS : e->checks;
@@ -180,15 +187,16 @@ VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm
     const int before = (int)(e->from * parts);
     const vm_real even = (vm_real)(before + 1) / parts;
     vm_real next = even;
-    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* a quotient is rounded */
+    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* rounding has made `even` equal to e->from */
     next = VMI_SMALLER(next, to);
     if (start + *gap < next) next = start + *gap;
     *gap *= VMI_WIDER;
     return next;
 }
 
-/* To be called when g has just reached 0 at x or passed it. The side of g is then unknown while rounding could
-   decide it, but only for the time e->quiet, since g may also have jumped. */
+/* Sets the side of the event to 0 (uncertain), because g has just reached or passed 0 at the fraction x of the step.
+   The side stays 0 while rounding could decide the sign of g, that is while |g| <= e->slack. It stays 0 at most for the
+   time e->quiet, since e->slack is much too large if g has jumped. */
 VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
 {
     vmi_weigh_rounding(s, e, x, 0, 0);
@@ -196,9 +204,9 @@ VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
     e->quiet = VMI_QUIET * VM_FABS(s->h_done);
 }
 
-/* To be called when g has passed 0 before x in the direction that does not count; `side` is where g is now. If rounding
-   alone could have brought g there, the side stays unknown for a while, so that rounding does not make an event when it
-   takes g back, and the result is 1; else 0. */
+/* Handles a g that has passed 0 before the fraction x of the step in a direction that does not count. `side` is the
+   sign of g at x. If rounding alone could have caused this sign, the side of the event becomes 0 and the result is 1: g
+   must not make an event if rounding takes it back across 0. Otherwise nothing changes and the result is 0. */
 VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
 {
     ode_event look = *e;
@@ -207,8 +215,9 @@ VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
     return 1;
 }
 
-/* Follows g from e->from to `to`, or to the first place at which the event happens. *at becomes that place, or
-   VMI_NONE if there is none; e->from and e->side are updated on the way. Returns a status. */
+/* Evaluates g along the step from the fraction e->from to the fraction `to`, or until the event happens. *at becomes
+   the fraction at which it happens, or VMI_NONE if it does not happen. e->from, e->side and e->quiet become those at
+   the last evaluation. Returns a status. */
 VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at)
 {
     const vm_real h = VM_FABS(s->h_done);
@@ -235,12 +244,13 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
             continue;
         }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
-        if (e->side && start > 0) gap = 1; /* nothing was changed in the middle of a step: no short excursion begins */
+        if (e->side && start > 0) gap = 1; /* short excursions of g begin only where the motion changes, at x = 0 */
     }
     return ODE_OK;
 }
 
-/* Counts the event at x, and writes its time and state where there is room */
+/* Counts an event that happens at the fraction x of the step. Stores its time and state if the caller's arrays have
+   room. */
 VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
 {
     e->t = vmi_time_inside(s, x);
@@ -252,9 +262,10 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
     vmi_quieten_event(s, e, x);
 }
 
-/* Finds the first event before *cut that ends the step: *cut becomes its place and *owner its index. The others
-   are then looked at there, too, which may show an earlier one, so the search goes on until there is none. Returns a
-   status. */
+/* Finds the first event that ends the step: *cut becomes the fraction of the step at which it happens, and *owner its
+   index. Both stay as they are if no event ends the step. When an event is found, the functions g of all remaining
+   events are followed again up to *cut, because their values at *cut may show an earlier zero. The search ends when
+   there is no earlier zero. Returns a status. */
 VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
@@ -280,7 +291,8 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
     return ODE_OK;
 }
 
-/* Records all that an ODE_RECORD event asks for up to `to`. Returns a status. */
+/* Counts and stores each time that an event with the action ODE_RECORD happens up to the fraction `to` of the step.
+   Returns a status. */
 VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 {
     for (;;) {
@@ -291,9 +303,10 @@ VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
     }
 }
 
-/* Sets e->happens: whether e happens at x, where the step is cut. It does if its g has changed sign before x, or if
-   g will change sign at once and is so small that rounding decides on which side of x. Events at one instant have
-   to happen together, since what one of them changes may keep the others from happening. Returns a status. */
+/* Sets e->happens to 1 if the event e happens at the fraction x of the step, where the step ends, else to 0. It happens
+   if its g has changed sign up to x, or if g is so small at x that rounding decides its sign, and changes its sign just
+   after x. Events at one instant must happen together, because the change that one event makes may keep the others from
+   happening. Returns a status. */
 VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
 {
     ode_event look;
@@ -307,13 +320,13 @@ VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
         vmi_quieten_event(s, e, x);
         return ODE_OK;
     }
-    /* also beyond the end of the step, where the continuous extension goes on; g need not exist there */
+    /* x + VMI_QUIET may be above 1, where the step has ended: y is still defined there, but g may be NaN */
     e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
     return ODE_OK;
 }
 
-/* Ends the step at x, where events happen: counts all of them, then calls their `change` functions. Returns ODE_EVENT
-   if one of them stops the run. */
+/* Ends the step at its fraction x: counts all events that happen there, then calls their `change` functions. Returns
+   ODE_EVENT if one of these events stops the run, else ODE_OK. */
 VM_API int vmi_cut_step(rk45 *s, vm_real x)
 {
     const int n_events = s->options.n_events;
@@ -338,8 +351,8 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
     return s->event < 0 ? (int)ODE_OK : (int)ODE_EVENT;
 }
 
-/* Goes back to the beginning of the step just made, inside which f is not finite, to try a quarter of it. Returns
-   ODE_NOT_FINITE if that is too short to be tried. */
+/* Takes back the last step, inside which f is not finite, and makes the next step a quarter as long. Returns
+   ODE_NOT_FINITE if such a short step must not be tried, else ODE_OK. */
 VM_API int vmi_take_back(rk45 *s)
 {
     vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
@@ -352,12 +365,13 @@ VM_API int vmi_take_back(rk45 *s)
     }
     s->steps--;
     s->rejected++;
-    s->k1 = VMI_K1_READY; /* the step was kept apart from the next */
+    s->k1 = VMI_K1_READY; /* vmi_advance has made only this step, so that its k_1 is still in work */
     s->failure = VMI_NOT_FINITE;
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }
 
-/* Decides for each event whether it happens at `cut`, where event `owner` does. Returns a status. */
+/* Decides for each event whether it happens at the fraction `cut` of the step, where the event with the index `owner`
+   happens. Returns a status. */
 VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
 {
     int i, status = ODE_OK;
@@ -369,7 +383,7 @@ VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
     return status;
 }
 
-/* Takes the sides at the end of a step that no event cuts over into the next */
+/* Sets the side of each event to the sign of its g at the end of the step, if no event has ended the step earlier */
 VM_API void vmi_pass_on_sides(rk45 *s)
 {
     int i;
@@ -382,7 +396,7 @@ VM_API void vmi_pass_on_sides(rk45 *s)
     }
 }
 
-/* Handles the events of the step just made, up to the first instant with one that ends it. Returns a status. */
+/* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. */
 VM_API int vmi_events(rk45 *s)
 {
     const int n_events = s->options.n_events;

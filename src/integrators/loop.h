@@ -1,5 +1,5 @@
 /* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
-   Users call the functions of adaptive.h, which choose the pair.
+   Users call the functions of rk45.h and rk87.h, which call the functions of this file.
 
    Tests: tests/test_adaptive.c, tests/test_events.c. */
 #ifndef VARMASS_INTEGRATORS_LOOP_H
@@ -9,13 +9,12 @@
 #include "../base/real.h"
 #include "events.h"
 #include "ode.h"
-#include "pair_list.h"
 #include "pairs.h"
 #include "runs.h"
 #include "steps.h"
 
-/* rk45_init for any pair. f and n are set once more where the caller's compiler sees them, so that it can inline f in
-   the steps. */
+/* Does the work of rk45_init for any pair. It is inlined, so that the compiler sees the values of f and n in the caller
+   and can inline f in the steps. */
 VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                            const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -27,14 +26,15 @@ VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int 
     return status;
 }
 
-/* Forgets which events have just happened. At another time the sign of g alone gives the side of each event. */
+/* Forgets which events have just happened, because the run continues at another time. The side of each event is then
+   the sign of its g at this time, even if g is small. */
 VM_API void vmi_forget_events(rk45 *s)
 {
     int i;
     for (i = 0; i < s->options.n_events; i++) s->options.events[i].quiet = 0;
 }
 
-/* rk45_restart for any pair */
+/* Does the work of rk45_restart for any pair */
 VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
 {
     if (!s || !y || !VM_IS_FINITE(t) || !vmi_all_finite(s->n, y)) return ODE_BAD_ARGUMENT;
@@ -52,7 +52,8 @@ VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
     return ODE_OK;
 }
 
-/* Evaluates k_1 unless it is known, and makes s->h a step towards t_end that is not too short to be tried */
+/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless it is known, and gives the next step s->h the
+   direction to t_end and at least the shortest length. Returns a status. */
 VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
 {
     const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
@@ -77,12 +78,12 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
     return ODE_OK;
 }
 
-/* A run has become stiff when 15 looks have found it beyond the end of the stability region, without 6 looks in
-   succession that have found it within. */
+/* A run counts as stiff when VMI_STIFF_HITS tests have found steps at the end of the stability region. This count
+   begins anew when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
 enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
 
-/* Hairer's test of stiffness [2, IV.2]. A step evaluates f twice at its end, for states that differ by h dz; the
-   derivatives differ by dk, and |dk|/|dz| is about h times the largest eigenvalue. */
+/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by
+   h dz and their derivatives by dk. Then |dk|/|dz| is about h times the largest eigenvalue of the Jacobian of f. */
 VM_API void vmi_look_for_stiffness(rk45 *s)
 {
     const int last = vmi_last_k(&s->pair), count = last - VMI_K;
@@ -107,7 +108,8 @@ VM_API void vmi_look_for_stiffness(rk45 *s)
     if (s->stiff_hits) s->stiff_wait = 1;
 }
 
-/* What an accepted step calls for: the look for stiffness, if it is due, and the events within the step */
+/* Does what follows an accepted step: tests for stiffness, if it is time, and handles the events within the step.
+   Returns a status. */
 VMI_APART int vmi_after_step(rk45 *s)
 {
     if (s->stiff_wait <= 0) vmi_look_for_stiffness(s);
@@ -115,14 +117,14 @@ VMI_APART int vmi_after_step(rk45 *s)
     return vmi_events(s);
 }
 
-/* Whether y is still before t_end, even if only by less than t resolves */
+/* Whether the time s->t + s->t_low of the state is still before t_end, in the direction of the run */
 VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end || -s->t_low * s->h > 0; }
 
-/* Steps to t_end, or only one if `single`, with f and n those of s. Returns a status. */
-VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
+/* Makes steps to t_end, or one accepted step if `single` is not 0. f and n are those of s. Returns a status. */
+VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_real t_end, int single)
 {
     const int was_stiff = s->stiff;
-    const int apart = single || s->options.n_events; /* vmi_after_step has to see each step */
+    const int apart = single || s->options.n_events; /* 1: vmi_advance returns after each step, for vmi_after_step */
     vmi_rk_system sys;
     int status = ODE_OK;
     sys.f = f;
@@ -134,38 +136,33 @@ VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int 
     while (status == ODE_OK && vmi_is_before(s, t_end)) {
         status = vmi_prepare(s, t_end);
         if (status) break;
-        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, sys, t_end, apart);
-        else status = vmi_advance(s, method, sys, t_end, apart);
+        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, stepper, sys, t_end, apart);
+        else status = vmi_advance(s, stepper, sys, t_end, apart);
         if (status == ODE_OK) status = vmi_after_step(s);
         if (single && s->failure == VMI_NONE_FAILED) break;
     }
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* rk45_step for any pair */
-VM_INLINE int vmi_step(rk45 *s, int method)
+/* Prepares the one step of rk45_step, for the pair whose number is `method`. *t_end becomes VM_MAX, or -VM_MAX if the
+   run goes backward. Returns a status; the step may be made if it is ODE_OK. */
+VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 {
-    vm_real t_end = VM_MAX;
     if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
-    if (s->h < 0) t_end = -VM_MAX;
-    if (s->t == t_end) return ODE_STEP_TOO_SMALL;
+    *t_end = VM_MAX;
+    if (s->h < 0) *t_end = -VM_MAX;
+    if (s->t == *t_end) return ODE_STEP_TOO_SMALL;
     s->attempts = -1;
-    return vmi_run(s, method, s->f, s->n, t_end, 1);
+    return ODE_OK;
 }
 
-/* rk45_solve_with for any pair */
-VM_INLINE int vmi_solve_with(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
+/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. Returns a status; the steps may be made
+   if it is ODE_OK. */
+VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
     if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
     s->attempts = s->options.max_steps;
-    return vmi_run(s, method, f, n, t_end, 0);
-}
-
-/* rk45_solve for any pair */
-VM_INLINE int vmi_solve(rk45 *s, int method, vm_real t_end)
-{
-    if (!s) return ODE_BAD_ARGUMENT;
-    return vmi_solve_with(s, method, s->f, s->n, t_end);
+    return ODE_OK;
 }
 
 #endif

@@ -1,5 +1,5 @@
 /* integrators/ode.h - ordinary differential equations y' = f(t, y): right-hand sides and statuses
-   The type of every right-hand side f, and the statuses of all functions that begin with rk4_, rk45_, rk87_ or ode_.
+   This file has the type of every right-hand side f, and the statuses of the functions rk4_..., rk45_... and rk87_...
 
        #include "integrators.h"
        static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x as y = (x, x')
@@ -24,28 +24,28 @@
 
 enum {
     ODE_OK = 0,          /* success */
-    ODE_RTOL_RAISED = 1, /* from an init: rtol was below 16 eps (rk87: 256 eps), and the run takes that instead */
-    ODE_EVENT = 2,       /* a terminal event: s->t and s->y are where it happened, s->event is its index */
+    ODE_RTOL_RAISED = 1, /* rk45_init has raised rtol to 16 eps, or rk87_init to 256 eps, which is the least */
+    ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not accuracy, kept the steps short */
-    /* A count n or steps that is not positive, a null pointer, a component without tolerance, h_min < 0 or above h_max,
-       a time, state or option that is not finite, a time outside the last step, an event without g, or an rk45 that the
-       init function of another method made */
+    /* An argument is wrong: n or steps is not positive, a pointer is NULL, a component has no tolerance, h_min is
+       negative or above h_max, a time, a state or an option is not finite, a time is outside the last step, an event
+       has no g, or the rk45 was made by the init function of another method. */
     ODE_BAD_ARGUMENT = -1,
-    ODE_RHS_STOPPED = -2, /* f returned another number than 0; s->rhs_status is this number */
-    ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step, or an event function NaN */
-    /* Two steps of the smallest size (h_min, or what t can resolve) missed the tolerance, with fewer than three good
-       steps between them: f is singular there, or too stiff for t. The status is also given if h_max is less than t can
-       resolve. A jump of f does not end a run: s->missed counts it. */
+    ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
+    ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
+    /* Two steps of the smallest size (h_min, or the resolution of t) missed the tolerance, with fewer than three steps
+       between them that kept it: f is singular there, or too stiff for the resolution of t. The run also ends so if
+       h_max is less than the resolution of t. A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
-    ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call goes on from there */
+    ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call continues the run */
     ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
 };
 
-/* A right-hand side writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx
-   is the pointer that the caller gave to the integrator. */
+/* A function that writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx is
+   the pointer that the caller gave to the integrator. */
 typedef int (*ode_rhs)(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
 
-/* The text of a status of this header. */
+/* Text that describes a status of the integrators. */
 VM_API const char *ode_strerror(int status)
 {
     switch (status) {

@@ -1,6 +1,6 @@
 /* integrators/options.h - options and events of an adaptive run
-   A zeroed rk45_options means the defaults. An event is a change of sign of a function g(t, y) along a run, such as a
-   bounce, g = height.
+   An rk45_options whose fields are all 0 stands for the defaults. An event is a change of sign of a function g(t, y)
+   along a run, such as a bounce, where g is a height.
 
        ode_event touch;
        rk45_options options;
@@ -23,47 +23,48 @@ typedef vm_real (*ode_event_function)(vm_real t, const vm_real *y, void *ctx);
 
 /* What a run does at an event. */
 enum {
-    ODE_RECORD = 0, /* it counts the event and goes on */
-    ODE_STOP = 1,   /* it ends there with ODE_EVENT: a terminal event */
-    ODE_RESTART = 2 /* it ends the step there, calls `change`, and begins a new step */
+    ODE_RECORD = 0, /* the run counts the event and goes on */
+    ODE_STOP = 1,   /* the run ends at the event with the status ODE_EVENT */
+    ODE_RESTART = 2 /* the run ends the step at the event, calls `change`, and begins a new step */
 };
 
-/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events that the
-   options point at. He sets the fields from g to states; the integrator sets the others. */
+/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events to which the
+   options point. The caller sets the fields from g to states; the integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
-    ode_event_function g; /* the function whose zeros are looked for */
-    void *ctx;            /* given to g and to change */
-    int direction; /* in the run's own direction: > 0 when g rises through zero, < 0 when it falls, 0 for both */
+    ode_event_function g; /* the function whose zeros are the event */
+    void *ctx;            /* pointer that g and change receive */
+    int direction; /* which changes of sign of g count, along the run: > 0 from - to +, < 0 from + to -, 0 both */
     int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
-    int checks;    /* g is looked at in so many points inside each step; 0 means 3, negative none, at most 9999 */
-    /* NULL, or what an ODE_RESTART calls. It may change y, and in ctx what f depends on. */
+    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0 means 3, < 0 none */
+    /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
+       depends. */
     void (*change)(vm_real t, vm_real *y, void *ctx);
-    long room;       /* how many events times and states have room for; later events are counted only */
-    vm_real *times;  /* NULL, or room for `room` times */
-    vm_real *states; /* NULL, or room for `room` states of n numbers each */
-    long count;      /* events so far */
+    long room;       /* number of events for which times and states have room; later events are only counted */
+    vm_real *times;  /* NULL, or an array that receives the times of the first `room` events */
+    vm_real *states; /* NULL, or an array that receives the states of the first `room` events, n numbers each */
+    long count;      /* number of events so far */
     vm_real t;       /* time of the last event */
     /* The fields from here on are internal. */
-    int side;       /* the sign of g where the run is, 0 while it is not known */
-    int side_ahead; /* the side at the end of the step, if the step is not cut */
-    int happens;    /* nonzero while the step is cut at an instant at which this event happens */
-    vm_real from;   /* g has been looked at up to this fraction of the step */
-    vm_real slack;  /* after an event the side stays unknown while |g| <= slack ... */
-    vm_real quiet;  /* ... and for this time at most */
+    int side;       /* sign of g at the present time of the run, 0 while it is uncertain */
+    int side_ahead; /* sign of g at the end of the step, if no event ends the step earlier */
+    int happens;    /* nonzero if this event happens at the end of the step */
+    vm_real from;   /* g has been evaluated up to this fraction of the step */
+    vm_real slack;  /* after the event, the sign of g is uncertain while |g| <= slack */
+    vm_real quiet;  /* time after the event for which the sign of g may still be uncertain */
 } ode_event;
 
-/* The options of a run, zero meaning the default in every field. rk45_defaults shows what the defaults come to. */
+/* Options of a run. A zero in any field means its default; rk45_defaults shows all defaults. */
 typedef struct VM_TAG(rk45_options) {
-    vm_real rtol;             /* relative tolerance of a step; default 1e-6 (float 1e-4), negative: none */
-    vm_real atol;             /* absolute tolerance of every component; default rtol/1000, negative: none */
-    vm_real h0;               /* first step, chosen from f by default. Its sign is the direction of rk45_step. */
-    vm_real h_min;            /* shortest step; default: what t can resolve */
-    vm_real h_max;            /* longest step; default: no limit */
-    long max_steps;           /* attempts in one call of rk45_solve; default 1000000, negative: no limit */
-    const vm_real *atol_each; /* NULL, or n absolute tolerances, one for each component, instead of atol; 0 is none */
-    ode_event *events;        /* n_events events, or NULL */
+    vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
+    vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
+    vm_real h0;               /* size of the first step; 0: chosen from f. Its sign is the direction of rk45_step. */
+    vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
+    vm_real h_max;            /* size of the longest step; the default is no limit */
+    long max_steps;           /* attempts in a call of rk45_solve; the default is 1000000, negative means no limit */
+    const vm_real *atol_each; /* NULL, or n absolute tolerances of the components, in place of atol; 0 means none */
+    ode_event *events;        /* array of n_events events, or NULL */
     int n_events;             /* number of events */
-    long work_size; /* how many numbers work has room for, e.g. sizeof work / sizeof *work; 0: it is not checked */
+    long work_size; /* number of elements of work, e.g. sizeof work / sizeof *work; 0 means that it is not checked */
 } rk45_options;
 
 #if VM_MANT_DIG > 24
@@ -72,7 +73,7 @@ typedef struct VM_TAG(rk45_options) {
 #define VMI_DEFAULT_RTOL VM_C(1e-4)
 #endif
 
-/* The options with the defaults in place of zeros, and rtol raised to least_rtol */
+/* The options with each zero replaced by its default, and with rtol raised to least_rtol */
 VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options_or_NULL)
 {
     rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
@@ -90,7 +91,7 @@ VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options
 /* The absolute tolerance of component i */
 VM_INLINE vm_real vmi_atol(const rk45_options *o, int i) { return o->atol_each ? o->atol_each[i] : o->atol; }
 
-/* Whether every component has a tolerance, and none is negative or NaN */
+/* Whether every component has a tolerance, and no tolerance is negative or NaN */
 VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
 {
     int i;
@@ -113,7 +114,8 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
     return 1;
 }
 
-/* The error that component i may have in a step in which its size is |y|; always > 0 */
+/* Tolerance of component i in a step, atol + rtol |y|. y is the value of the component. The result is always
+   positive. */
 VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 {
     return vmi_atol(o, i) + o->rtol * VM_FABS(y) + VM_MIN;

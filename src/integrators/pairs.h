@@ -3,9 +3,9 @@
 
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
-   and estimates the error by another sum of the k_i. A file for each pair has its coefficients and its descriptor, a
-   vmi_rk_pair, with all that an adaptive run needs to know of it: rk45_pair.h, rk87_pair.h. To add a pair, write such
-   a file, enter the pair in pair_list.h, and give it public functions in adaptive.h.
+   and estimates the error by another sum of the k_i. For each pair there is a file with its public functions, its
+   coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a vmi_rk_pair, holds all that an adaptive run needs
+   to know of the pair. To add a pair, write such a file and include it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -18,10 +18,12 @@
 
 struct VM_TAG(rk45);
 
-/* The parts of a run's work, of n numbers each: y, y at t_old, an argument of f, and the derivatives k_1, k_2 ... */
+/* The parts of a run's work, of n numbers each: the state y, the state at t_old, the state at which a stage evaluates f
+   (after the stages the new state), and from VMI_K on the derivatives k_1, k_2 ... */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
-/* The equations that a step solves, and its parts of work: part p begins at w + p m, and m >= n. */
+/* The equations y' = f(t, y) that a step solves, n of them, and the arrays of the step: part p, such as VMI_Y, begins
+   at w + p m, where m >= n. ctx is the pointer that f receives. */
 typedef struct VM_TAG(vmi_rk_system) {
     ode_rhs f;
     void *ctx;
@@ -30,44 +32,67 @@ typedef struct VM_TAG(vmi_rk_system) {
     ptrdiff_t m;
 } vmi_rk_system;
 
-/* What a run needs to know of its pair. Two more functions, the stages and the estimate of the error, are called
-   directly, by pair_list.h, because they must be inlined into the loop over the steps. */
+/* What a run needs to know of its pair */
 typedef struct VM_TAG(vmi_rk_pair) {
-    int method;           /* tells the pairs apart: VMI_RK45 ... */
-    int order;            /* of the state after a step. That of the error estimate is one less. */
-    int stages;           /* evaluations of f that make the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage is f at the new state, the next step's k_1; 0: that is evaluated apart */
-    int derivatives;      /* all k_i of a step: stages, f at its end, and those of the continuous extension alone */
-    int rounding;         /* bound of the rounding within a step, relative to y, in eps: the smallest rtol */
-    vm_real keep_from;    /* after a step whose error is above this part of the tolerance the size may stay */
-    vm_real stiff_beyond; /* the run looks stiff where |h lambda| is larger, about the end of the stability region */
-    /* The weight of k_{j+1} in the difference, over h, of the last two states for which f is evaluated at t + h */
+    int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
+    int order;            /* the order of the state after a step; the order of the error estimate is one less */
+    int stages;           /* number of evaluations of f for the new state and the error estimate */
+    int last_is_first;    /* 1: the last stage is f at the new state, k_1 of the next step; 0: the run evaluates k_1 */
+    int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
+    int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
+    vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
+    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of the Jacobian of f exceeds this */
+    /* Two stages, or the last stage and the new state, evaluate f at t + h. Returns the weight of k_{j+1} in the
+       difference of these two states, divided by h. */
     vm_real (*end_difference)(int j);
-    /* The continuous extension: y(t_old + x h) = y_old + h (b_1 k_1 + b_2 k_2 + ...), 0 <= x <= 1, by vmi_weigh_inside
-       with weights b_j that depend on x */
+    /* Computes the state y at the fraction x of the step by the continuous extension, y_old + h (b_1 k_1 + ...), whose
+       weights b_j depend on x */
     void (*inside)(const struct VM_TAG(rk45) * s, vm_real x, vm_real *y);
-    /* NULL, or what evaluates the k_i that only the continuous extension needs. Returns a status. */
+    /* NULL, or the function that evaluates the k_i of the continuous extension alone. Returns a status. */
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* Linkage of descriptors and of the parts of vmi_advance. Inlining makes the descriptors constants, and each part is
-   called in one place only. So the code becomes smaller too, and they are inlined even where VM_INLINE, for the sake of
-   size, does not inline. */
+/* What the loop over the steps needs to know of a pair. The call of the loop gets it as a constant, so that the
+   compiler inlines both functions into the loop. The functions are no part of vmi_rk_pair, which each run holds,
+   because they would then be compiled a second time. */
+typedef struct VM_TAG(vmi_rk_stepper) {
+    vmi_rk_pair pair;
+    /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
+       Adds the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
+    int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
+    /* The largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error or the
+       new state is not finite */
+    vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
+} vmi_rk_stepper;
+
+#define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
+
+/* Linkage of descriptors and of the parts of vmi_advance. Inlining turns the descriptors into constants, and each part
+   is called in one place only, so that inlining makes the code smaller. These functions are therefore inlined even
+   where VM_INLINE does not inline, in order to keep the code small. */
 #if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
 #define VMI_FOLDED static inline __attribute__((always_inline))
 #else
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* The part of work with f at the end of a step */
+/* Linkage of the loop over the steps of one pair. The loop is inlined, in order to be fast, but not if the compiler
+   optimises for size: then one copy for any n is enough. */
+#ifdef __OPTIMIZE_SIZE__
+#define VMI_LOOP VMI_APART
+#else
+#define VMI_LOOP VM_INLINE
+#endif
+
+/* The index of the part of work that holds f at the end of a step */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
-/* The smallest rtol */
+/* The least rtol that a run by this pair accepts */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
-/* In the stages of a pair: h times a coefficient, and an evaluation of f. h is folded into the coefficients and the
-   newest k comes last in every sum, so that the chain from one evaluation of f to the next is a multiplication and an
-   addition long. */
+/* Macros for the stages of a pair. VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h
+   is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
+   between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
     do {                                 \
@@ -79,10 +104,11 @@ VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pai
 
 #define VMI_LARGER(a, b) ((a) > (b) ? (a) : (b))
 #define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
-#define VMI_WORST VM_C(1e4) /* larger errors, in tolerances, count as this one */
+#define VMI_WORST VM_C(1e4) /* a ratio of an error to its tolerance above this number counts as this number */
 
-/* Takes up an error e of component i, whose state goes from y to z: *worst becomes the largest error over its
-   tolerance so far, and *bad becomes NaN if e or z is not finite, since x - x is 0 or NaN. */
+/* Takes the error e of component i into account; the component is y before the step and z after it. *worst becomes the
+   largest ratio of an error to its tolerance so far. *bad becomes NaN if e or z is not finite, since infinity minus
+   infinity is NaN. */
 VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_real z, vm_real *worst, vm_real *bad)
 {
     const vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y), VM_FABS(z)));

@@ -1,6 +1,6 @@
 /* integrators/rk4.h - rk4: the classical Runge-Kutta method of order 4 with fixed steps
-   Four evaluations of f in each step; the error at the end is proportional to h^4. It is the method where each step
-   must take the same time, as in a control loop; rk45 needs less time for the same error.
+   A step takes four evaluations of f, and the error at the end of a run is proportional to h^4. It is the method where
+   each step must take the same time, as in a control loop; rk45 needs less time for the same error.
 
        double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
        int status = rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // spring is the ode_rhs of ode.h; 1000 steps
@@ -14,9 +14,10 @@
 #include "../base/sums.h"
 #include "ode.h"
 
-#define RK4_WORK(n) (3 * (n)) /* how many numbers the work of rk4 with n components has */
+#define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
 
-/* The four stages of a step of h from y: leaves k_1 + 2 k_2 + 2 k_3 in sum and k_4 in k. Returns what f returns. */
+/* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
+   k_4; z holds the argument of f. Returns 0, or the number with which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -41,8 +42,8 @@ VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, 
     return f(t + h, z, k, ctx);
 }
 
-/* Makes `steps` steps of h from *t. The state is y, or y + low_or_NULL; w has 3 m numbers, m >= n. y and *t become
-   those of the last complete step. Returns a status. */
+/* Makes `steps` steps of size h from *t. The state is y, or y + low_or_NULL with compensated summation. w is a work
+   array of 3 m numbers, m >= n. y and *t become those at the end of the last complete step. Returns a status. */
 VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
                           vm_real *low_or_NULL, vm_real *w, ptrdiff_t m)
 {
@@ -51,7 +52,7 @@ VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, lo
     long step;
     int i, status = ODE_OK;
     for (step = 0; step < steps; step++) {
-        vm_real bad = 0; /* x - x is 0 or NaN */
+        vm_real bad = 0; /* becomes NaN if a component of z is not finite */
         if (vmi_rk4_stages(f, ctx, n, t0 + (vm_real)step * h, h, y, k, sum, z)) {
             status = ODE_RHS_STOPPED;
             break;
@@ -77,7 +78,7 @@ VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, lo
     return status;
 }
 
-/* vmi_rk4_run in registers, where the compiler knows that n is small */
+/* Does the work of vmi_rk4_run in local arrays, which the compiler keeps in registers if it knows that n is small */
 VM_INLINE int vmi_rk4_run_small(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
                                 vm_real *low_or_NULL)
 {
@@ -92,7 +93,7 @@ VM_INLINE int vmi_rk4_run_small(ode_rhs f, void *ctx, int n, vm_real *t, vm_real
     return status;
 }
 
-/* Checks the arguments of an rk4 function, and makes the steps */
+/* Checks the arguments of an rk4 function and makes the steps. Returns a status. */
 VM_INLINE int vmi_rk4(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y, vm_real *low_or_NULL,
                       vm_real *work)
 {
@@ -101,7 +102,7 @@ VM_INLINE int vmi_rk4(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long s
     return vmi_rk4_run(f, ctx, n, t, h, steps, y, low_or_NULL, work, n);
 }
 
-/* rk4_solve and rk4_solve_compensated */
+/* Does the work of rk4_solve and of rk4_solve_compensated */
 VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                             vm_real *low_or_NULL, vm_real *work)
 {
@@ -112,25 +113,26 @@ VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_e
     return status;
 }
 
-/* One step of size h, of either sign, by the classical Runge-Kutta method. y, n numbers, is the state at time t and
-   becomes that at t + h. f gets ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED
-   or ODE_NOT_FINITE, and in the last three cases y is as it was. */
+/* One step of size h, positive or negative, by the classical Runge-Kutta method. y has n numbers; it is the state at
+   time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, or,
+   with y unchanged, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED or ODE_NOT_FINITE. */
 VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
 {
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
-/* Equal steps, as many as `steps`, from *t to t_end by the classical Runge-Kutta method. y, n numbers, becomes the
-   state at t_end, and *t becomes t_end exactly. Where f stops the run or something is not finite, y and *t are those
-   of the last complete step. Returns as rk4_step does. */
+/* Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method. y has n numbers and becomes the
+   state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the
+   end of the last complete step. Returns the statuses of rk4_step. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
     return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, NULL, work);
 }
 
-/* Equal steps with compensated summation, so that roundings do not add up. They are those of rk4_solve, but the state
-   is y + y_low [3]. y_low has n numbers, which are zero at first. It pays where there are millions of steps. */
+/* Equal steps with compensated summation [3], so that roundings do not add up. The steps are those of rk4_solve, but
+   the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The summation is
+   worth its time when there are millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {

@@ -1,6 +1,6 @@
 /* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
-   An rk45 holds the state of a run by either pair, and its `work`, which the caller provides, the arrays of n numbers.
-   The functions that make and use it are in adaptive.h.
+   An rk45 holds the state of a run by rk45 or by rk87. Its `work`, which the caller provides, holds the arrays of n
+   numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RUNS_H
@@ -16,41 +16,41 @@
 typedef struct VM_TAG(rk45) {
     vm_real t;            /* current time */
     vm_real *y;           /* current state, n numbers (in work) */
-    vm_real t_old;        /* rk45_interpolate covers t_old .. t, the last accepted step; equal to t after an error */
-    vm_real h;            /* the next step that will be tried, with its sign; 0 before the first */
-    long steps;           /* accepted steps */
-    long rejected;        /* rejected steps */
-    long evals;           /* evaluations of f */
-    long missed;          /* steps of the smallest size that were accepted though their error was above the tolerance */
-    int rhs_status;       /* what f returned last */
-    int event;            /* index of the terminal event that ended the last call, else -1 */
+    vm_real t_old;        /* rk45_interpolate covers t_old to t, the last accepted step; t_old is t after an error */
+    vm_real h;            /* size of the next step to be tried, with its sign; 0 before the first step */
+    long steps;           /* number of accepted steps */
+    long rejected;        /* number of rejected steps */
+    long evals;           /* number of evaluations of f */
+    long missed;          /* number of steps of the smallest size accepted with an error above the tolerance */
+    int rhs_status;       /* number that f returned last */
+    int event;            /* index of the ODE_STOP event that ended the last call, else -1 */
     int stiff;            /* nonzero once the run has looked stiff */
     ode_rhs f;            /* the right-hand side */
-    void *ctx;            /* given to f */
+    void *ctx;            /* pointer that f receives */
     int n;                /* number of components */
-    rk45_options options; /* with the defaults in place of zeros */
+    rk45_options options; /* the options, with the defaults in place of zeros */
     /* The fields from here on are internal. */
     vmi_rk_pair pair;
     vm_real *work;
-    vm_real t_low;         /* y belongs to t + t_low, |t_low| <= ulp(t)/2 ... */
-    vm_real t_old_low;     /* ... and the last step began at t_old + t_old_low */
+    vm_real t_low;         /* y belongs to the time t + t_low; |t_low| <= ulp(t)/2 */
+    vm_real t_old_low;     /* the last step began at the time t_old + t_old_low */
     vm_real h_done;        /* size of the last accepted step */
-    vm_real inverse_error; /* 1 over its error, in tolerances */
-    long attempts;         /* steps that may still be tried; negative: no limit */
-    int k1;                /* where k_1 of the next step is: VMI_K1_MISSING ... */
+    vm_real inverse_error; /* tolerance of the last accepted step divided by its error */
+    long attempts;         /* number of steps that may still be tried; negative means no limit */
+    int k1;                /* where k_1 of the next step is: VMI_K1_MISSING, VMI_K1_READY or VMI_K1_IS_LAST */
     int extended;          /* nonzero if the continuous extension of the last step is ready */
-    int failure;           /* what became of the attempt before: VMI_NONE_FAILED ... */
-    long next_miss;        /* a step of the smallest size may miss the tolerance again when `steps` is this large */
-    int stiff_wait;        /* steps until the next look for stiffness */
-    int stiff_hits;        /* looks that found stiffness, in succession but for a few */
-    int stiff_misses;      /* looks since the last of them */
+    int failure;           /* result of the last attempt: VMI_NONE_FAILED, VMI_REJECTED or VMI_NOT_FINITE */
+    long next_miss;        /* value of `steps` from which on a step of the smallest size may miss the tolerance again */
+    int stiff_wait;        /* number of steps until the next test of stiffness */
+    int stiff_hits;        /* number of tests that found stiffness since VMI_STIFF_MISSES tests in a row found none */
+    int stiff_misses;      /* number of tests since the last test that found stiffness */
 } rk45;
 
-enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
-enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of an attempt */
-enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
+enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the previous step's last k */
+enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* results of an attempt */
+enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one test of stiffness to the next */
 
-/* A part of work, such as VMI_Y */
+/* The array of n numbers in work with the index `part`, such as VMI_Y */
 VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
 
 /* Sets the fields of a new run that do not depend on the options or the pair */
@@ -83,7 +83,7 @@ VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm
     s->stiff_misses = 0;
 }
 
-/* rk45_init for any pair */
+/* Does the work of rk45_init for any pair */
 VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                        const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -108,8 +108,8 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     return ODE_OK;
 }
 
-/* y = y_old + h (b[0] k_1 + b[1] k_2 + ...), count terms. The weights add up to x, so those of the differences to k_1
-   do as well, with less rounding. */
+/* Computes y = y_old + h (b[0] k_1 + b[1] k_2 + ...), a sum of `count` terms. The weights b add up to x, so that the
+   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have smaller rounding errors. */
 VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
 {
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);

@@ -1,6 +1,6 @@
 /* integrators/steps.h - steps of an adaptive run and the control of their size
-   vmi_advance is the loop over the steps. It is specialised at compile time for a pair and, where the compiler knows
-   that n is small, for n and f too. The rules of step size control stand in the manual of integrators.h.
+   vmi_advance is the loop over the steps. The compiler specialises it for a pair and, where it knows that n is small,
+   for n and f too. The manual of integrators.h has the rules of step size control.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_STEPS_H
@@ -13,12 +13,12 @@
 #include "../base/real.h"
 #include "ode.h"
 #include "options.h"
-#include "pair_list.h"
 #include "pairs.h"
 #include "runs.h"
 
-/* x^p to about 3 %, for x > 0 and results that neither overflow nor underflow: the bits of x, taken as an integer, are
-   a piecewise linear logarithm, `middle` is half its largest error, and the exponential is (1 + v + v^2/2)^16. */
+/* x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and the
+   result must neither overflow nor underflow. The bits of x, taken as an integer, are a piecewise linear logarithm,
+   `middle` is half its largest error, and the exponential function is (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -34,9 +34,9 @@ VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
     return v;
 }
 
-#define VMI_LARGEST_RATIO VM_C(1e10) /* of a component or a derivative to its tolerance, for the first step */
+#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios from which the first step is chosen */
 
-/* The largest |v_i| over the tolerance of component i, at most VMI_LARGEST_RATIO */
+/* The largest ratio of |v_i| to the tolerance of component i, at most VMI_LARGEST_RATIO */
 VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
 {
     vm_real largest = 0;
@@ -48,8 +48,9 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
     return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
 }
 
-/* Sets s->h to the first step, from the sizes of y, y' and y'' [2, II.4]: 100 h0 at the most, where h0 moves y by 1 %
-   of itself, and such that the error of the method should be 1 % of the tolerance. Uses k_2 and z. */
+/* Chooses the size s->h of the first step from the sizes of y, y' and y'' [2, II.4], so that its error should be 1 % of
+   the tolerance. It is at most 100 times the step that changes y by 1 %, and at most `longest`. `direction`, 1 or -1,
+   is its sign. Overwrites the parts k_2 and VMI_Z of work. Returns a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -63,7 +64,7 @@ VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
     if (status) return status;
     for (i = 0; i < s->n; i++) {
         vm_real ratio = VM_FABS((k2[i] - k1[i]) / h0) / vmi_tolerance(&s->options, i, s->y[i]);
-        if (!(ratio < VMI_LARGEST_RATIO)) ratio = VMI_LARGEST_RATIO; /* also where f does not reach so far */
+        if (!(ratio < VMI_LARGEST_RATIO)) ratio = VMI_LARGEST_RATIO; /* also where f is NaN */
         if (ratio > fastest) fastest = ratio;
     }
     if (speed > fastest) fastest = speed;
@@ -74,21 +75,24 @@ VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
     return ODE_OK;
 }
 
-/* The shortest step that is tried. It is not 0 at t = 0, where steps that fail would become shorter without end. */
+/* The length of the shortest step that is tried at the time t. It is positive at t = 0 too, since otherwise failing
+   steps could become shorter without end. */
 VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
 {
     const vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
     return VMI_LARGER(least, o->h_min);
 }
 
-/* The time from where y is to t_end */
+/* The time from the state y to t_end, negative if the run goes backward */
 VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
 
-/* The direction to t_end: 1 or -1 */
+/* The direction of the run to t_end: 1 forward, -1 backward */
 VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
 
-/* PI control [2, IV.2]: after an accepted step the next is 0.9 error^(-4/(5 order)) error_before^(1/(5 order)) times
-   as long, at most 10 times */
+/* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is the
+   smaller of 10 and
+     0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
+   where error is the error of this step divided by its tolerance, and error_before that of the previous step. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
     const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
@@ -96,8 +100,8 @@ VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_bef
     return VMI_SMALLER(factor, VM_C(10.0));
 }
 
-/* After a rejected step the next is 0.9 error^(-1/order) times as long, at least 1/5; 1/10 where something was not
-   finite */
+/* The factor by which the step size changes after a rejected step: 0.9 error^(-1/order), at least 1/5, where error is
+   the error of the step divided by its tolerance. It is 1/10 if error is NaN. */
 VM_INLINE vm_real vmi_shrink(int order, vm_real error)
 {
     vm_real factor;
@@ -106,23 +110,24 @@ VM_INLINE vm_real vmi_shrink(int order, vm_real error)
     return VMI_LARGER(factor, VM_C(0.2));
 }
 
-/* Where a run is. While vmi_advance makes steps, it keeps this apart from the rk45, so that it can be in registers. */
+/* The fields of an rk45 that change from step to step. vmi_advance keeps them in a local variable while it makes steps,
+   so that they can be in registers. */
 typedef struct VM_TAG(vmi_progress) {
-    vm_real direction;              /* 1 or -1, towards t_end */
-    vm_real t, t_low;               /* y belongs to t + t_low */
-    vm_real t_old, t_old_low;       /* where the last step began */
-    vm_real h_next;                 /* the next step */
-    vm_real h_done;                 /* the last accepted step */
-    vm_real inverse_error;          /* 1 over its error, in tolerances */
-    vm_real t_missed, t_missed_low; /* where the last step that missed the tolerance began */
-    long steps, rejected, missed;   /* counted from the beginning of this loop */
-    long next_miss;                 /* a step may miss the tolerance again when `steps` is this large */
-    long attempts;                  /* steps that may still be tried; negative: no limit */
-    int k1, failure, stiff_wait;    /* as in rk45 */
-    int stopped;                    /* what f returned last */
+    vm_real direction;              /* direction to t_end: 1 forward, -1 backward */
+    vm_real t, t_low;               /* y belongs to the time t + t_low */
+    vm_real t_old, t_old_low;       /* the last step began at the time t_old + t_old_low */
+    vm_real h_next;                 /* size of the next step */
+    vm_real h_done;                 /* size of the last accepted step */
+    vm_real inverse_error;          /* tolerance of the last accepted step divided by its error */
+    vm_real t_missed, t_missed_low; /* the last step that missed the tolerance began at their sum */
+    long steps, rejected, missed;   /* numbers of steps since the beginning of this loop */
+    long next_miss;                 /* value of `steps` from which on a step may miss the tolerance again */
+    long attempts;                  /* number of steps that may still be tried; negative means no limit */
+    int k1, failure, stiff_wait;    /* the fields of rk45 with these names */
+    int stopped;                    /* number that f returned last */
 } vmi_progress;
 
-/* Where the run is before the loop */
+/* The fields that change from step to step, as they are before the loop */
 VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
 {
     vmi_progress p;
@@ -148,7 +153,7 @@ VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
     return p;
 }
 
-/* Stores where the run is after the loop */
+/* After the loop, stores in s the fields that change from step to step */
 VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
 {
     s->t = p->t;
@@ -172,18 +177,20 @@ VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
 
 /* A step that is tried */
 typedef struct VM_TAG(vmi_trial) {
-    vm_real h, t_new, t_new_low; /* it leads to t_new + t_new_low */
-    int last;                    /* it leads to t_end */
-    int shortest;                /* no shorter step can be tried */
+    vm_real h, t_new, t_new_low; /* size of the step, and its end, the time t_new + t_new_low */
+    int last;                    /* 1 if the step ends at t_end */
+    int shortest;                /* 1 if no shorter step can be tried */
 } vmi_trial;
 
-/* The length of a step is changed by up to this fraction, so that it ends at a time that the type can hold and y
-   belongs to t exactly. Shorter steps leave the rest in t_low. So t does not drift away from the motion. */
+/* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that the type can hold.
+   A step for which the change would be larger is so short that it ends between two such times, and t_low is then not 0.
+   In this way t does not drift away from the motion. */
 #define VMI_LANDING VM_C(0.015625)
-#define VMI_NEARLY VM_C(0.999999) /* a step that is this part of the way to t_end goes all the way */
+#define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
 
-/* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns the
-   status that keeps it from being tried, if any. */
+/* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns ODE_OK,
+   or the status with which the run ends: ODE_STEP_TOO_SMALL if h_max is too small, ODE_MAX_STEPS if no attempt is
+   left. */
 VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress *p, vmi_trial *trial)
 {
     const vm_real left = (t_end - p->t) - p->t_low, least = vmi_least_step(o, p->t);
@@ -209,11 +216,11 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* So many steps must keep the tolerance between two steps that may miss it. Behind a jump these steps are 1, 10 and
-   100 times as long as the smallest step; next to a singularity there are none. */
+/* The number of steps that must keep the tolerance between two steps that may miss it. After a jump of f there are
+   three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
-/* Goes back to where the last accepted step began, which missed the tolerance */
+/* Takes back the last accepted step, which missed the tolerance */
 VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 {
     vmi_copy(sys.n, sys.w + VMI_Y_OLD * sys.m, sys.w + VMI_Y * sys.m);
@@ -227,8 +234,9 @@ VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
     p->rejected++;
 }
 
-/* Rejects a step, because its error is above the tolerance, or NaN. Returns the status with which the run ends if no
-   shorter step can be tried; then a step before that missed the tolerance is dropped as well. */
+/* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
+   a shorter step can be tried. Otherwise returns the status with which the run ends. If the previous step missed the
+   tolerance too, it is taken back. */
 VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
@@ -241,9 +249,9 @@ VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_
     return not_a_number ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
 }
 
-/* The state after a step of the smallest size in which f jumps. The weights of the stages are of both signs, so that
-   the step's own state may be thrown back from the jump, and far. Instead each component goes on with the middle of
-   the least and the largest derivative that the stages have met: that is wrong by half the jump times h at most. */
+/* Replaces the state after a step of the smallest size in which f jumps. The weights of the stages have both signs, so
+   that their sum may lead far away from the jump. Therefore each component is continued with the mean of the smallest
+   and the largest of its derivatives in the stages. The error of this mean is at most half the jump. */
 VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -261,11 +269,12 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
     }
 }
 
-#define VMI_KEEP_TO VM_C(0.75)     /* after a step whose error is below this part of the tolerance the size may stay */
-#define VMI_LEAST_ERROR VM_C(1e-8) /* smaller errors, in tolerances, count as this one */
+#define VMI_KEEP_TO VM_C(0.75)     /* the step size may stay after an error below this fraction of the tolerance */
+#define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
 
-/* Sets the size of the step after an accepted one. If the error is within keep_from .. VMI_KEEP_TO, the size stays:
-   the processor can guess this branch, and go on with the next step before the error is known. */
+/* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
+   VMI_KEEP_TO times the tolerance. The processor can predict this branch and begin the next step before the error is
+   known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;
@@ -274,20 +283,20 @@ VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *t
     if (p->failure && factor > 1) factor = 1;
     if (!trial->last) {
         p->h_next = trial->h * factor;
-    } else { /* a step that is short because it ends at t_end does not make the next one short */
+    } else { /* a step may be short only because it ends at t_end; the next step need not be short */
         p->h_next = p->direction * VMI_LARGER(VM_FABS(p->h_next), VM_FABS(trial->h * factor));
     }
 }
 
-/* Steps towards t_end, not past it, until it is reached, or only one if `single`, or until a look for stiffness is
-   due. Returns a status. */
-VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end, int single)
+/* Makes steps until t_end is reached or a test of stiffness is due, or one accepted step if `single` is not 0. Returns
+   a status. */
+VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
 {
     const rk45_options o = s->options;
-    const vmi_rk_pair pair = vmi_pair_of(method);
+    const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* a variable of its own, so that the address of p is not taken */
+    long evals = 0; /* a variable of its own, so that make_stages does not get the address of p */
     int status;
     for (;;) {
         vmi_trial trial;
@@ -295,9 +304,9 @@ VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end,
         int misses = 0; /* whether the step is accepted though it misses the tolerance */
         status = vmi_choose_step(&o, t_end, &p, &trial);
         if (status) break;
-        p.stopped = vmi_make_stages(method, sys, p.t, trial.t_new, trial.h, &evals);
+        p.stopped = stepper.make_stages(sys, p.t, trial.t_new, trial.h, &evals);
         if (p.stopped) break;
-        error = vmi_step_error(method, &o, sys, trial.h);
+        error = stepper.step_error(&o, sys, trial.h);
         if (!(error <= 1)) {
             misses = error > 1 && trial.shortest && p.steps >= p.next_miss;
             if (!misses) {
@@ -339,18 +348,18 @@ VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end,
     return p.stopped ? (int)ODE_RHS_STOPPED : status;
 }
 
-/* vmi_advance in registers, where the compiler knows that n is small */
-VM_INLINE int vmi_advance_small(rk45 *s, int method, vmi_rk_system sys, vm_real t_end, int single)
+/* Does the work of vmi_advance in a local array, which the compiler keeps in registers if it knows that n is small */
+VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
 {
-    const vmi_rk_pair pair = vmi_pair_of(method);
-    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* all is copied back, used or not */
+    const vmi_rk_pair pair = stepper.pair;
+    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* 0, because parts that were never written are copied too */
     const int n = sys.n;
     int part, status;
     vmi_copy(n, vmi_part(s, VMI_Y), w);
     vmi_copy(n, vmi_part(s, VMI_K), w + VMI_K * n);
     sys.w = w;
     sys.m = n;
-    status = vmi_advance(s, method, sys, t_end, single);
+    status = vmi_advance(s, stepper, sys, t_end, single);
     vmi_copy(n, w, vmi_part(s, VMI_Y));
     if (s->k1 == VMI_K1_IS_LAST) {
         vmi_copy(n, w + VMI_Y_OLD * n, vmi_part(s, VMI_Y_OLD));

@@ -1,9 +1,10 @@
 /* jacobi/agm.h - the arithmetic-geometric mean and the quarter period from it
 
-   a_0 = 1 and b_0 = k' = sqrt(1 - m) are replaced again and again by their arithmetic and their geometric mean. Both
-   tend to the same limit, agm(1, k'), and K = pi/(2 agm(1, k')). The number of right digits doubles in each step.
-   Here the mean is computed in one, two and three words: in one for comparison (jacobi/descending.h), in two and
-   three to reduce arguments next to a zero of an elliptic function (jacobi/reduction.h).
+   The numbers a_0 = 1 and b_0 = k' = sqrt(1 - m) are replaced again and again by their arithmetic mean a_1 and their
+   geometric mean b_1. Both sequences tend to one limit, agm(1, k'), and the quarter period is K = pi/(2 agm(1, k')).
+   The number of right digits doubles in each step. The mean is computed in one word for comparison
+   (jacobi/descending.h), and in two and three words to reduce arguments next to a zero of an elliptic function
+   (jacobi/reduction.h). p is the number of digits of vm_real.
 
        vmi_three K = vmi_K_three_words(VM_C(0.7), 0); // K(0.3) with three times the digits
 
@@ -15,21 +16,23 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* 1 where no elliptic function has the complementary parameter m1 = 1 - m: negative, NaN or infinite */
+/* Returns 1 if m1 = 1 - m is negative, infinite or NaN, so that no elliptic function has this parameter, else 0. */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 
-/* Levels of the ladder below; the smallest m1 > 0, 5e-324, needs 13. */
+/* The number of pairs a_n, b_n that a vmi_ladder can hold. The smallest m1 > 0, 5e-324, needs 13 of them. */
 #define VMI_LADDER 16
 
-/* The numbers a_n, b_n of all steps, from which sn, cn, dn are computed step by step back */
+/* The numbers a_n and b_n of all steps of the arithmetic-geometric mean. sn, cn and dn are computed from them,
+   beginning with the last step and ending with the first. */
 typedef struct VM_TAG(vmi_ladder) {
-    int n;                                /* the last level */
+    int n;                                /* index of the last pair a_n, b_n */
     vm_real a[VMI_LADDER], b[VMI_LADDER]; /* a_0 = 1, b_0 = k'; a_(n+1) = (a_n + b_n)/2, b_(n+1) = sqrt(a_n b_n) */
-    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 at the last level */
+    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 for the last n */
 } vmi_ladder;
 
-/* Computes agm(1, b0), b0 > 0 and finite, in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4: there sn
-   differs from the sine by at most eps/60, and a_n from the limit by at most eps/16 of it. */
+/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. Then the sine
+   of the phase a_n u may replace the sn of the last step: they differ by at most eps/60. The relative error of a_n is
+   at most eps/16. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
@@ -45,12 +48,12 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
     l->n = n;
 }
 
-/* K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0. Plans need it, and
-   arguments next to a multiple of K. */
+/* Returns the quarter period K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0.
+   Plans need so many digits, and so does the reduction of an argument that is next to a multiple of K. */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON;
-    vm_real lift = 1, c; /* lift keeps the square root's words from underflow and overflow */
+    vm_real lift = 1, c; /* lift: a factor that keeps the words of the square root from underflow and overflow */
     vmi_three a = vmi_three_words(1, 0, 0), b;
     if (m1 < tiny) lift = 1 / tiny;
     if (m1 > 1 / tiny) lift = VM_EPSILON;
@@ -65,13 +68,14 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
     return vmi_three_over(vmi_half_pi(), vmi_three_plus(a, vmi_three_words(-c * c / (4 * a.hi), 0, 0)));
 }
 
-/* agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step is the series agm(s + c, s - c) =
-   s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2. It leaves a relative error of x eps/8 < 2^-85 (float 2^-41). For the
-   argument u this changes sn, cn and dn/k', whose slope is at most max(1, k'), by less than eps/8. */
+/* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step is replaced by the series
+   agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2, where s is the mean of a_n and b_n and c half
+   their difference. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). For the argument u this error
+   changes sn, cn and dn/k' by less than eps/8, since their slope is at most max(1, k'). */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
-    vm_real lift = 1, slope; /* lift keeps the square root's words from underflow */
+    vm_real lift = 1, slope; /* lift: a factor that keeps the words of the square root from underflow */
     vm_two root, kp, a, b, p;
     if (m1 < tiny) lift = 1 / tiny;
     root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);

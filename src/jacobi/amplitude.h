@@ -14,9 +14,10 @@
 #include "integrals.h"
 #include "theta.h"
 
-/* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. It is odd, continuous and rising
-   (apart from 4 ulp), and am(u + 2K) = am(u) + pi. Within 8 ulp for |u| <= 100 K. NaN for m > 1 and for infinite
-   arguments. Method: j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to u. */
+/* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. am is odd, continuous and rising
+   (apart from errors of 4 ulp), and am(u + 2K) = am(u) + pi. The error is at most 8 ulp for |u| <= 100 K. Returns NaN
+   for m > 1 and for infinite arguments. Method: am = j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to
+   u. */
 VM_API vm_real jacobi_am(vm_real u, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -31,7 +32,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
     j = VM_FLOOR(turns + VM_C(0.5));
     if (!(2 * j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
     odd = j - 2 * VM_FLOOR(j / 2);
-    if ((odd > 0) != (theta.c < 0)) { /* next to an odd multiple of K the sign of cn decides */
+    if ((odd > 0) != (theta.c < 0)) { /* next to an odd multiple of K the sign of cn decides which j is right */
         if (turns > j) j += 1;
         else j -= 1;
     }

@@ -1,7 +1,7 @@
 /* jacobi/descending.h - sn, cn, dn and K by the arithmetic-geometric mean
 
-   The classical method, in which the number of steps shows what accuracy costs. jacobi_sncndn is faster and more
-   accurate; this is for comparison and teaching.
+   In this classical method the number of steps shows what accuracy costs. It serves for comparison and teaching:
+   jacobi_sncndn is faster and more accurate.
 
        vm_real sn, cn, dn;
        jacobi_agm_sncndn(VM_C(1.2), VM_C(0.3), 3, &sn, &cn, &dn); // with three steps
@@ -16,10 +16,11 @@
 #include "../base/words.h"
 #include "agm.h"
 
-/* Goes back through the steps of the mean by Gauss' transformation, from the sine and cosine of the phase a_n u. The
-   functions are quotients, sn : cn : dn : 1 = s : c : d : q, and each step is
-     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a+ = a_(n+1).
-   No subtraction occurs, also for m < 0. */
+/* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation, beginning with the sine and
+   cosine of the phase a_n u. The functions are quotients of four numbers, sn : cn : dn : 1 = s : c : d : q. One step
+   turns s, c, d, q into
+     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a = a_n, b = b_n, a+ = a_(n+1).
+   No subtraction occurs, not even for m < 0. */
 VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
 {
     int n;
@@ -35,10 +36,10 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
-/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one)
-   cost less and are less accurate; from 15 steps on it takes as many as the type needs. The error then is 3 eps M (1
-   + M |u|) with M = max(1, k') for |u| <= 5K: it grows with |u|, since the argument is reduced by pi/2 and not by K.
-   NaN for m >= 1 and for infinite arguments. */
+/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one) cost
+   less and are less accurate. With steps >= 15 the function takes as many steps as the type needs; the error is then at
+   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|, since the phase a_n u is
+   reduced by pi/2, instead of u by K. The results are NaN for m >= 1 and for infinite arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -68,7 +69,7 @@ VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_r
 }
 
 /* K(m) by the arithmetic-geometric mean, for m <= 1.
-   Within 6 ulp. Infinite at m = 1; NaN for m > 1 and infinite m. */
+   The error is at most 6 ulp. Returns infinity for m = 1, and NaN for m > 1 and infinite m. */
 VM_API vm_real jacobi_agm_K(vm_real m)
 {
     vmi_ladder l;

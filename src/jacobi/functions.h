@@ -1,13 +1,13 @@
 /* jacobi/functions.h - the elliptic functions sn, cn, dn and their quotients
 
    sn(u | m), cn(u | m) and dn(u | m) of Jacobi, for every real argument u and every parameter m = k^2 <= 1, negative
-   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). They solve the oscillators with cubic springs and
-   turn the torque-free body. Who needs one m for many u prepares a plan (jacobi/plans.h).
+   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). The motions of oscillators with cubic springs and
+   of bodies that rotate without torque are written with them. For many u and one m prepare a plan (jacobi/plans.h).
 
        vm_real sn, cn, dn;
        jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
 
-   Method: near 0 by a series (vmi_theta_near), far from 0 by theta functions, after reduction by the quarter period.
+   Method: u is reduced by the quarter period. Near 0 a series is used (vmi_theta_near), far from 0 theta functions.
    DLMF 22. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
@@ -19,15 +19,15 @@
 #include "reduction.h"
 #include "theta.h"
 
-/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error; NaN where u or m is refused.
-   *bound is a limit that dn cannot pass. Near 0 neither K nor k' is needed. */
+/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN if u or m lies outside the
+   domain. dn lies between 1 and *bound. For a small |u| neither K nor k' is needed. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
-    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* (2u/K)^2, roughly */
+    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* about (2u/K)^2 */
     vm_real v, v_lo;
     vmi_bits quarters;
     vmi_thetas theta;
-    *bound = m1; /* here dn lies between 1 and sqrt(k'), and m1 lies beyond sqrt(k') */
+    *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), so also between 1 and m1 */
     if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
     *bound = VM_SQRT(m1);
     v = vmi_reduced(VM_FABS(u), m1, m1_lo, reach, &v_lo, &quarters);
@@ -44,13 +44,14 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     vm_real bound;
     const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
-    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less than by 1/n */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* has one rounding less than theta.c (1/theta.n) */
 }
 
-/* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. Pure numbers. |sn| <= 1, |cn| <= 1, dn lies between
-   1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. Within 8 ulp for |u| <= 100 K, next to the
-   zeros too, and within 4 eps of the largest value for |u| <= 1e9 (float 1e4). NaN for m > 1 and for infinite
-   arguments; at m = 1 sn = tanh, cn = dn = 1/cosh. docs/cost.md has its time. DLMF 22. */
+/* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies
+   between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 8 ulp for
+   |u| <= 100 K, next to the zeros too, and at most 4 eps times the function's largest value for |u| <= 1e9 (float 1e4).
+   The results are NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for
+   infinite u. docs/cost.md has the time. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -58,13 +59,13 @@ VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_rea
 }
 
 /* sn, cn and dn for the complementary parameter m1 = 1 - m >= 0.
-   See jacobi_sncndn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_sncndn; m1 keeps its digits where m is close to 1. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vmi_sncndn(u, m1, 0, sn, cn, dn);
 }
 
-/* The theta function named s, c, d or n */
+/* Returns the theta function whose name is s, c, d or n. */
 VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
 {
     if (name == 's') return t.s;
@@ -73,7 +74,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* The quotient pq = theta_p/theta_q. At m = 1 both may have underflowed to the same number: then it is 1. */
+/* The quotient pq = theta_p/theta_q. For m = 1 both theta functions may underflow to the same number: then the quotient
+   is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;
@@ -85,43 +87,49 @@ VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 }
 
 /* cd(u | m) = cn/dn.
-   Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   The error is at most 8 ulp for |u| <= 100 K; the domain is that of jacobi_sncndn. */
 VM_API vm_real jacobi_cd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 'd'); }
 
 /* sd(u | m) = sn/dn.
-   Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   The error is at most 8 ulp for |u| <= 100 K; the domain is that of jacobi_sncndn. */
 VM_API vm_real jacobi_sd(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'd'); }
 
 /* nd(u | m) = 1/dn.
-   Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   The error is at most 8 ulp for |u| <= 100 K; the domain is that of jacobi_sncndn. */
 VM_API vm_real jacobi_nd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'd'); }
 
 /* sc(u | m) = sn/cn.
-   Infinite at odd multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at odd multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_sc(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'c'); }
 
 /* dc(u | m) = dn/cn.
-   Infinite at odd multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at odd multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_dc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 'c'); }
 
 /* nc(u | m) = 1/cn.
-   Infinite at odd multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at odd multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_nc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'c'); }
 
 /* cs(u | m) = cn/sn.
-   Infinite at even multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at even multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_cs(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 's'); }
 
 /* ds(u | m) = dn/sn.
-   Infinite at even multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at even multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_ds(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 's'); }
 
 /* ns(u | m) = 1/sn.
-   Infinite at even multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
+   It is infinite at even multiples of K. The error is at most 8 ulp for |u| <= 100 K; the domain is that of
+   jacobi_sncndn. */
 VM_API vm_real jacobi_ns(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 's'); }
 
 /* sn(u | m) alone.
-   Domain and accuracy are those of jacobi_sncndn, which computes all three in the same time. */
+   Domain and accuracy are those of jacobi_sncndn, which computes all three functions in the same time. */
 VM_API vm_real jacobi_sn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;
@@ -130,7 +138,7 @@ VM_API vm_real jacobi_sn(vm_real u, vm_real m)
 }
 
 /* cn(u | m) alone.
-   Domain and accuracy are those of jacobi_sncndn, which computes all three in the same time. */
+   Domain and accuracy are those of jacobi_sncndn, which computes all three functions in the same time. */
 VM_API vm_real jacobi_cn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;
@@ -139,7 +147,7 @@ VM_API vm_real jacobi_cn(vm_real u, vm_real m)
 }
 
 /* dn(u | m) alone.
-   Domain and accuracy are those of jacobi_sncndn, which computes all three in the same time. */
+   Domain and accuracy are those of jacobi_sncndn, which computes all three functions in the same time. */
 VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;

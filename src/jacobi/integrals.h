@@ -2,8 +2,8 @@
 
    K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x). The argument is
    the parameter m = k^2 <= 1, negative ones included. The forms with suffix _m1 take m1 = 1 - m, which keeps its
-   digits where m is close to 1. Between m = -33.5 and m = 0.971 both are series after one or two steps of the
-   arithmetic-geometric mean; outside they are sums with the logarithm of k' = sqrt(1 - m).
+   digits where m is close to 1. Between m = -33.5 and m = 0.971 K and E are computed by series after one or two steps
+   of the arithmetic-geometric mean, for other m by sums with the logarithm of k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 
@@ -18,10 +18,10 @@
 #include "../base/words.h"
 #include "agm.h"
 
-/* 1 where K and E are computed by series, 0 where by logarithms */
+/* Is 1 if K and E are computed by series for this m1 = 1 - m, and 0 if they are computed by logarithms. */
 #define VMI_MIDDLE(m1) ((m1) > VM_C(0.029) && (m1) < VM_C(34.5))
 
-/* ln(4/k') for m1 < 1 and ln(4 k') for m1 > 1, in two words */
+/* Returns ln(4/k') for m1 < 1 and ln(4 k') for m1 > 1 in two words, where k'^2 = m1 + m1_lo. */
 VM_API vm_two vmi_log_4(vm_real m1, vm_real m1_lo)
 {
 #if VM_MANT_DIG > 24
@@ -35,8 +35,8 @@ VM_API vm_two vmi_log_4(vm_real m1, vm_real m1_lo)
     return vmi_two(sum.hi, sum.lo + (ln4_lo + half * (L.lo + m1_lo / m1)));
 }
 
-/* K for 1 - m = c <= 1/2 and l = ln(4/k'), with a relative error of 2^-58 (float 2^-30):
-   K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)), where the polynomials A and B were fitted together */
+/* Returns K for 1 - m = c <= 1/2 and l = ln(4/k'), with a relative error of 2^-58 (float 2^-30):
+   K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)), where the polynomials A and B were fitted together. */
 VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
 {
     const vm_real cc = c * c, head = vmi_head(c), tail = c - head;
@@ -62,7 +62,8 @@ VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
     return vmi_fast_two_sum(sum.hi, sum.lo + (l.lo + middle));
 }
 
-/* E - 1 for 1 - m = c <= 1/2 and l = ln(4/k'), with an error of 2^-56 (float 2^-29): E - 1 = c (l A(c) - B(c)) */
+/* Returns E - 1 for 1 - m = c <= 1/2 and l = ln(4/k'), with an error of 2^-56 (float 2^-29):
+   E - 1 = c (l A(c) - B(c)), where A and B are polynomials. */
 VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
 {
     const vm_real cc = c * c;
@@ -86,9 +87,9 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* S of K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295; the error of x S is 2^-60 (float 2^-31).
-   After a step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'), this covers all of
-   VMI_MIDDLE. */
+/* Returns the series S(x) in K = pi/(1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.0295. The error of x S is
+   2^-60 (float 2^-31). A step of the arithmetic-geometric mean replaces k' by 2 sqrt(k')/(1 + k'). It makes x small
+   enough for every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -102,8 +103,8 @@ VM_API vm_real vmi_K_series(vm_real x)
 #endif
 }
 
-/* x S of E = (pi/4) (1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.503, with an error of 2^-58.7 (float
-   2^-32.5) */
+/* Returns x S(x), where E = (pi/4) (1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.503. The error is
+   2^-58.7 (float 2^-32.5). */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -125,9 +126,9 @@ VM_API vm_real vmi_E_series(vm_real x)
 #endif
 }
 
-/* K for 1 - m = m1 + m1_lo. In the middle by two steps of the arithmetic-geometric mean and the series: K = 2 pi (1 +
-   x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m near 1 by logarithms; for m < -33.5 too, since k'
-   K(m) = K(mu) with 1 - mu = 1/(1 - m). */
+/* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
+   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m near 1 it comes from
+   logarithms, and for m < -33.5 too, since k' K(m) = K(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -141,15 +142,15 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
-    K = vmi_K_by_log(vmi_smaller(m1, 1 / m1), vmi_log_4(m1, m1_lo));
+    K = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo));
     if (m1 < 1) return K.hi;
     root = vmi_root(m1, m1_lo);
     quotient = K.hi / root.hi;
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* E for 1 - m = m1 + m1_lo: in the middle by the series, for m near 1 by logarithms, for m < -33.5 by E(m) = k' E(mu)
-   with 1 - mu = 1/(1 - m) */
+/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from the series, for m near 1 from logarithms,
+   and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -158,7 +159,7 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real kp_lo = m1_lo * VM_C(0.09); /* m1_lo/(2 k') for m < -15, elsewhere it is too small to matter */
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k', m1_lo/(2 k') for m < -15; else negligible */
         const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }
@@ -171,23 +172,23 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 }
 
 /* K(m), the complete elliptic integral of the first kind, from m1 = 1 - m >= 0.
-   See jacobi_K; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_K; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
 
 /* E(m), the complete elliptic integral of the second kind, from m1 = 1 - m >= 0.
-   See jacobi_E; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_E; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
 
-/* K(m), the complete elliptic integral of the first kind, for m <= 1: a quarter of the period of sn.
-   Within 2 ulp. Infinite at m = 1; NaN for m > 1 and for infinite m. DLMF 19.2.8. */
+/* K(m), the complete elliptic integral of the first kind, for m <= 1: a quarter of the period of sn. The error is at
+   most 2 ulp. Returns infinity for m = 1, and NaN for m > 1 and for infinite m. DLMF 19.2.8. */
 VM_API vm_real jacobi_K(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     return vmi_K(m1.hi, m1.lo);
 }
 
-/* E(m), the complete elliptic integral of the second kind, for m <= 1.
-   Within 2 ulp. 1 at m = 1; NaN for m > 1 and for infinite m. DLMF 19.2.8. */
+/* E(m), the complete elliptic integral of the second kind, for m <= 1. The error is at most 2 ulp. Returns 1 for
+   m = 1, and NaN for m > 1 and for infinite m. DLMF 19.2.8. */
 VM_API vm_real jacobi_E(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -195,7 +196,8 @@ VM_API vm_real jacobi_E(vm_real m)
 }
 
 /* k' K(m) = sqrt(1 - m) K(m), the left side of equation (307), for m <= 1.
-   It falls from infinity for m towards -infinity to 0 at m = 1. NaN for m > 1 and for infinite m. */
+   It falls from infinity, as m tends to -infinity, to 0 at m = 1. The error is at most 5 ulp. Returns NaN for m > 1
+   and for infinite m. */
 VM_API vm_real jacobi_kpK(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);

@@ -1,6 +1,7 @@
 /* jacobi/means.h - mean values of cn^2, cn^4 and cn^6 over a period
 
-   Averaged equations of oscillators with a cubic spring need these means: equations (383), (384), (408).
+   Averaged equations of oscillators with a cubic spring need these means: equations (383), (384), (408). C2, C4 and
+   C6 are the means of cn^2, cn^4 and cn^6.
 
        vm_real C2, C4, C6;
        jacobi_cn_means(VM_C(0.5), &C2, &C4, &C6);
@@ -16,33 +17,36 @@
 #include "integrals.h"
 #include "modulus.h"
 
-/* The means from the nome q of m, |q| <= 0.1. The recurrences (384), (408) would divide 0 by 0 at m = 0; here both
-   are divided by m on paper, with 1/2 - C2 = q S and m = 16 q R. */
+/* Computes the means from the nome q of m, for |q| <= 0.1. The recurrences (384) and (408) would divide 0 by 0 at
+   m = 0. In this form m is cancelled from both, by means of two series S and R in q: 1/2 - C2 = q S and m = 16 q R. */
 VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
     const vm_real low = -2 + y * (6 + y * (-16 + 37 * y));
     const vm_real high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
-    const vm_real series = low + (y * y) * (y * y) * high;             /* (S - 1)/q^2 */
-    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* d/m */
-    const vm_real eta = (loss + q * series) / (256 * R * R);           /* (delta - 1/16)/m */
+    const vm_real series = low + (y * y) * (y * y) * high;             /* is (S - 1)/q^2 */
+    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* is d/m */
+    const vm_real eta = (loss + q * series) / (256 * R * R);           /* is (delta - 1/16)/m */
     *C2 = VM_C(0.5) - d;
     *C4 = (1 - 4 * d + 2 * delta) / 3;
     *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
 }
 
-/* The means by (383), (384), (408) from K and E in two words, for 1 - m = c < 1/2 and l = ln(4/k') */
-VM_API void vmi_means_from_K(vm_real c, vm_two l, vm_real *C2, vm_real *C4, vm_real *C6)
+/* Returns C2 by (383) from K and E, for 1 - m = c <= 1/2 and l = ln(4/k'): C2 = (E/K - c)/m. E/K is a sum of two words
+   here, because an error of C2 in a parameter near 4/5 doubles in the mean of sn^6. */
+VM_API vm_real vmi_mean_from_K(vm_real c, vm_two l)
 {
-    const vm_real m = 1 - c;
-    const vm_two K = vmi_K_by_log(c, l), less = vmi_two_product(c, K.hi);
-    *C2 = ((1 - less.hi) + (vmi_E_rest(c, l.hi) - (less.lo + c * K.lo))) / (m * K.hi);
-    *C4 = (2 * (m - c) * *C2 + c) / (3 * m);
-    *C6 = (4 * (m - c) * *C4 + 3 * c * *C2) / (5 * m);
+    const vm_two K = vmi_K_by_log(c, l);
+    const vm_real rest = vmi_E_rest(c, l.hi), ratio = (1 + rest) / K.hi;
+    const vm_two product = vmi_two_product(ratio, K.hi);
+    const vm_real ratio_lo = ((1 - product.hi) + (rest - (product.lo + ratio * K.lo))) / K.hi;
+    return ((ratio - c) + ratio_lo) / (1 - c);
 }
 
-/* Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1. Within 8 ulp. 0 at m = 1, where the period is
-   infinite; NaN for m > 1 and infinite m. Equations (383), (384), (408). */
+/* Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1. The errors are at most 8 ulp. The means are 0
+   for m = 1, where the period is infinite, and NaN for m > 1 and infinite m. Equations (383), (384), (408).
+   Outside -4 <= m <= 1/2 the recurrences (384) and (408) are solved for the means of sn^2 cn^2 and sn^2 cn^4. These
+   are small, and the others are sums of few of them, so that little is lost to rounding. */
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -55,11 +59,14 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        vmi_means_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo), C2, C4, C6);
-        if (m1.hi < 1) return;
-        *C6 = 1 - 3 * *C2 + 3 * *C4 - *C6; /* for m < 0 cn(u | m) = cd(k'u | mu), whose means are those of sn */
-        *C4 = 1 - 2 * *C2 + *C4;
-        *C2 = 1 - *C2;
+        /* for m < 0 cn(u | m) = cd(k' u | m/(m - 1)), and the means of cd are those of sn: S2 = 1 - C2, for one */
+        const vm_real ratio = m < 0 ? -1 / m : m1.hi / m; /* (1 - m)/m of the parameter m or m/(m - 1) */
+        const vm_real second = vmi_mean_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo));
+        const vm_real s2c2 = (second - ratio * (1 - 2 * second)) / 3, fourth = second - s2c2;
+        const vm_real s2c4 = (fourth - ratio * (3 * second - 4 * fourth)) / 5;
+        *C2 = m < 0 ? 1 - second : second;
+        *C4 = m < 0 ? 1 - (second + s2c2) : fourth;
+        *C6 = m < 0 ? 1 - (second + (2 * s2c2 - s2c4)) : fourth - s2c4;
     }
 }
 

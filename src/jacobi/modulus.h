@@ -1,12 +1,12 @@
 /* jacobi/modulus.h - the parameter m from the quarter period
 
-   Solves K(m) = c and k' K(m) = c for m. The second is equation (307), which gives the Jacobi function whose period
-   is that of a strongly nonlinear oscillator. Both have one solution for each c > 0.
+   The functions solve K(m) = c and k' K(m) = c for m. The second equation is (307), which gives the Jacobi function
+   whose period is that of a strongly nonlinear oscillator. Each equation has one solution for every c > 0.
 
        vm_real m = jacobi_solve_kpK(VM_C(1.2)); // sqrt(1 - m) K(m) = 1.2
 
-   Method: Newton's method for the logarithm of the nome; in the middle a fixed-point iteration for the nome itself.
-   Tests: tests/test_jacobi.c. */
+   Method: Newton's method for the logarithm of the nome; for c between K(-1) and K(1/2) a fixed-point iteration for
+   the nome itself. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_MODULUS_H
 #define VARMASS_JACOBI_MODULUS_H
 
@@ -15,9 +15,9 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* (1 - R)/q for |q| <= 0.1, where m = 16 q R and R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. This form loses no digits
-   for small q. With b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q = (2 - q + 2 q^3 - q^5 + 2 q^8 -
-   q^11)/theta_3. */
+/* Returns (1 - R)/q for |q| <= 0.1, where m = 16 q R and R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. This form loses
+   no digits for small q. Method: with b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q is
+   (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
 VM_API vm_real vmi_theta_loss(vm_real q)
 {
     const vm_real y = q * q, y2 = y * y, theta3 = 1 + 2 * (q + y2 * (1 + y2 * q));
@@ -27,30 +27,30 @@ VM_API vm_real vmi_theta_loss(vm_real q)
 
 /* A parameter m, given by a nome q */
 typedef struct VM_TAG(vmi_solution) {
-    int circular;        /* 1: q is the nome of m */
-    int upside;          /* for circular = 0; 0: q is the nome of 1 - m, 1: of 1/(1 - m) */
-    vm_real q, L, L_lo;  /* the nome; for circular = 0 it is exp(-L - L_lo) */
+    int circular;        /* 1 if q is the nome of m, else 0 */
+    int upside;          /* used if circular is 0: 0 if q is the nome of 1 - m, 1 if q is that of 1/(1 - m) */
+    vm_real q, L, L_lo;  /* the nome q, which is exp(-L - L_lo) if circular is 0 */
 } vmi_solution;
 
-/* The nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of k' K = c, and -q that of K
-   = c. */
+/* Returns the nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of the m that solves
+   k' K = c, and -q is the nome of the m that solves K = c. */
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
-    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* 1 - theta_4^2 */
-    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4)/2 = q - q^4 + q^9 */
+    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* less = 1 - theta_4(q)^2 */
+    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4(q))/2 = q - q^4 + q^9 */
     vm_real q = start;
     int i;
-    for (i = 0; i < 6; i++) /* each step adds 3 digits */
+    for (i = 0; i < 6; i++) /* each step gains about 3 digits of q */
         q = start + vmi_fourth_power(q) * (1 - vmi_fourth_power(q) * q);
     return q;
 }
 
-/* After a step of Newton's method that is shorter than this the error is below eps. */
+/* After a step of Newton's method that is shorter than this number, the error is below eps. */
 #define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
-/* L = -ln q for c >= K(1/2), where K = L theta_3(q)^2/2 = c. Newton's method for lambda = 2c - L = 2c (1 -
-   theta_3^-2), 0 <= lambda < 0.57, starts at 0 and needs at most seven steps. */
+/* Finds L = -ln q with K = L theta_3(q)^2/2 = c, for c >= K(1/2). The unknown is lambda = 2c - L = 2c (1 - theta_3^-2),
+   between 0 and 0.57. Newton's method starts at lambda = 0 and needs at most seven steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -67,16 +67,16 @@ VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
     s->L_lo = L.lo;
 }
 
-/* ln(1 + x) for 0 <= x < 0.0019 by its series */
+/* Returns ln(1 + x) for 0 <= x < 0.0019, by its series. */
 VM_API vm_real vmi_small_log(vm_real x)
 {
     return x - x * x * (VM_C(0.5) - x * (VM_C(0.3333333333333333333) - x * (VM_C(0.25) - x * VM_C(0.2))));
 }
 
-/* L = -ln q for 0 < c <= K(-1), where k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c. Newton's method for
+/* Finds L = -ln q with k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c, for 0 < c <= K(-1). Newton's method solves
      L/2 - ln L - 2 ln(1 + q^2 + q^6) = ln(2/c),
-   whose left side is convex and rising. It starts above the solution and needs at most seven steps. The residual is
-   computed in two words. */
+   whose left side is convex and rising. Newton's method starts above the solution and needs at most seven steps. The
+   residual is computed in two words. */
 VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
 {
     const vm_two ln_c = vmi_log(c), ln2 = vmi_log(2);
@@ -97,12 +97,12 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     s->L_lo = sum.lo;
 }
 
-/* The parameter with k' K = c, or with K = c where inverse_of_K is 1, for c > 0. Both are one problem, since k' K(m)
-   is K(m/(m - 1)). For c > 1000 (float: much earlier) 1 - m underflows to 0 or overflows, so that c = 1000 serves for
-   all. */
+/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. Both are
+   one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 1 - m underflows to 0 or overflows (in float much
+   earlier), so that every such c gives the result of c = 1000. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
-    const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1), K(1/2) */
+    const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1) and K(1/2) */
     vmi_solution s;
     if (c > 1000) c = 1000;
     s.circular = c >= least && c <= most;
@@ -119,7 +119,8 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where they do not. */
+/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where these
+   numbers do not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {
     const vm_two ln2 = vmi_log(2);
@@ -133,15 +134,15 @@ VM_API vm_real vmi_solution_m1(const vmi_solution *s)
     return vmi_exp(sum.hi, sum.lo) * ratio;
 }
 
-/* m of the solution */
+/* Returns m of the solution. */
 VM_API vm_real vmi_solution_m(const vmi_solution *s)
 {
     if (s->circular) return 16 * s->q * (1 - s->q * vmi_theta_loss(s->q));
     return 1 - vmi_solution_m1(s);
 }
 
-/* The parameter m whose k' K(m) is c, for c >= 0: solves equation (307). m < 0 for c > pi/2, m = 1 for c = 0. Within
-   8 ulp of m, or of 1 - m where that is smaller. NaN for c < 0 and infinite c. */
+/* The parameter m whose k' K(m) is c, for c >= 0: solves equation (307). m is negative for c > pi/2, and 1 for c = 0.
+   The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK(vm_real c)
 {
     vmi_solution s;
@@ -151,8 +152,8 @@ VM_API vm_real jacobi_solve_kpK(vm_real c)
     return vmi_solution_m(&s);
 }
 
-/* The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits.
-   c >= 0; NaN for c < 0 and infinite c. */
+/* The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits. The error is at most 4 ulp plus the
+   change of 1 - m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
 {
     vmi_solution s;
@@ -162,8 +163,8 @@ VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* The complementary parameter 1 - m of jacobi_solve_K, with all its digits.
-   c >= 0, infinite for c = 0; NaN for c < 0 and infinite c. */
+/* The complementary parameter 1 - m of jacobi_solve_K, with all its digits. Returns infinity for c = 0, and NaN for
+   c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_K_m1(vm_real c)
 {
     vmi_solution s;
@@ -173,9 +174,9 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K.
-   m < 0 for c < pi/2, -infinity for c = 0. Within 4 ulp and what an ulp of c changes. NaN for c < 0 and
-   infinite c. */
+/* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K. m is negative for c < pi/2, and
+   -infinity for c = 0. The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0
+   and infinite c. */
 VM_API vm_real jacobi_solve_K(vm_real c)
 {
     vmi_solution s;

@@ -1,8 +1,8 @@
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
-   A plan holds what depends on m alone: the quarter period in pieces and polynomials in place of the series. Each
-   call is then faster, and more so in arrays, where the compiler vectorises the loop (docs/cost.md). A plan is plain
-   data: it may be copied, and it may be a constant in flash.
+   A plan holds what depends on m alone: the quarter period as a sum of short numbers, and polynomials that replace the
+   series. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md
+   has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "../base/bits.h"
+#include "../base/chebyshev.h"
 #include "../base/real.h"
 #include "../base/sums.h"
 #include "../base/words.h"
@@ -22,16 +23,16 @@
 #include "reduction.h"
 #include "theta.h"
 
-/* One parameter m, prepared by jacobi_plan_init. Fields that the form does not use are 0. */
+/* One parameter m, prepared by jacobi_plan_init. Fields that the form (the method for this m) does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
-    int form;            /* VMI_NEAR_FORM, which uses a and b, or VMI_HYPERBOLIC or VMI_RECIPROCAL, which use theta */
-    vm_real m1;          /* 1 - m */
-    vm_real K[4], per_K; /* the quarter period in three short pieces and a last word (0 at m = 1), and 1/K */
-    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of polynomials in u^2 */
-    vmi_theta_form theta;               /* the field kp, k', is there in every form */
+    int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
+    vm_real m1;          /* complementary parameter 1 - m */
+    vm_real K[4], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
+    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, see vmi_plan_prepare */
+    vmi_theta_form theta;               /* its field kp = k' is set in every form */
 } jacobi_plan;
 
-/* 1 + c[0] y + c[1] y^2 + ..., VMI_TERMS terms */
+/* The polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c */
 VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
 {
     const vm_real yy = y * y, y4 = yy * yy, low = (c[0] + y * c[1]) + yy * (c[2] + y * c[3]);
@@ -43,25 +44,21 @@ VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
     return 1 + y * (low + y4 * high);
 }
 
-/* Terms of the series from which a plan's polynomials are made; the terms that are left out are below eps/500 at K/2 */
+/* The number of terms of the series from which a plan's polynomials are made. The terms that are left out are below
+   eps/500 at u = K/2. */
 enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 };
 
-/* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by one of degree VMI_TERMS for 0 <= t
-   <= 1. Each step removes the highest power by subtracting a multiple of Chebyshev's polynomial of that degree. */
+/* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by a polynomial of degree VMI_TERMS
+   that is close to it for 0 <= t <= 1. Each step removes the highest power: it subtracts a multiple of Chebyshev's
+   polynomial of the same degree. */
 VM_API void vmi_shorten(vm_real *c)
 {
-    int n, k;
-    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) {
-        vm_real term = c[n];
-        for (k = n; k > 1; k--) {
-            term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
-            c[k - 1] -= term;
-        }
-    }
+    int n;
+    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Fills p->a and p->b: the coefficients of w^2 cs^2(w) and of -theta d(cs^2)/d theta, theta = w^2, at w = v/2 in
-   powers of v^2, for |v| <= longest */
+/* Computes the coefficients p->a of w^2 cs^2(w) and p->b of -theta^2 d(cs^2)/d theta in powers of v^2, where w = v/2
+   and theta = w^2, for |v| <= longest. The constant coefficients are 1 and are not stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -83,7 +80,7 @@ VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
     }
 }
 
-/* Prepares 1 - m = m1 + m1_lo. Returns 0, or -1 where no elliptic function has this parameter. */
+/* Prepares a plan for 1 - m = m1 + m1_lo. Returns 0, or -1 where no elliptic function has this parameter. */
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_three K;
@@ -108,8 +105,8 @@ VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
     return 0;
 }
 
-/* Prepares a plan for the parameter m = k^2 <= 1.
-   Returns 0, or -1 for m > 1, NaN and infinite m; then the plan stays as it was. */
+/* Prepares a plan for the parameter m = k^2 <= 1. Returns 0, or -1 for m > 1, NaN and infinite m, where the plan
+   stays as it was. */
 VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -117,11 +114,11 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 }
 
 /* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
-   See jacobi_plan_init; m1 keeps its digits where m is close to 1. */
+   Domain and result are those of jacobi_plan_init; m1 keeps its digits where m is close to 1. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
 
-/* The theta functions near 0 by the plan's polynomials a and b at w = v/2 and one duplication. theta_s is v b, since
-   the derivative of sc^2 is 2 sc nc dc. Compare vmi_theta_near. */
+/* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
+   (compare vmi_theta_near). theta_s is v times the second polynomial, since the derivative of sc^2 is 2 sc nc dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -133,8 +130,8 @@ VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
     return theta;
 }
 
-/* sn, cn and dn at one u, where |u| = j K + rest and the last bits of quarters are j. There is no branch where the
-   compiler knows the form. */
+/* sn, cn and dn at one u, where |u| = j K + rest and the last bits of `quarters` are those of the integer j. There is
+   no branch if the compiler knows the form. */
 VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_three rest, vmi_bits quarters,
                               vm_real *sn, vm_real *cn, vm_real *dn)
 {
@@ -146,7 +143,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* a NaN is still in v.lo */
+        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* removes a NaN, but v.lo keeps it */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
@@ -154,14 +151,15 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* u minus the nearest multiple of K for u >= 0 that is too long for K in pieces, or for m = 1 */
+/* Returns u minus the nearest multiple of K, for a u that is too large for vmi_reduce_pieces. For m = 1 returns u
+   itself. */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
     vm_two v;
     int quarter;
     *quarters = 0;
-    if (p->per_K == 0) { /* m = 1: no period */
+    if (p->per_K == 0) { /* m = 1, where there is no period */
         const vm_real cut = u > VMI_LONGEST ? VMI_LONGEST : u;
         return vmi_three_words(cut, 0, 0);
     }
@@ -172,7 +170,8 @@ VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits 
 }
 
 /* sn, cn and dn of the argument u for the plan's parameter.
-   Any u; accuracy as jacobi_sncndn. NaN for infinite u, except at m = 1. docs/cost.md has its time. */
+   u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, except for m = 1.
+   docs/cost.md has the time. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real x = VM_FABS(u);
@@ -185,13 +184,13 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
         return;
     }
     vmi_plan_point(p, p->form, u, v, quarters, sn, cn, dn);
-    if (*sn == 0) { /* then cn and dn are exactly 1 or -1 */
+    if (*sn == 0) { /* then cn is exactly 1 or -1, and dn is 1 */
         *cn = VM_COPYSIGN((vm_real)1, *cn);
         *dn = 1;
     }
 }
 
-/* All n arguments, each |u| < VMI_EXACT_QUARTERS K, in a loop that compilers vectorise */
+/* sn, cn and dn of n arguments, each with |u| < VMI_EXACT_QUARTERS K, in a loop that compilers can vectorise */
 VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                              vm_real *dn)
 {
@@ -203,16 +202,15 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
     }
     if (form == VMI_NEAR_FORM) return;
     for (i = 0; i < n; i++)
-        if (sn[i] == 0) { /* then cn and dn are exactly 1 or -1 */
+        if (sn[i] == 0) { /* then cn is exactly 1 or -1, and dn is 1 */
             cn[i] = VM_COPYSIGN((vm_real)1, cn[i]);
             dn[i] = 1;
         }
 }
 
-/* sn, cn and dn of n arguments u[0] ... u[n - 1] for the plan's parameter. The arrays sn, cn, dn have n elements each
-   and overlap neither each other nor u. Values as jacobi_plan_sncndn; where the compiler fuses multiplications and
-   additions, the last bits may depend on the place in the array. Time: about half a sine an argument with gcc -O3
-   -march=native. */
+/* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
+   and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
+   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {

@@ -1,8 +1,9 @@
 /* jacobi/reduction.h - reduces the argument of an elliptic function by its quarter period
 
-   u = j K + v, where K is the quarter period, j a whole number and |v| at most K/2 apart from rounding. v needs a
-   small relative error, for next to a zero sn is v itself. Therefore K is taken with as many words as the distance
-   from the next zero asks for: a short form (one word and corrections), two words, three words.
+   The argument is written as u = j K + v, where K is the quarter period, j a whole number and |v| at most K/2 apart
+   from rounding. v needs a small relative error, for next to a zero sn is v itself. The closer u is to a zero, the more
+   digits of K are needed. Therefore K is used in three forms: as one word with corrections, in two words, or in three
+   words.
 
    Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_REDUCTION_H
@@ -16,12 +17,12 @@
 #include "integrals.h"
 #include "theta.h"
 
-/* Multiples of K below this number (2^30, float 2^13) are exact for K in short pieces. */
+/* The products of the pieces of K (see vmi_pieces) and a whole number below this one (2^30, float 2^13) are exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
-/* K as three pieces and a last word. The pieces are so short that their products with a whole number below
-   VMI_EXACT_QUARTERS are exact: they are multiples of 2^(e-21), 2^(e-44) and 2^(e-67), where 2^e <= K < 2^(e+1)
-   (float 2^(e-9), 2^(e-20), 2^(e-31)). */
+/* Writes K to `piece` as a sum of three short numbers, the pieces, and a last word. The pieces are so short that their
+   products with a whole number below VMI_EXACT_QUARTERS are exact: they are multiples of 2^(e-21), 2^(e-44) and
+   2^(e-67), where 2^e <= K < 2^(e+1) (float 2^(e-9), 2^(e-20), 2^(e-31)). */
 VM_API void vmi_pieces(vmi_three K, vm_real *piece)
 {
     const vmi_bits exponent = vmi_to_bits(K.hi) & ~(((vmi_bits)1 << VMI_STORED_DIG) - 1);
@@ -36,34 +37,37 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
     piece[3] = K.hi;
 }
 
-/* The sum of three terms in two words */
+/* Returns the sum of the three terms of x in two words. */
 VM_INLINE vm_two vmi_two_terms(vmi_three x)
 {
     const vm_two sum = vmi_two_sum(x.hi, x.mid);
     return vmi_two_sum(sum.hi, sum.lo + x.lo);
 }
 
-/* u minus the nearest multiple of K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. K is given in pieces and
-   per_K = 1/K. The last bits of *quarters say which multiple it was. Loops over this function can be vectorised. */
+/* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. The array K comes from
+   vmi_pieces, and per_K is 1/K. The last bits of *quarters become those of j. Loops over this function can be
+   vectorised. */
 VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
     vmi_three rest;
-    rest.hi = (u - j * K[0]) - j * K[1]; /* no rounding error: a multiple of 2^-p K below K */
+    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: below K, and a multiple of eps K/2 */
     rest.mid = -j * K[2];
     rest.lo = -j * K[3];
-    *quarters = vmi_to_bits(shifted); /* the last bits of the sum are j */
+    *quarters = vmi_to_bits(shifted); /* the last bits of `shifted` are those of j */
     return rest;
 }
 
 /* Adding and subtracting this number rounds a number below 6 to a multiple of 2^-23 (float 2^-8). */
 #define VMI_REDUCTION_GRID (VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0))
 
-/* u minus a multiple of K, and which multiple in the last bits of *quarters, for 0 < u < 2.5 K where VMI_MIDDLE(m1)
-   holds; kp is k'. The result is within eps of its size; where it is below u/64, and digits would be lost, it is NaN.
+/* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. The last bits of
+   *quarters become those of j. The relative error of the result is at most about eps. Where the result would be below
+   u/64, it would lose digits and is NaN.
    Method: after two steps of the arithmetic-geometric mean the phase u (1 + f)^2 with f^2 = k' has the quarter period
    2 pi (1 + x S), where x S is small. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
-   2^-8, 2^-9), so that their squares, (1 + f)^2 of them, and the product of this with the head of u are exact. */
+   2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
+   of u are exact. */
 VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -76,7 +80,7 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     const vm_real h = (1 - f) / (1 + f), x = vmi_fourth_power(h), S = vmi_K_series(x);
     const vm_real u_head = vmi_head(u), phase = u_head * rate_head;
     const vm_real phase_lo = (u - u_head) * rate_head + u * rate_tail;
-    const int second = phase > 6 * half_pi.hi; /* used as a number: a branch would often be mispredicted */
+    const int second = phase > 6 * half_pi.hi; /* serves as a number: a branch would often be mispredicted */
     const vm_real j = (vm_real)(4 + 4 * second);
     const vm_real rest = (phase - j * half_pi.hi) + ((phase_lo - j * half_pi.mid) - j * half_pi.hi * x * S);
     *quarters = 0;
@@ -86,9 +90,9 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     return rest / (rate_head + rate_tail);
 }
 
-/* u minus the nearest multiple of K in two words, and which multiple in the last bits of *quarters, for any u > 0 and
-   m1 > 0. The period is taken in two words; next to a multiple, below 128 K, in three. Where u is so long that no
-   digit of the phase is left, the result is 0. */
+/* Returns u minus the nearest multiple j K in two words, for any u > 0 and m1 > 0. The last bits of *quarters become
+   those of j. K is used in two words, or in three if u is below 128 K and next to a multiple of K. Where u is so large
+   that no digit of the phase is left, the result is 0. */
 VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -105,7 +109,7 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     phase = vmi_two_product(u, rate.hi);
     whole = vmi_two_product(j, half_pi.hi);
     rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
-    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* for u > K/(16 eps), by the rounding of count */
+    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* this may happen for u > K/(16 eps), since count is rounded */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         rest = vmi_two_sum(rest.hi - side * half_pi.hi, rest.lo - side * half_pi.mid);
         *quarters += (vmi_bits)(side < 0 ? 3 : 1);
@@ -121,8 +125,9 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
-/* u minus the nearest multiple of K for any u >= 0 and m1, NaN where one of them is refused. The low word of the
-   result goes to *v_lo, the last bits of the multiple to *quarters. reach < 30 says that u < 2.5 K. */
+/* Returns u minus the nearest multiple j K for any u >= 0 and m1, or NaN if u or m1 lies outside the domain. The low
+   word of the result goes to *v_lo, the last bits of j to *quarters. reach is about (2u/K)^2; if reach is below 30,
+   u < 2.5 K. */
 VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo,
                               vmi_bits *quarters)
 {

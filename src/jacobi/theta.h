@@ -1,10 +1,10 @@
 /* jacobi/theta.h - Neville's theta functions, from which sn, cn and dn are quotients
 
-   Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so
-   on. Here the four are computed for an argument v that was reduced to |v| <= K/2, up to a common factor. No
-   subtraction loses digits, so that each has a small relative error. Near 0 (VMI_NEAR) they come from the Laurent
-   series of cs^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a nome that is at
-   most 0.003.
+   Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so on.
+   The four theta functions are computed for an argument v that was reduced to |v| <= K/2, up to a common factor. No
+   subtraction loses digits, so that each of them has a small relative error. Near 0 (see VMI_NEAR) they come from the
+   Laurent series of cs^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a nome that
+   is at most 0.003.
 
    Source: DLMF 20.2, 20.7, 22.6, 23.9. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_THETA_H
@@ -16,30 +16,33 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* What the theta functions far from 0 need of m; see vmi_far_prepare */
+/* The numbers that the theta functions far from 0 need for one m. vmi_far_prepare computes them. */
 typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
-    vm_real defect;    /* 1 - (phase per unit of the argument) */
-    vm_real f[3], g[2], scale[2]; /* coefficients */
+    vm_real defect;    /* 1 - z/v, where z is the phase and v the argument */
+    vm_real f[3], g[2], scale[2]; /* f for P and Q, g for E, scale for theta_s and theta_c: see vmi_far_prepare */
 } vmi_theta_form;
 
-/* The forms: the series near 0; theta functions with the nome of 1 - m (m near 1), or of 1/(1 - m) (m < -20) */
+/* The three methods: the series near 0; theta functions with the nome of 1 - m, for m near 1; theta functions with
+   the nome of 1/(1 - m), for m < -20 */
 enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
 
 /* The number of terms of a plan's polynomials */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions times a common factor: the elliptic function pq is p/q for any two letters p and q */
+/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them: sn = s/n and so
+   on. */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
 
-/* The Laurent series is used for v^2 max(1, 1 - m) up to this number: for all |v| <= K/2 if -21.5 < m < 0.955 */
+/* The Laurent series is used if v^2 max(1, 1 - m) is at most this number. For -21.5 < m < 0.955 this holds for all
+   |v| <= K/2. */
 #define VMI_NEAR VM_C(2.2)
 
-/* The terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., for theta = w^2 and m1_theta = (1 - m) w^2. Since
-   cs^2(w) + (2 - m)/3 is Weierstrass' function of w (DLMF 23.9), for k > 3
+/* Computes the terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., for theta = w^2 and m1_theta = (1 - m) w^2.
+   Since cs^2(w) + (2 - m)/3 is Weierstrass' function of w (DLMF 23.9), for k > 3
      c_k = 3/((2k + 1)(k - 3)) (c_2 c_(k-2) + c_3 c_(k-3) + ... + c_(k-2) c_2) */
 VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 {
@@ -49,14 +52,14 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
     c[3] = e * (9 * product - 2 * ee) * VM_C(5.291005291005291005e-3);
 }
 
-/* The theta functions near 0: the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
-   Subtractions occur only in c and f, far from their zeros. If b/a = sc^2(w),
+/* The theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
+   Only theta.c and f are computed by subtractions, and both are far from 0. If b/a = sc^2(w),
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
-     s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2.   */
+     s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 {
     vmi_thetas theta;
-    const vm_real w = v / 4, w2 = w * w, r = m1 * w * w; /* not m1 * w2, which may underflow */
+    const vm_real w = v / 4, w2 = w * w, r = m1 * w * w; /* m1 * w2 might underflow */
     vm_real c[4], more, a, f, g, b, s, aa, rb;
 #if VM_MANT_DIG > 24
     vm_real c22;
@@ -87,15 +90,15 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     return theta;
 }
 
-/* Prepares the theta functions far from 0. For m near 1 they have the imaginary argument i z, z = u agm(1, k), and
-   the nome q of c = 1 - m; for m < -20 (the reciprocal form) z = k' u agm(1, k), and q is the nome of c = 1/(1 - m),
-   since sn(u | m) = sd(k' u | m/(m - 1))/k'. In both cases c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2
-   = 0.03,
+/* Prepares the theta functions far from 0. Their argument is imaginary, i z, and q is the nome of c. k is sqrt(1 - c).
+     For m near 1 (the hyperbolic form), c = 1 - m and z = u agm(1, k).
+     For m < -20 (the reciprocal form), c = 1/(1 - m) and z = k' u agm(1, k), since sn(u | m) = sd(k' u | m/(m - 1))/k'.
+   In both forms c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2 = 0.03,
      theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
      theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X.
-   The terms that are left out are below 1e-18. f contains the factor between d and n, so that f0 is near 1/2. scale
-   is near 1 apart from 1/k'. One step of the arithmetic-geometric mean from 1 and k reaches (1 + k)/2 and the
-   parameter x. */
+   The terms that are left out are below 1e-18. The coefficients f contain the factor between theta_d and theta_n, so
+   that f0 is near 1/2. The factors `scale` are near 1, but in the reciprocal form that of theta_s contains 1/k'. x is
+   the parameter after one step of the arithmetic-geometric mean from 1 and k. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = vmi_smaller(m1, 1 / m1), root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
@@ -112,7 +115,7 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     q6 = q2 * q4;
     even = q2 + q6;
     odd = 2 * t->q + 2 * q4;
-    f0 = ((odd - 2 * even) - even * odd) / (2 * (1 + even)); /* f0 - 1/2 */
+    f0 = ((odd - 2 * even) - even * odd) / (2 * (1 + even)); /* the field f[0] minus 1/2 */
     t->f[0] = VM_C(0.5) + f0;
     share = t->f[0] / (1 - even);
     t->f[1] = share * 2 * t->q * (1 - q4);
@@ -124,7 +127,7 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     if (m1 > 1) t->scale[0] = (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi;
 }
 
-/* Arguments at m = 1 are cut to this number: from there on tanh is 1 and 1/cosh is 0. */
+/* For m = 1 a larger argument is replaced by this number, since tanh then rounds to 1 and 1/cosh to 0. */
 #define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0))
 
 /* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by 2 exp(-z), so that sinh z
@@ -132,7 +135,7 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
     vmi_thetas theta;
-    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* a nome below this changes no result: X <= sqrt(q)/2 < eps */
+    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* a smaller nome changes no result: X <= sqrt(q)/2 < eps */
     const vm_real sign = VM_COPYSIGN((vm_real)1, argument.hi), v = sign * argument.hi, product = v * t->defect;
     const vm_real z = v - product, z_lo = ((v - z) - product) + sign * argument.lo * (1 - t->defect);
     vm_real p, p_lo, power, root, less, e, X, XX, P, Q, E, O, d, n;
@@ -145,9 +148,9 @@ VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_t
     X = 0;
     if (t->q > tiny) X = t->q * ((e + 1 / e) / 2);
     XX = X * X;
-    P = t->f[2] * XX; /* without f0 */
+    P = t->f[2] * XX; /* P without its term f[0] */
     Q = t->f[1] * X;
-    E = t->g[1] * XX - t->g[0]; /* without 1 */
+    E = t->g[1] * XX - t->g[0]; /* E without its term 1 */
     O = 2 * X;
     d = root * (1 + (E + O));
     n = (1 + e) * (t->f[0] + (P + Q));
@@ -162,7 +165,7 @@ VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_t
     return theta;
 }
 
-/* The theta functions far from 0 of one v and one m */
+/* The theta functions far from 0 for a single v and m, without a plan */
 VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 {
     vmi_theta_form t;
@@ -171,9 +174,9 @@ VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
     return vmi_theta_far(&t, m1 > 1, v);
 }
 
-/* The theta functions at an argument longer by so many quarter periods. One quarter turns s, c, d, n into c, -k's,
-   k'n, d; two change the signs of s and c. Products with 0, 1 and -1 replace a branch, which would be mispredicted
-   half the time. */
+/* The theta functions at an argument that is larger by the given number of quarter periods. One quarter period turns s,
+   c, d, n into c, -k's, k'n, d; two of them change the signs of s and c. Products with 0, 1 and -1 replace a branch,
+   which would be mispredicted half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
     const vmi_bits one = vmi_to_bits(1), odd = (vmi_bits)0 - (quarters & 1);
@@ -188,7 +191,7 @@ VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quar
     return shifted;
 }
 
-/* sn, cn and dn from the theta functions; dn is kept between 1 and bound */
+/* sn, cn and dn from the theta functions, where dn is kept between 1 and bound */
 VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real low = vmi_smaller(bound, 1), high = vmi_larger(bound, 1), per_n = 1 / theta.n;

@@ -2,7 +2,8 @@
 
    The attitude of a body that rotates without torque needs, besides sn, cn and dn, the complete integral of the third
    kind Pi(-N | m) and theta functions of a complex argument. Both are computed here in two words, so that the
-   attitude stays right after a million turns (mechanics/torque_free.h). Everything here is internal.
+   attitude stays right after a million turns (mechanics/torque_free.h). All functions of this file are internal. p is
+   the number of digits of vm_real.
 
    Source: DLMF 19.8, 19.36, 20.7. Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_JACOBI_THIRD_KIND_H
@@ -16,7 +17,7 @@
 
 /* Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The arguments
    are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has an error
-   of 2^-(2p - 4). An argument that is 2^-n of the largest needs log2(n) more. */
+   of 2^-(2p - 4). An argument that is 2^-n times the largest needs log2(n) duplications more. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -48,24 +49,26 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* The complete integral of the third kind */
+/* The complete integral of the third kind, Pi(-N | m), as its quotient with K(m) */
 typedef struct VM_TAG(vmi_third_kind) {
     vm_two mean;  /* agm(1, k') = pi/(2K) */
     vm_two ratio; /* Pi(-N | m)/K(m) */
     vm_two rest;  /* 1 - Pi(-N | m)/K(m) */
 } vmi_third_kind;
 
-/* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and below = 1/(1 +
-   N). With p = sqrt(1 + N) and the numbers a, g of the arithmetic-geometric mean (DLMF 19.8.6-7) each step is
+/* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and
+   below = 1/(1 + N). With p = sqrt(1 + N) and the numbers a, g of the arithmetic-geometric mean (DLMF 19.8.6-7),
+   starting with Q = 1, each step is
      e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2.
-   sum Q = 2 - sum Q (1 - e), so that the ratio and the rest are both sums of positive terms, accurate for any N. */
+   Since sum Q = 2 - sum Q (1 - e), both ratio = Pi/K and rest = 1 - Pi/K are sums of positive terms. Therefore they are
+   accurate for any N. */
 VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one more for each binary digit of p */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -85,7 +88,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* The sine and the cosine of the angle of x turns, |x| < 2^13, within an ulp */
+/* The sine and the cosine of the angle of x turns, 2 pi x, for |x| < 2^13 */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -105,24 +108,26 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* theta_4(z + i zy), up to a real factor, with the nome Q = q^2 of the doubled lattice, z = pi u/(2K), zy = pi y/(2K),
-   0 <= y < K'. A torque-free body turns at a mean rate and, about that, by a periodic angle: the angle of this complex
-   number. There are two forms. The direct form serves where K <= 2K', so that Q <= exp(-pi):
+/* The complex number theta_4(z + i zy), up to a real factor. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K',
+   where K' is K(1 - m). The nome is Q = q^2 (doubled lattice), where q is the nome of m. The angle of this number is
+   the periodic part of the angle by which a torque-free body turns. There are two forms.
+   The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)).
-   Elsewhere serves Jacobi's transformation, with Qd = exp(-pi K/(2K')) < exp(-pi), |u| <= K, v = (2n + 1) pi/(4K'):
+   The transformed form, by Jacobi's transformation, is used for larger K. With Qd = exp(-pi K/(2K')) < exp(-pi),
+   v = (2n + 1) pi/(4K') and |u| <= K it is
      e^(-i pi u y/(4KK')) times the sum over n >= 0 of
      Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')).
-   Four terms of either leave an error of 1e-19. The sums are stored as polynomials: the direct one in cos 2z, the other
-   in exp(+-pi |u|/(2K')). */
+   In both forms four terms leave an error of 1e-19. The sums are stored as polynomials: in cos 2z in the direct form,
+   in exp(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
-    vm_real decay; /* the rate of the exponential per x = u/(4K) in the second form; 0 in the direct form */
-    vm_real shift; /* turns per x of the factor e^(-i pi u y/(4KK')) */
-    vm_real Q;     /* Qd */
+    vm_real decay; /* rate of the exponential per x = u/(4K) in the transformed form; 0 in the direct form */
+    vm_real shift; /* the factor e^(-i pi u y/(4KK')) turns by shift x turns */
+    vm_real Q;     /* the nome Qd; 0 in the direct form */
     vm_real re[4], im[4];
 } vmi_doubled_theta;
 
-/* The direct form; Kc is K' */
+/* Prepares the direct form; Kc is K'. */
 VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
 {
     vmi_doubled_theta d;
@@ -146,7 +151,7 @@ VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
     return d;
 }
 
-/* The form by Jacobi's transformation; Kc is K'. K may be infinite: then x is u itself. */
+/* Prepares the form by Jacobi's transformation; Kc is K'. K may be infinite: then x is u itself, not u/(4K). */
 VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 {
     const int aperiodic = !VM_IS_FINITE(K);
@@ -163,14 +168,14 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
     if (d.Q > 0) exponent = VM_PI * K / (2 * Kc);
     for (n = 0; n < 4; n++) {
         vmi_sincos_turns((vm_real)(2 * n + 1) * y / (8 * Kc), &sine, &cosine);
-        d.re[n] = power * cosine; /* Qd^(n^2) */
+        d.re[n] = power * cosine; /* power is Qd^(n^2) */
         d.im[n] = power * sine;
         power *= vmi_exp(-(vm_real)(2 * n + 1) * exponent, 0);
     }
     return d;
 }
 
-/* a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
+/* The polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
 /* The theta function at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), which the caller applies */

@@ -1,7 +1,7 @@
 /* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy, balances across an instant
-   A vm_body is a body at an instant: mass, inertia, attitude, position and motion; a vm_body2 moves in the plane.
-   This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and compares them
-   before and after an instant, (4)-(6), (10)-(12). Those of the plane are in bodies2.h.
+   A vm_body is a body at an instant: mass, inertia, attitude, position and motion. A vm_body2 is a body that moves in
+   the plane. This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and
+   compares them before and after an instant, (4)-(6), (10)-(12). The functions for the plane are in bodies2.h.
 
        vm_body wheel = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_vec3 origin = {0, 0, 0}, L = vm_angular_momentum(&wheel, origin); // L.z = 3 N m s
@@ -17,75 +17,80 @@
 
 /* A body at an instant */
 typedef struct VM_TAG(vm_body) {
-    vm_real mass;       /* kg, > 0 */
-    vm_inertia inertia; /* kg m^2, about the body's own mass centre, in body axes; all zero for a point */
-    vm_quat q;          /* attitude: turns body axes into inertial ones; any length, all zero is the identity */
+    vm_real mass;       /* mass > 0, kg */
+    vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
+    vm_quat q;          /* attitude: turns body axes into inertial ones; any length; four zeros mean the identity */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
-    vm_vec3 v;          /* momentum/mass, m/s, inertial axes */
+    vm_vec3 v;          /* velocity, defined as momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
-/* An impulse that acts on a body during an instant; inertial axes */
+/* An impulse that acts on a body at an instant. All vectors are along inertial axes. */
 typedef struct VM_TAG(vm_impulse) {
-    vm_vec3 linear; /* N s */
-    vm_vec3 couple; /* N m s, in addition to the moment of linear */
-    vm_vec3 at;     /* the point at which linear acts, m */
+    vm_vec3 linear; /* the impulse of forces, N s */
+    vm_vec3 couple; /* an impulsive couple in addition to the moment of `linear`, N m s */
+    vm_vec3 at;     /* the point at which `linear` acts, m */
 } vm_impulse;
 
 /* A body that moves in the plane, at an instant */
 typedef struct VM_TAG(vm_body2) {
-    vm_real mass;    /* kg, > 0 */
-    vm_real inertia; /* kg m^2, about the axis through the body's own mass centre; 0 for a point */
-    vm_real x, y;    /* mass centre, m */
-    vm_real angle;   /* rad, anticlockwise */
-    vm_real vx, vy;  /* momentum/mass, m/s */
+    vm_real mass;    /* mass > 0, kg */
+    vm_real inertia; /* moment of inertia about the body's own mass centre, kg m^2; 0 for a point */
+    vm_real x, y;    /* position of the mass centre, m */
+    vm_real angle;   /* attitude, rad, anticlockwise */
+    vm_real vx, vy;  /* velocity, which is momentum/mass, m/s */
     vm_real omega;   /* angular velocity, rad/s, anticlockwise */
 } vm_body2;
 
-/* An impulse that acts on a body of the plane during an instant */
+/* An impulse that acts at an instant on a body that moves in the plane */
 typedef struct VM_TAG(vm_impulse2) {
-    vm_real jx, jy; /* N s */
-    vm_real couple; /* N m s, anticlockwise, in addition to the moment of jx, jy */
+    vm_real jx, jy; /* the impulse of forces, N s */
+    vm_real couple; /* an impulsive couple in addition to the moment of jx, jy, N m s, anticlockwise */
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* What some bodies have after an instant less what they had before and what an impulse gave them */
+/* Balance across an instant: the momentum, angular momentum and energy of some bodies after it less those before it.
+   The impulse that acted on the bodies is subtracted from the two momenta. They are then zero except for rounding
+   errors if the bodies obey the laws of mechanics. */
 typedef struct VM_TAG(vm_balance) {
-    vm_vec3 momentum;               /* N s: (6) with (20), (21); zero but for rounding errors */
-    vm_vec3 angular_momentum;       /* about the point, N m s: (12), (17) with (22); zero but for rounding errors */
-    vm_real momentum_scale;         /* N s, the sum of all M |v| and the size of the impulse */
-    /* N m s, the sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, and the impulse's share. It contains |r|,
-       since a position is rounded by eps |r|, which changes the angular momentum about any point by eps |r| M |v| */
+    vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
+    vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
+    vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
+    /* The sum over all bodies of tr(I) |omega| + (|r| + |r - about|) M |v|, with inertia I, mass M and the point
+       `about`, plus a term for the impulse, N m s. |r| is in it because the rounding error eps |r| of a position
+       changes the angular momentum about any point by eps |r| M |v|. */
     vm_real angular_momentum_scale;
-    vm_real energy;                 /* kinetic energy after - before, J: (94) - (93) */
+    vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
 
 /* ---- momentum, angular momentum and kinetic energy ---- */
 
-/* I omega, the angular momentum about the mass centre, in inertial axes */
+/* The angular momentum of a body about its own mass centre, in inertial axes */
 VM_API vm_vec3 vmi_spin_momentum(const vm_body *body)
 {
     const vmi_mat3 m = vmi_rotation(body->q);
     return vmi_times(&m, vmi_inertia_times(&body->inertia, vmi_times_transposed(&m, body->omega)));
 }
 
-/* Momentum M v of a body (1)-(3), N s. The body is not checked: NaN in it gives NaN, and so does a null pointer. */
+/* Momentum of a body, mass times velocity, (1)-(3), N s. The body is not checked: NaN in the body gives NaN, and so
+   does a null pointer. */
 VM_API vm_vec3 vm_momentum(const vm_body *body)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_scale(body->mass, body->v);
 }
 
-/* Angular momentum of a body about the point `about` (7)-(9), N m s: I omega + (r - about) x M v, in inertial axes.
-   The body is not checked: NaN in it gives NaN, and so does a null pointer. */
+/* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
+   axes, with the inertia I and the mass M. The body is not checked: NaN in the body gives NaN, and so does a null
+   pointer. */
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
 }
 
-/* Kinetic energy of a body (93), (97), J: (M v^2 + omega.I omega)/2. The body is not checked: NaN in it gives NaN,
-   and so does a null pointer. */
+/* Kinetic energy of a body (93), (97), J. It is (M v^2 + omega.I omega)/2, with the mass M and the inertia I. The
+   body is not checked: NaN in the body gives NaN, and so does a null pointer. */
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
     if (!body) return VM_NAN;
@@ -94,7 +99,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- the plane as a part of space ---- */
 
-/* The body of the plane as a body of space that has inertia.zz alone, which is all that motion in the plane needs */
+/* Converts a body of the plane to a body of space. Only the entry zz of its inertia is set, because motion in the plane
+   needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -106,7 +112,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* The body of the plane that moves as b does, with this angle */
+/* Converts a body of space to a body of the plane: its mass, position, motion, inertia.zz, and the given angle */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -141,16 +147,7 @@ VM_API int vmi_impulse_is_finite(const vm_impulse *j)
     return vmi_vec3_is_finite(j->linear) && vmi_vec3_is_finite(j->couple) && vmi_vec3_is_finite(j->at);
 }
 
-/* Of two statuses, VM_OK or errors, the one that is returned if both apply: VM_BAD_ARGUMENT before VM_NOT_FINITE
-   before VM_BAD_MASS before VM_BAD_INERTIA, whose numbers fall in this order */
-VM_API int vmi_first_error(int a, int b)
-{
-    if (a == VM_OK) return b;
-    if (b == VM_OK) return a;
-    return a > b ? a : b;
-}
-
-/* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
+/* Checks a body of space. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_API int vmi_check_body(const vm_body *b)
 {
     if (!vmi_body_is_finite(b)) return VM_NOT_FINITE;
@@ -158,7 +155,7 @@ VM_API int vmi_check_body(const vm_body *b)
     return vm_inertia_is_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
+/* Checks a body of the plane. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_API int vmi_check_body2(const vm_body2 *b)
 {
     if (!vmi_body2_is_finite(b)) return VM_NOT_FINITE;
@@ -166,7 +163,7 @@ VM_API int vmi_check_body2(const vm_body2 *b)
     return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* An array of n bodies, of space or of the plane: one of the two pointers is NULL */
+/* An array of n bodies, either of space or of the plane. One of the two pointers is NULL. */
 typedef struct VM_TAG(vmi_bodies) {
     int n;
     const vm_body *in_space;
@@ -191,15 +188,15 @@ VM_API vmi_bodies vmi_bodies_in_plane(int n, const vm_body2 *bodies)
     return list;
 }
 
-/* Body i as a body of space */
+/* Body i of the list, as a body of space */
 VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
 {
     if (list->in_plane) return vmi_body_to_space(list->in_plane + i);
     return list->in_space[i];
 }
 
-/* VM_OK if all bodies are valid, else the error of theirs that vmi_first_error puts first; VM_BAD_ARGUMENT for n < 0
-   and for bodies that are not there */
+/* Returns VM_OK if all bodies are valid. Else returns the error of a body. If there are several errors, vmi_first_error
+   selects one. Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -213,7 +210,7 @@ VM_API int vmi_check_bodies(const vmi_bodies *list)
 
 /* ---- balances ---- */
 
-/* The moment of an impulse about a point, N m s */
+/* The moment of an impulse about the point `about`, N m s */
 VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
 {
     return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
@@ -232,7 +229,7 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
-/* Takes what an impulse has given from a balance, and adds its size to the scales */
+/* Subtracts an impulse and its moment from a balance, and adds their sizes to the scales */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
     sum->momentum = vmi_sub(sum->momentum, j->linear);
@@ -248,11 +245,11 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
-/* Balance of momentum, angular momentum and energy across an instant. *balance is what the n_after bodies have less
-   what the n_before bodies had, and less what the impulse gave, where one acted, (4)-(6), (10)-(12). Momentum and,
-   about any point, angular momentum are zero if nothing was lost, but for some eps of their scales. There may be any
-   number of bodies on either side, none included. The bodies are not checked. VM_BAD_ARGUMENT: a null pointer, a
-   negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
+/* Balance of momentum, angular momentum and energy across an instant. *balance has the sums over the n_after bodies
+   less those over the n_before bodies, less the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
+   momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
+   bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
+   bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {

@@ -1,10 +1,10 @@
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
-   A disc on a massless elastic shaft, driven by a torque, with viscous damping of the rotation; plane motion (chapter
-   3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the distance s from it after the
-   break. Here are the equations of motion (46), (65)-(68), the same in polar form (75), and the break (52)-(64), in
-   corrected form. The motion of the rotor is in mechanics/broken_rotor_motion.h, the stability of the remainder's
-   steady motion in mechanics/broken_rotor_stability.h.
+   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is damped
+   viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the distance s
+   from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form (75), and the
+   break (52)-(64), corrected as in docs/errata.md. The motion of the rotor is in mechanics/broken_rotor_motion.h, and
+   the stability of the remainder's steady motion is in mechanics/broken_rotor_stability.h.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
@@ -24,66 +24,72 @@
 #include "../base/real.h"
 #include "../base/status.h"
 
-/* The rotor. In the notation of (67): omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia,
-   M* = torque/inertia. */
+/* The rotor. The formulas use the abbreviations (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
+   k* = damping/inertia, M* = torque/inertia. */
 typedef struct VM_TAG(vm_broken_rotor) {
-    vm_real mass;      /* M > 0, kg */
-    vm_real inertia;   /* I > 0, about its own mass centre, kg m^2 */
-    vm_real stiffness; /* c >= 0 of the shaft, N/m */
-    vm_real damping;   /* k, N m s: the torque -k psi' acts on the rotation */
-    vm_real torque;    /* N m */
-    vm_real s;         /* m: the shaft passes at r + s (cos psi, sin psi), r the mass centre */
+    vm_real mass;      /* mass M > 0, kg */
+    vm_real inertia;   /* inertia I > 0 about the rotor's own mass centre, kg m^2 */
+    vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
+    vm_real damping;   /* damping k, N m s: at the angular velocity psi' the torque -k psi' acts on the rotor */
+    vm_real torque;    /* driving torque, N m */
+    vm_real s;         /* distance from the mass centre to the shaft, in the direction of the angle psi, m */
 } vm_broken_rotor;
 
-/* Where the states of a rotor stand in y, and how many there are */
+/* Indices of the states of a rotor in the array y, and the number of states */
 enum {
-    VM_BROKEN_ROTOR_X = 0,     /* mass centre from the place where the shaft is at rest, 2 numbers x, y, m */
-    VM_BROKEN_ROTOR_ANGLE = 2, /* psi, rad */
-    VM_BROKEN_ROTOR_V = 3,     /* velocity of the mass centre, 2 numbers, m/s */
-    VM_BROKEN_ROTOR_OMEGA = 5, /* psi', rad/s */
+    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, from the rest position of the shaft, m */
+    VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, rad */
+    VM_BROKEN_ROTOR_V = 3,     /* velocity x', y' of the mass centre, m/s */
+    VM_BROKEN_ROTOR_OMEGA = 5, /* angular velocity psi', rad/s */
     VM_BROKEN_ROTOR_STATES = 6
 };
 
-/* The same in polar form; psi and psi' have the same places as above */
+/* Indices of the states in polar form. The angle psi and its rate have the indices VM_BROKEN_ROTOR_ANGLE and
+   VM_BROKEN_ROTOR_OMEGA. */
 enum {
-    VM_BROKEN_ROTOR_RADIUS = 0,        /* r > 0, distance of the mass centre from the place of the shaft at rest, m */
-    VM_BROKEN_ROTOR_DIRECTION = 1,     /* phi, rad */
-    VM_BROKEN_ROTOR_RADIUS_RATE = 3,   /* r', m/s */
-    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* phi', rad/s */
+    VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 of the mass centre from the rest position of the shaft, m */
+    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the direction to the mass centre, rad */
+    VM_BROKEN_ROTOR_RADIUS_RATE = 3,   /* rate r' of the distance, m/s */
+    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* rate phi' of the direction, rad/s */
 };
 
 /* The piece that breaks off. S is the mass centre of the whole, S2 that of the piece, and A the point at which the
    whole touches the stator. */
 typedef struct VM_TAG(vm_broken_rotor_piece) {
-    vm_real mass;     /* m, kg, 0 < m < M */
-    vm_real inertia;  /* I_S2 >= 0 about its own mass centre S2, kg m^2 */
-    vm_real distance; /* SS2, m */
-    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17: S2 at -alpha from SA) */
-    vm_real radius;   /* SA, m */
+    vm_real mass;     /* mass m of the piece, kg; 0 < m < M, where M is the mass of the whole */
+    vm_real inertia;  /* inertia I_S2 >= 0 of the piece about its mass centre S2, kg m^2 */
+    vm_real distance; /* distance SS2 between the mass centres S and S2, m */
+    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17) */
+    vm_real radius;   /* distance SA of the point of contact A, called R in the formulas, m */
     vm_real contact;  /* direction angle of SA in inertial axes, rad */
 } vm_broken_rotor_piece;
 
-/* The break, (52)-(64) corrected. The touched point A of the piece keeps its velocity, and S2 loses its velocity
-   across S2A (57). This is an assumption of [1]; everything else follows from momentum and angular momentum. */
+/* The break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of vm_broken_rotor_piece, and S1 is
+   the mass centre of the remainder. [1] assumes in (57): the point A of the piece keeps its velocity, and the component
+   of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
-    vm_broken_rotor rest; /* the remainder: its own mass, inertia and s = m SS2/(M - m); the whole's stiffness, damping
-                             and torque */
-    /* its state: psi is the direction from its mass centre S1 to the shaft, which is the direction of SS2; psi' is
-       Omega_b + Omega_r1 [(59), (64) corrected] */
+    vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
+                             and torque are those of the whole */
+    /* The state of the remainder. Its angle psi is the direction from its mass centre S1 to the shaft, which is the
+       direction of SS2. Its angular velocity is that of the whole, Omega_b, plus spin_rest [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
-    vm_real piece[VM_BROKEN_ROTOR_STATES]; /* the piece's state, with the same psi */
-    vm_real dragging;                      /* v_S2d (52), (61), m/s: speed of S2 before the break */
-    vm_real gamma;                         /* its angle from SA (52), (60), rad; for v_S in any direction */
-    vm_real beta;                          /* angle of S2A from SA, rad [(56) corrected]:
+    vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
+    vm_real dragging;                      /* speed v_S2d of S2 before the break (52), (61), m/s */
+    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; it is
+                                              right also if S moves */
+    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
-    vm_real normal;                        /* N (54), m/s: component of v_S2d along S2A */
-    vm_real tangential;                    /* T = v_S2d sin(gamma - beta), m/s: component across S2A, counterclockwise
-                                              [(55) with the other sign] */
-    vm_real spin_piece;                    /* Omega_r = T/AS2 (57), (63), rad/s */
-    vm_real spin_rest;                     /* Omega_r1, rad/s [(58) corrected]:
-                                              I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T */
-    vm_real stop_inertia;                  /* the I_S2 that would stop the rest, kg m^2, where there is one:
-                                              I_S (R - SS2)/R for alpha = 0 [after (64), corrected] */
+    vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
+    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity before the break,
+                                              perpendicular to S2A, m/s; T > 0 is counterclockwise, unlike (55) */
+    vm_real spin_piece;                    /* Omega_r, the angular velocity of the piece relative to the whole, rad/s:
+                                              Omega_r = T/AS2 (57), (63) */
+    vm_real spin_rest;                     /* Omega_r1, angular velocity of the remainder relative to the whole, rad/s:
+                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where the
+                                              vector v_T has the component T [(58) corrected] */
+    vm_real stop_inertia;                  /* the I_S2 for which the remainder would not turn, kg m^2. If it is < 0 or
+                                              not finite, there is none. For alpha = 0 it is I_S (R - SS2)/R
+                                              [after (64), corrected] */
 } vm_broken_rotor_break;
 
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
@@ -98,15 +104,15 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor.
-   VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative one), VM_BAD_INERTIA. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor. Returns 0; or VM_BAD_ARGUMENT for a null
+   pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, or VM_BAD_INERTIA. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
     const int status = vmi_check_broken_rotor(r);
-    vm_real sine, cosine, fx, fy; /* fx, fy: force of the shaft (66) */
+    vm_real sine, cosine, fx, fy; /* fx, fy: the force of the shaft on the disc (66) */
     (void)t;
     if (status) return status;
     vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
@@ -122,8 +128,8 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor.
-   The statuses are those of vm_broken_rotor_rhs, and VM_DOMAIN, which ends the run, where r is not positive. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor. The statuses
+   are those of vm_broken_rotor_rhs, and VM_DOMAIN, which ends the run, if r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -148,7 +154,8 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
 }
 
 /* Polar states {r, phi, psi, r', phi', psi'} of a rotor from its states in x and y.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_DOMAIN where r = 0. polar may be y. */
+   The array polar may be y itself. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and
+   VM_OK otherwise. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
     vm_real p[VM_BROKEN_ROTOR_STATES], x0, y0, vx, vy, radius, c, s;
@@ -172,10 +179,11 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 }
 
 /* States {x, y, psi, x', y', psi'} of a rotor from its polar states.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_DOMAIN where r is not positive. y may be polar. */
+   The array y may be polar itself. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is not
+   positive, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
-    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: velocity in polar directions */
+    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* velocities: along = r', across = r phi' */
     if (!y || !polar) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, polar)) return VM_NOT_FINITE;
     radius = polar[VM_BROKEN_ROTOR_RADIUS];
@@ -198,7 +206,7 @@ VM_API int vmi_broken_rotor_piece_finite(const vm_broken_rotor_piece *p)
            VM_IS_FINITE(p->alpha) && VM_IS_FINITE(p->radius) && VM_IS_FINITE(p->contact);
 }
 
-/* The status of the numbers that vm_broken_rotor_break_off takes */
+/* Checks the arguments of vm_broken_rotor_break_off and returns their status. */
 VM_API int vmi_broken_rotor_check_break(const vm_broken_rotor *whole, const vm_real *before,
                                         const vm_broken_rotor_piece *p)
 {
@@ -216,7 +224,7 @@ typedef struct VM_TAG(vmi_broken_rotor_vector) {
     vm_real x, y;
 } vmi_broken_rotor_vector;
 
-/* a turned by the angle whose sine and cosine are given */
+/* The vector a turned by the angle whose sine and cosine are given */
 VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cosine, vmi_broken_rotor_vector a)
 {
     vmi_broken_rotor_vector b;
@@ -225,8 +233,8 @@ VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cos
     return b;
 }
 
-/* Sets the state of a body at angle psi whose mass centre is at d from S and which moves relative to the whole with
-   the velocity (ux, uy) and the given spin. before is the state of the whole. */
+/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S.
+   Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose state is `before`. */
 VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                                    vm_real spin, vm_real *state)
 {
@@ -239,8 +247,8 @@ VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real d
     state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
 }
 
-/* Sets mass, inertia and eccentricity of the rest. VM_BAD_INERTIA where the inertia is negative or lost in rounding
-   errors */
+/* Sets mass, inertia and eccentricity s of the remainder. Returns VM_BAD_INERTIA if its inertia is negative or not
+   larger than rounding errors, else VM_OK. */
 VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
@@ -252,8 +260,9 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
     return VM_OK;
 }
 
-/* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the direction of S2A; returns AS2. All
-   vectors are in axes along SA and counterclockwise across it: d = SS2, v = v_S. */
+/* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
+   distance AS2. d is the vector SS2, and v is the velocity of S before the break. The x axis of all vectors is along
+   SA, and the y axis is 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
@@ -261,7 +270,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
     const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
     const vm_real reduced = p->mass / b->rest.mass * whole->mass;
     const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T */
+    vm_real moment; /* SS2 x v_T, with the velocity v_T of size T perpendicular to S2A */
     e->x = reach_x / reach;
     e->y = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);
@@ -278,10 +287,10 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 }
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
-   `before` is the state of the whole at the break. VM_BAD_ARGUMENT, VM_NOT_FINITE; VM_BAD_MASS for a piece whose mass
-   is not in (0, M); VM_BAD_STIFFNESS for a negative stiffness; VM_BAD_INERTIA for an inertia of the rest that is
-   negative or lost in rounding errors; VM_DOMAIN for a whole with s != 0 and for a piece whose mass centre S2 is at
-   A. */
+   `before` is the state of the whole at the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
+   VM_BAD_MASS if the mass of the piece is not between 0 and M, VM_BAD_STIFFNESS for a negative stiffness,
+   VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN if the whole
+   has s != 0 or if the mass centre S2 of the piece is at A, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {

@@ -1,15 +1,15 @@
 /* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
 
-   The motion at any time, without an integrator: exact before the break (46)-(51), where the shaft passes through the
-   mass centre; of the remainder for short times after the break, |psi| << 1, by the linearised equations (69),
-   complete and in the form (70)-(72) of the dissertation, which leaves out a term. For long times integrate
-   vm_broken_rotor_rhs.
+   This chapter computes the motion at any time without an integrator. Before the break the shaft passes through the
+   mass centre, and the solution (46)-(51) is exact. After the break the linearised equations (69) hold for short times,
+   while the angle psi of the remainder is small. One function solves them completely. Another one has the solution
+   (70)-(72) of the dissertation, which leaves out a term. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
        int status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
-   The linearised equations are, with omega, p, k*, M* of vm_broken_rotor:
+   The linearised equations are, with omega, p, k*, M*, s and psi as explained at vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
@@ -26,17 +26,17 @@
 
 /* The coefficients (67) of the linearised equations */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
-    vm_real omega, k, torque, s; /* omega, k*, M*, s */
-    vm_real coupling;            /* s p^2 omega^2 of (69), or 0 where this term is left out */
+    vm_real omega, k, torque, s; /* omega, k*, M* and s of (67) */
+    vm_real coupling;            /* the factor s p^2 omega^2 of y in (69); 0 if this term is left out */
 } vmi_broken_rotor_linear;
 
-/* Where y, psi and their rates stand in z, the coupled part of the state */
+/* Indices of y, psi and their rates in z, the array of the coupled states */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
     VMI_BROKEN_ROTOR_Y_RATE = 2,
     VMI_BROKEN_ROTOR_PSI_RATE = 3,
-    VMI_BROKEN_ROTOR_COUPLED = 4 /* how many there are */
+    VMI_BROKEN_ROTOR_COUPLED = 4 /* the number of coupled states */
 };
 
 VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r, int coupled)
@@ -51,15 +51,16 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
     return a;
 }
 
-/* A bound of the rates at which solutions change, 1/s */
+/* An upper bound of the rates at which solutions of the linearised equations change, per second */
 VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
-/* Sets the change of z within the time h by the Taylor series in h, for |h| vmi_broken_rotor_rate <= 1: the n-th
-   terms of y and of s psi are then below 1/n! of the first ones, so that the number of terms is enough. y0, y1, y2
-   are three terms of y in a row, psi0, psi1, psi2 those of psi. */
+/* Sets `change` to the change of the states z within the time h, by the Taylor series in h. The time must be short: |h|
+   times the rate vmi_broken_rotor_rate is at most 1. Then the n-th terms of y and of s psi are at most 1/n! times the
+   first terms, and the number of terms is enough. y0, y1, y2 are three successive terms of y; psi0, psi1, psi2 are
+   three successive terms of psi. */
 VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -87,8 +88,10 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* Doubles the time to which m belongs: (m + E)^2 - E = 2 m + m m, computed in this form because E would swallow the
-   digits of m. m[j] is the change from the unit state j, for the last j the change that the torque makes from 0. */
+/* With the unit matrix E, the matrix m + E advances the states by some time. This function replaces m by the matrix for
+   twice this time, which is (m + E)^2 - E = 2 m + m m. E is left out of m because digits of m would be lost in m + E.
+   Row m[j] is the change that the states undergo if they start from the unit state j without torque. The last row is
+   the change that the torque causes if the states start from 0. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -101,7 +104,8 @@ VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_
         }
 }
 
-/* Moves z on by the time t, for any coefficients: by the series within t/2^n, where it holds, then by n doublings */
+/* Advances the states z by the time t, for any coefficients. The Taylor series gives the matrix for the time t/2^n, for
+   which it converges fast. Then n doublings of the time follow. */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
@@ -129,7 +133,8 @@ VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a
     }
 }
 
-/* (e^z - 1 - z)/z^2 to a few eps, where ratio = (e^z - 1)/z is given: for |z| <= 1 by its series */
+/* The value (e^z - 1 - z)/z^2 from the given ratio = (e^z - 1)/z. For |z| <= 1 it is summed as a series, so that no
+   digits cancel. */
 VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -140,7 +145,7 @@ VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
     return sum;
 }
 
-/* w - sin w to a few eps, where sine = sin w is given */
+/* The value w - sin w from the given sine = sin w. For |w| <= 1 it is summed as a series, so that no digits cancel. */
 VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
 {
     const int terms = VM_MANT_DIG > 24 ? 19 : 11;
@@ -151,13 +156,13 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the free swing w, each to a few eps for w = 0 too */
+/* Functions of the time t that describe a free oscillation with the angular frequency w, which may be 0 */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
-    vm_real c;    /* cos wt */
-    vm_real c1;   /* 1 - cos wt */
-    vm_real w_s;  /* w sin wt */
-    vm_real s_w;  /* sin wt/w */
-    vm_real late; /* t - sin wt/w */
+    vm_real c;    /* cos(w t) */
+    vm_real c1;   /* 1 - cos(w t) */
+    vm_real w_s;  /* w sin(w t) */
+    vm_real s_w;  /* sin(w t)/w */
+    vm_real late; /* t - sin(w t)/w */
 } vmi_broken_rotor_swing;
 
 VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
@@ -177,10 +182,11 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Moves z on by the time t by (71), (72), without coupling, with M* in the place of k* Omega; for |t| times the rate
-   > 1.
-   psi = psi0 + psi0' E1 + M* E2 with E1 = (1 - e^(-kt))/k, E2 = (t - E1)/k, and y responds to -s psi: g0, g1, g2
-   solve g'' + w^2 g = w^2 E1', w^2 E1, w^2 E2 from rest, so that g2' = g1 and g1' = g0. */
+/* Advances the states z by the time t by (71), (72), without the coupling term and with M* instead of k* Omega. It is
+   used if |t| times the rate vmi_broken_rotor_rate exceeds 1. With w = omega and k = k*, psi = psi0 + psi0' E1 + M* E2,
+   where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The motion of y is driven by -s psi. The functions g0, g1, g2 start
+   from rest and solve g'' + w^2 g = F, where F is w^2 E1' for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1
+   and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -199,7 +205,7 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
-/* The status of arguments of the public motions */
+/* Checks the arguments of the public motions and returns their status. */
 VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
                                          const vm_real *end)
 {
@@ -208,7 +214,8 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* The three public motions: all of (69) if coupled = 1, without its last term if coupled = 0 */
+/* Computes the three public motions. If coupled = 1, it solves all of (69). If coupled = 0, it leaves out the last term
+   of (69). */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -227,7 +234,7 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
     else vmi_broken_rotor_follow(t, &a, &g, z);
     x0 = start[VM_BROKEN_ROTOR_X];
     vx0 = start[VM_BROKEN_ROTOR_V];
-    y[VM_BROKEN_ROTOR_X] = x0 * g.c + (vx0 * g.s_w - a.s * g.c1); /* (70) */
+    y[VM_BROKEN_ROTOR_X] = x0 * g.c + (vx0 * g.s_w - a.s * g.c1); /* the solution (70) */
     y[VM_BROKEN_ROTOR_V] = vx0 * g.c - g.w_s * (x0 + a.s);
     y[VM_BROKEN_ROTOR_X + 1] = z[VMI_BROKEN_ROTOR_Y];
     y[VM_BROKEN_ROTOR_ANGLE] = z[VMI_BROKEN_ROTOR_PSI];
@@ -236,42 +243,46 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, y, end);
 }
 
-/* State of the remainder t seconds after start, by the linearised equations (69), complete.
-   For short times, |psi| << 1; any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may
-   be start. damping, stiffness and s may be 0. Error: no more than twice what rounding every input, t included, would
-   make. All of (69) grows exponentially: VM_NOT_FINITE where it overflows. VM_BAD_ARGUMENT, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA. */
+/* State of the remainder t seconds after start, by the complete linearised equations (69).
+   The result holds for short times, while |psi| << 1. t may have any sign. The arrays start and end have
+   VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields damping, stiffness and s may be 0. The error is at
+   most twice the change that rounding every input, t included, would make. Solutions of (69) grow exponentially.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS
+   for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
-   The dissertation leaves the term -s p^2 omega^2 y out, although it is of the order of the others: for comparison
-   with vm_broken_rotor_linear. Error: no more than rounding every input would make. Arguments and errors as there. */
+   The dissertation leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
+   serves to compare the dissertation with vm_broken_rotor_linear. The error is at most the change that rounding every
+   input would make. Arguments and statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
-   Any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may be start. damping and
-   stiffness may be 0. Error: no more than rounding every input, t included, would make. VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA, VM_DOMAIN (s is not 0). */
+   t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields
+   damping and stiffness may be 0. The error is at most the change that rounding every input, t included, would make.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
+   VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
     if (status) return status;
     if (rotor->s != 0) return VM_DOMAIN;
-    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 these equations are (46) itself */
+    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are (46) */
 }
 
-/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers.
-   x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass, which must not be 0. The
-   half axes of the orbit are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, which [1] prints wrongly after (52), is
+/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers. The orbit is
+   x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must not be 0. Its
+   half axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed at the time t, which [1]
+   prints wrongly after (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where the stiffness is not positive, VM_BAD_INERTIA.
-   */
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS if the stiffness is not
+   positive, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
 {
     vm_real w, x, y, vx, vy, c[4];

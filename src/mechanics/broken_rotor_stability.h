@@ -1,10 +1,12 @@
 /* mechanics/broken_rotor_stability.h - steady motion of the broken rotor, its stability, growth at resonance
 
-   After the break the remainder can turn steadily, psi' = Omega, with its mass centre on a circle (76), (77). Here
-   are the radius of this circle, the small motions about it with their characteristic polynomial (81), its roots and
-   Routh's column, and the stability (82): the steady motion is stable below resonance only. Above resonance the orbit
-   of a rotor that starts from rest grows, and vm_broken_rotor_resonance_radius says how. In the formulas omega^2 =
-   stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
+   After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
+   circle (76), (77). This chapter computes
+     - the radius of this circle,
+     - the characteristic polynomial (81) of small motions about the steady motion, its roots, and Routh's column,
+     - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
+     - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
+   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
 
        vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
@@ -26,8 +28,8 @@
 #include "../base/words.h"
 #include "broken_rotor.h"
 
-/* (omega^2 - Omega^2) mass, in two words: its sign is right and its relative error is an eps, however close to
-   resonance the rotor turns */
+/* The detuning (omega^2 - Omega^2) mass. It is computed in two words, so that its sign is right even if the rotor turns
+   very close to resonance. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
@@ -36,27 +38,28 @@ VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega
 }
 
 /* Radius of the mass centre's circle in steady motion at psi' = Omega, m: s omega^2/(omega^2 - Omega^2), (76), (77).
-   Omega in rad/s; the motion needs torque = damping Omega (47). The radius is positive as in (77), phi = psi + pi,
-   where Omega^2 < omega^2, and negative as in (76), phi = psi, where Omega^2 > omega^2. Within 2 eps however close to
-   resonance.
-   Infinite at resonance (NaN for s = 0); NaN for a null pointer and for a rotor whose fields have not the signs that
-   vm_broken_rotor states. */
+   Omega is in rad/s, and the motion needs torque = damping Omega (47). For Omega^2 < omega^2 the radius is positive and
+   the direction of the mass centre is phi = psi + pi, as in (77). For Omega^2 > omega^2 the radius is negative and
+   phi = psi, as in (76). The relative error is within 3 eps, even very close to resonance. Returns infinity at
+   resonance (NaN for s = 0), and NaN for a null pointer or for a rotor with a value that vm_broken_rotor does not
+   allow. */
 VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real detuning, share;
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
     detuning = vmi_broken_rotor_detuning(rotor, Omega);
     if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
-    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2 < 1: mass Omega^2 overflows */
+    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; here mass Omega^2 overflows */
     return -rotor->s * (share / (1 - share));
 }
 
-/* omega^2, Omega^2, k*, D and G of vm_broken_rotor_characteristic */
+/* The quantities omega^2, Omega^2, k*, D and G in the polynomial of vm_broken_rotor_characteristic */
 typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
 
-/* Sets *a. VM_BAD_ARGUMENT, VM_NOT_FINITE, the statuses of a bad rotor, VM_DOMAIN at resonance */
+/* Sets *a for the steady motion at psi' = Omega. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, a status of
+   vmi_check_broken_rotor, VM_DOMAIN at resonance, or VM_OK. */
 VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega, vmi_broken_rotor_steady *a)
 {
     int status;
@@ -78,12 +81,13 @@ VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega
 enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
 
 /* Characteristic polynomial of small motions about the steady motion, (81) corrected.
-   They go with exp(l t) about the motion at psi' = Omega, rad/s. c is an array of VM_BROKEN_ROTOR_ROOTS + 1
-   coefficients, highest power first:
+   Small motions about the steady motion at psi' = Omega (rad/s) are sums of exp(l t), where l is a root of the
+   polynomial. c is an array of VM_BROKEN_ROTOR_ROOTS + 1 coefficients, highest power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
-   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. (81) is l times this polynomial, and its last term
-   lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA, VM_DOMAIN (at resonance). */
+   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. Equation (81) is l times this polynomial, except that
+   its last printed term lacks the factor l^2. The additional root l = 0 of (81) exists because the phase of the steady
+   motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a
+   negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -101,10 +105,9 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, c);
 }
 
-/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2.
-   column is an array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all are
-   positive.
-   Errors as for vm_broken_rotor_characteristic. */
+/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. column is an
+   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all these numbers are
+   positive. k*, G, D are as in the comment of vm_broken_rotor_characteristic, and the statuses are the same. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -122,9 +125,10 @@ VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, column);
 }
 
-/* Whether the steady motion at psi' = Omega is asymptotically stable (82): 1 or 0.
-   It is exactly for Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0. (With damping, s or Omega = 0 some motions
-   neither grow nor fade.) 0 for a null pointer and a bad rotor. */
+/* Whether the steady motion at psi' = Omega is asymptotically stable (82).
+   Returns 1 if Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0, which together are the condition for stability.
+   Returns 0 otherwise, and also for a null pointer and an invalid rotor. (If damping, s or Omega is 0, some motions
+   neither grow nor decay.) */
 VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega)
 {
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
@@ -132,10 +136,10 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 }
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
-   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers; the roots stand in the order of rising |imaginary part|, of
-   a pair first the one with im > 0. The error of each root is at most twice what an eps of every coefficient would
-   make, also that of the smallest root, which near resonance is many orders below the largest. Errors as for
-   vm_broken_rotor_characteristic. */
+   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|; of a conjugate pair,
+   the root with im > 0 is first. The error of each root is at most twice the change that relative changes of all
+   coefficients by eps would cause. This holds for the smallest root, too, which near resonance is many orders of
+   magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
@@ -145,7 +149,7 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
-    /* roots in units of `size`, so that no coefficient is above 10 */
+    /* The roots are computed in units of `size`, so that no coefficient is larger than 10. */
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
     power = 1 / size;
     for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
@@ -164,8 +168,9 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* ln(1 + x) - x + x^2/2 for x >= 0, to a few eps. For x <= 1 it is x^3/3 - x^4/4 + ... as a series in w = x/(2 + x)
-   <= 1/3, whose terms are all positive: coefficient n - 2 of w^n, and 1/n more for odd n. */
+/* The value ln(1 + x) - x + x^2/2 for x >= 0. For x <= 1 digits would cancel in this form. Then the value
+   x^3/3 - x^4/4 + ... is summed as a series in w = x/(2 + x) <= 1/3 with positive terms only. It is twice the sum over
+   n >= 3 of c_n w^n, where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21;
@@ -181,8 +186,8 @@ VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
     return 2 * w * w * w * sum;
 }
 
-/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex, so that Newton's method falls to the root
-   from (3 tau)^(1/3) + (2 tau)^(1/2), which is above it. */
+/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method starts from
+   x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root, and therefore decreases x until it reaches the root. */
 VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -197,13 +202,15 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 }
 
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
-   Omega = torque/damping (rad/s) must be at or above omega. psi' is caught at omega, and the torque that is left goes
-   into the orbit: r = |s|/4 + R, where R(0) = 0 and R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
+   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' is captured at omega, and the
+   surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where R(0) = 0 and R R' = k*
+   (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the next order of the expansion. Neglected are terms of s^2/r and the time of the capture: in Fig. 18 at
-   t = 400 the radius is 0.001 of 3.473 too small at resonance and 0.093 of 12.437 too large above it. NaN below
-   resonance, for t < 0, damping < 0, omega = 0, a null pointer and a bad rotor.
-   R R' = A + B/R has the solution t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
+   |s|/4 is the term of next order in the expansion. Terms of order s^2/r and the time until the capture are neglected.
+   The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) at t = 400 s, this radius differs
+   by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN below
+   resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of R R' = A + B/R is
+   t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
@@ -216,7 +223,7 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
     B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
     R = vmi_pow_checked(3 * B * t, VM_C(1.) / 3);
     if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
-    z = A * R / B; /* below eps the term A is negligible, beyond 1/eps (and for B = 0) the term B/R is */
+    z = A * R / B; /* for z < eps the term A is negligible, for z > 1/eps or B = 0 the term B/R */
     if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t);
     else if (z > VM_EPSILON) R = vmi_broken_rotor_growth_root(z * z * z / 3) * B / A;
     return VM_FABS(rotor->s) / 4 + R;

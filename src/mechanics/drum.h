@@ -1,14 +1,18 @@
 /* mechanics/drum.h - a band that winds up on a drum
 
    A band that arrives at a constant velocity winds up on a drum, whose mass and inertia grow (chapter 5.2, Fig. 20).
-   Here are the geometry (181)-(188), the exact equations of motion, the reduced ones of the dissertation (192)-(193),
-   the motion on a rigid shaft in closed form (194)-(206), and the vibrations of an elastic shaft (210)-(226).
+   This chapter has
+     - the geometry (181)-(188),
+     - the exact equations of motion, and the reduced equations (192)-(193) of the dissertation,
+     - the motion on a rigid shaft in closed form (194)-(206),
+     - the vibrations of an elastic shaft (210)-(226).
 
-   The band moves at the velocity v along y and meets the drum at S + (R, 0), S the centre of the shaft. After the
-   angle phi it covers the arc from 0 to phi, whose mass centre is in the direction phi/2. R stays constant: the first
-   layer, 0 <= phi <= 2 pi, is meant. The letters of the formulas: mu the band's mass per angle, j = mu R^2 (186), D
-   the damping, and e = mu v R - D, whose sign says whether the band drives the drum (e > 0) or the drum comes to
-   rest.
+   The band moves at the velocity v along y and meets the drum at S + (R, 0), where S is the centre of the shaft and R
+   the radius. After the drum has turned by the angle phi, the band covers the arc from 0 to phi. The mass centre of
+   this arc is in the direction phi/2. R stays constant, because only the first layer, 0 <= phi <= 2 pi, is considered.
+
+   The fields of vm_drum name most letters of the formulas. In addition, mu is the band's mass per angle, j = mu R^2
+   (186), and e = mu v R - D with the damping D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -27,74 +31,79 @@
 
 /* A drum, its shaft and the band */
 typedef struct VM_TAG(vm_drum) {
-    vm_real radius;    /* R, m */
-    vm_real mass;      /* M0 > 0 of the empty drum, kg */
-    vm_real inertia;   /* J0 > 0 of the empty drum about its axle, kg m^2 */
-    vm_real band;      /* mu >= 0, the band's mass per angle, kg/rad: vm_drum_band */
-    vm_real speed;     /* v of the band, m/s */
-    vm_real damping;   /* D of the rotation, N m s */
-    vm_real stiffness; /* c >= 0 of the shaft, N/m */
-    vm_real omega;     /* Omega_b > 0, the angular velocity at phi = 0, rad/s */
+    vm_real radius;    /* radius R of the drum, m */
+    vm_real mass;      /* mass M0 > 0 of the empty drum, kg */
+    vm_real inertia;   /* moment of inertia J0 > 0 of the empty drum about its axle, kg m^2 */
+    vm_real band;      /* mass mu >= 0 of the band per angle, kg/rad; vm_drum_band computes it */
+    vm_real speed;     /* velocity v of the band, m/s */
+    vm_real damping;   /* damping D of the rotation, N m s */
+    vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
+    vm_real omega;     /* initial angular velocity Omega_b > 0, at phi = 0, rad/s */
 } vm_drum;
 
-/* The drum with the band that it carries at some angle phi */
+/* Geometry of the drum and of the band wound on it, when the drum has turned by the angle phi */
 typedef struct VM_TAG(vm_drum_geometry) {
-    vm_real mass;         /* M (182), kg */
-    vm_real arc_centre;   /* S S' (184), m: distance of the band's mass centre from the shaft */
-    vm_real offset;       /* S S1 (185) corrected, m: the mass centre is S1 = S + offset (cos phi/2, sin phi/2) */
-    vm_real axle_inertia; /* J_S (187), about the axle, kg m^2 */
-    vm_real inertia;      /* J_S1 (188), about the mass centre, kg m^2 */
+    vm_real mass;         /* mass M of drum and band (182), kg */
+    vm_real arc_centre;   /* distance of the band's mass centre S' from the shaft S (184), m */
+    vm_real offset;       /* distance from S to the mass centre S1, m; its direction is phi/2 [(185) corrected] */
+    vm_real axle_inertia; /* inertia J_S about the axle (187), kg m^2 */
+    vm_real inertia;      /* inertia J_S1 about the mass centre (188), kg m^2 */
 } vm_drum_geometry;
 
-/* Where the states of vm_drum_rhs and vm_drum_rhs_reduced stand in y, and how many there are */
+/* Indices of the states of vm_drum_rhs and vm_drum_rhs_reduced in y, and the number of states */
 enum {
-    VM_DRUM_X = 0,     /* deflection of the shaft, 2 numbers x, y of S, m */
-    VM_DRUM_ANGLE = 2, /* phi, rad */
-    VM_DRUM_V = 3,     /* velocity of S, 2 numbers, m/s */
-    VM_DRUM_OMEGA = 5, /* phi', rad/s */
+    VM_DRUM_X = 0,     /* deflection of the shaft: position x, y of S, m */
+    VM_DRUM_ANGLE = 2, /* angle phi, rad */
+    VM_DRUM_V = 3,     /* velocity x', y' of S, m/s */
+    VM_DRUM_OMEGA = 5, /* angular velocity phi', rad/s */
     VM_DRUM_STATES = 6
 };
 
-/* Where the states of vm_drum_rhs_angle stand in y, and how many there are */
+/* Indices of the states of vm_drum_rhs_angle in y, and the number of states */
 enum {
-    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft, 2 numbers x, y of S, m */
-    VM_DRUM_SLOPE = 2,      /* dx/dphi, dy/dphi, m/rad */
+    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft: position x, y of S, m */
+    VM_DRUM_SLOPE = 2,      /* derivatives dx/dphi, dy/dphi of the deflection, m/rad */
     VM_DRUM_ANGLE_STATES = 4
 };
 
-/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b): with ' = d/dphi
-     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213), and for y with mu v/(M0 Omega_b) on the right (214) */
+/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b). With ' = d/dphi, the
+   deflection x satisfies
+     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213).
+   The equation for y has mu v/(M0 Omega_b) on the right instead of 0 (214). */
 typedef struct VM_TAG(vm_drum_shaft) {
-    vm_real k;     /* sqrt(c/M0)/Omega_b, a pure number */
-    vm_real delta; /* (mu/M0 + e/(J0 Omega_b) - j/J0)/2, 1/rad, corrected */
-    vm_real A;     /* mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), 1/rad, corrected */
-    vm_real shift; /* mu v/(M0 Omega_b k^2), m: y oscillates about shift/(1 - A phi) */
+    vm_real k;     /* frequency divided by angular velocity, sqrt(c/M0)/Omega_b, a pure number */
+    vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2 with mu = band, j = mu R^2, e = mu v R - D.
+                      This corrects the coefficient in (213). */
+    vm_real A;     /* relative decrease of the squared frequency, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), with
+                      mu, j, e as for delta. This corrects (213), too. */
+    vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m. The deflection y oscillates about shift/(1 - A phi). */
 } vm_drum_shaft;
 
 /* The band's mass per angle on a drum, mu = R h b rho (181), kg/rad.
-   Radius R of the drum, thickness h and width b of the band in m, density in kg/m^3. NaN in, NaN out. */
+   The radius R of the drum, the thickness h and the width b of the band are in m, the density rho in kg/m^3. NaN in
+   an argument gives NaN. */
 VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm_real density)
 {
     return radius * thickness * width * density;
 }
 
-/* What the equations of motion need of the drum at the angle phi */
+/* Mass and inertia of drum and band at the angle phi, for the equations of motion */
 typedef struct VM_TAG(vmi_drum_mass) {
-    vm_real M;       /* mass */
-    vm_real J;       /* inertia about the axle */
-    vm_real steiner; /* M (S S1)^2, so that J - steiner is the inertia about the mass centre */
+    vm_real M;       /* mass of drum and band, kg */
+    vm_real J;       /* inertia of drum and band about the axle, kg m^2 */
+    vm_real steiner; /* M (S S1)^2, kg m^2; J - steiner is then the inertia about the mass centre S1 */
 } vmi_drum_mass;
 
-/* Sets *m for the angle phi, s = sin(phi/2). With s = 0 the distance S S1 is neglected. VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_STIFFNESS, VM_BAD_INERTIA */
+/* Sets *m for the angle phi, where s is sin(phi/2). A call with s = 0 neglects the distance S S1. Returns VM_OK,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
     m->M = d->mass + d->band * phi;
     m->J = d->inertia + d->band * d->radius * d->radius * phi;
-    m->steiner = q / m->M * q; /* q^2 alone could underflow */
+    m->steiner = q / m->M * q; /* in this order, because q * q could underflow */
     if (!VM_IS_FINITE(m->M) || !VM_IS_FINITE(m->J)) return VM_NOT_FINITE;
-    if (!(m->M > 0)) return VM_BAD_MASS;
+    if (!(d->mass > 0) || !(m->M > 0)) return VM_BAD_MASS;
     if (d->stiffness < 0) return VM_BAD_STIFFNESS;
     if (!(m->J - m->steiner > 0)) return VM_BAD_INERTIA;
     return VM_OK;
@@ -108,9 +117,8 @@ VM_API int vmi_drum_finite(const vm_drum *d)
 }
 
 /* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
-   phi >= 0 in rad.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative one), VM_BAD_INERTIA, VM_DOMAIN
-   (phi < 0). */
+   The angle phi >= 0 is in rad. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN for phi < 0, and VM_OK otherwise. */
 VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 {
     vm_real s, c;
@@ -135,19 +143,20 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 }
 
 /* Right-hand side of the drum on an elastic shaft, exact.
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), which lack the drift of the
-   mass centre and have the shaft's torque with the other sign. With q = mu R (sin phi, 1 - cos phi):
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), in which the drift of the mass
+   centre is missing and the torque of the shaft has the wrong sign. With the deflection rS = (xS, yS), the unit vector
+   k along z and q = mu R (sin phi, 1 - cos phi), the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
-   VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA, where the drum cannot be at this angle, end the run. */
+   Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE,
+   VM_BAD_MASS or VM_BAD_INERTIA if mass or inertia is impossible at this angle. Each of these errors ends the run. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
     const vm_real phi = y[VM_DRUM_ANGLE], rate = y[VM_DRUM_OMEGA];
     const vm_real flow = d->band * rate, slip = d->speed - y[VM_DRUM_V + 1] - d->radius * rate;
-    vm_real s, c, qx, qy, force_x, force_y, moment, turn; /* turn: phi'' */
+    vm_real s, c, qx, qy, force_x, force_y, moment, turn; /* turn: the angular acceleration phi'' */
     vmi_drum_mass m;
     int status;
     (void)t;
@@ -170,9 +179,9 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It is what vm_drum_rhs becomes for small mu, with the
-   unbalance mu R phi'^2 (sin phi, -cos phi), which is of the same order as the terms that (192) keeps. Errors as for
-   vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. These are the equations of vm_drum_rhs in the limit of small
+   mu. Unlike (192) they contain the unbalance mu R phi'^2 (sin phi, -cos phi), because it is of the same order as the
+   terms that (192) keeps. The errors are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -195,7 +204,8 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Whether the fields that the motion on a rigid shaft depends on are finite and have the signs that vm_drum states */
+/* Returns 1 if the drum can turn on a rigid shaft: the fields that matter are finite and have the signs given in
+   vm_drum. Returns 0 otherwise. */
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
     return d && d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) &&
@@ -203,13 +213,14 @@ VM_API int vmi_drum_turns(const vm_drum *d)
            VM_IS_FINITE(d->damping);
 }
 
-/* j = mu R^2 in two words */
+/* The product j = mu R^2 in two words, that is, as the sum of two numbers */
 VM_API vm_two vmi_drum_j(const vm_drum *d)
 {
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
 }
 
-/* e = mu v R - D in two words, computed in three, so that all digits are right where the two terms nearly cancel */
+/* The drive e = mu v R - D in two words. It is computed in three words, so that all digits are right even if mu v R and
+   D nearly cancel. */
 VM_API vm_two vmi_drum_e(const vm_drum *d)
 {
     const vm_two band = vmi_two_product(d->band, d->radius);
@@ -218,17 +229,17 @@ VM_API vm_two vmi_drum_e(const vm_drum *d)
     return vmi_two(e.hi, e.mid);
 }
 
-/* a b/c in two words */
+/* The quotient a b/c in two words */
 VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 {
     return vmi_two_over(vmi_two_times(a, vmi_two(b, 0)), c);
 }
 
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
-   This function, vm_drum_time and vm_drum_angle are right within 4 ulp if the drum's fields are taken as exact,
-   through e = 0 and k1 = 1 - e/(j Omega_b) = 0 and up to the stop, as long as products of the fields do not overflow
-   or underflow. NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and where inertia or omega is
-   not positive or band is negative. */
+   The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's fields are taken
+   as exact and products of the fields do not overflow or underflow. This includes e = 0, k1 = 1 - e/(j Omega_b) = 0
+   and angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and if
+   inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -240,13 +251,14 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 }
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum; the independent variable is phi, and the angular
-   velocity phi'(phi) is that on a rigid shaft (196). VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN where the drum
-   does not get to phi, and the errors of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum. The independent variable is phi, and the angular
+   velocity phi' is that on a rigid shaft (196). Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if
+   the drum does not reach phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
+    if (!VM_IS_FINITE(phi) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
     const vm_real rate = vm_drum_rate(d, phi), j = d->band * d->radius * d->radius;
     const vm_real e = d->band * d->speed * d->radius - d->damping;
     const vm_real slope_x = y[VM_DRUM_SLOPE], slope_y = y[VM_DRUM_SLOPE + 1];
@@ -255,7 +267,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
     if (!(rate > 0)) return VM_DOMAIN;
-    acceleration = (e - j * rate) / m.J; /* d phi'/d phi (195): phi'' = acceleration phi' */
+    acceleration = (e - j * rate) / m.J; /* the derivative dphi'/dphi (195); phi'' is acceleration times phi' */
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
     dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
@@ -265,8 +277,9 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| where e < 0.
-   The drum never reaches it: it is the limit for t to infinity. Infinity where e >= 0, NaN as for vm_drum_rate. */
+/* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e < 0.
+   The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN as vm_drum_rate
+   does. */
 VM_API vm_real vm_drum_stop(const vm_drum *d)
 {
     vm_two e;
@@ -277,8 +290,8 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 }
 
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
-   With x = e phi/(J0 Omega_b), without branches: t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2].
-   Accuracy and NaN as for vm_drum_rate; infinity at the stop. */
+   With x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2] for every sign of
+   e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN as vm_drum_rate does. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -294,10 +307,10 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
     return vmi_drum_share(sum, phi, vmi_two(d->omega, 0)).hi;
 }
 
-/* A start p for Newton's method in vm_drum_angle. For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has
-   the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0 this p is too large, and so is the one that belongs to x = y +
-   a^2/b:
-   the smaller is taken. For a < 0 it is too small, and so is |a|/(|a| + b): the larger is taken. */
+/* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle explains a, b, f, x, y.
+   For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0
+   this p is too large, and so is ln(1 + a p + a^2/b)/a; the smaller of the two is taken. For a < 0 this p is too small,
+   and so is |a|/(|a| + b); the larger of the two is taken. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -307,15 +320,15 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 }
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
-   The inverse of vm_drum_time, by Newton's method in two words; no branch of Lambert's W is needed. Accuracy and NaN
-   as for vm_drum_rate. Time: some 4 steps, each of an exponential and divisions in two words.
-   With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and y = a p = ln(1 + x) the equation of vm_drum_time reads
+   This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
+   Accuracy and NaN are those of vm_drum_rate. With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and
+   y = a p = ln(1 + x) the equation of vm_drum_time is
      p + b f^2 (x - y)/x^2 = 1,   x = e^y - 1,   f = p x/y.
-   Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from anywhere. */
+   Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
-    const vm_real precise = VM_EPSILON / 8; /* relative error of phi that the last step leaves */
-    const int most_steps = 40; /* 8 were the most for 400 000 drums with |a| and b from 1e-20 to 1e20 */
+    const vm_real precise = VM_EPSILON / 8; /* the relative error of phi that the last step may leave */
+    const int most_steps = 40; /* quadratic convergence needs fewer steps */
     vm_two angle, a, b, p, x, y, f, rest;
     vm_real step, left = 1;
     int i;
@@ -341,10 +354,11 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 }
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
-   r - k1 ln r = f1 is solved by r = -k1 W(x), x = -exp(-f1/k1)/k1, with W_-1 for 0 < k1 < 1 and W_0 for other k1. It
-   is here for comparison, vm_drum_angle is better: this form loses all digits next to e = 0, where r comes to the
-   branch point of W. x itself leaves the range of numbers next to k1 = 0 (it is 1e-869 for k1 = 1e-3), so ln |x| is
-   used. NaN for e = 0 and k1 = 0, and as for vm_drum_rate. */
+   With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from
+   r - k1 ln r = f1. The solution is r = -k1 W(x), x = -exp(-f1/k1)/k1, with the branch W_-1 for 0 < k1 < 1 and the
+   branch W_0 for other k1. This function is for comparison; vm_drum_angle is better. Near e = 0 this form loses all
+   digits, because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows
+   near k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0 and k1 = 0, and as vm_drum_rate does. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -355,20 +369,20 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
     if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1;
-    if (l > -1 && k1 > 0) l = -1; /* rounding has put it beyond the branch point */
+    if (l > -1 && k1 > 0) l = -1; /* only rounding can move l beyond the branch point -1 */
     if (k1 < 0) w = vm_wright_omega(l);
-    else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* the sign of e tells the branch, because k1 may round to 1 */
+    else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* e > 0 means k1 < 1, even if k1 has been rounded to 1 */
     else w = vm_lambert_w0_neg_exp(l);
     return (-k1 * w - 1) * d->inertia * d->omega / e;
 }
 
 /* Coefficients of the elastic shaft in the first approximation, (213), (214).
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN where omega is not
-   positive. */
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN
+   if omega is not positive, and VM_OK otherwise. */
 VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
 {
     vm_drum_shaft r;
-    vm_real j, drive, mass; /* j/J0, e/(J0 Omega_b), mu/M0 */
+    vm_real j, drive, mass; /* the ratios j/J0, e/(J0 Omega_b), mu/M0 */
     if (!d || !s) return VM_BAD_ARGUMENT;
     if (!vmi_drum_finite(d)) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
@@ -388,11 +402,13 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
     return VM_OK;
 }
 
-/* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected:
+/* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected.
+   With the fields k, delta, A of *s it is
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
-   particular is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which gives the
-   amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as
-   2k/3 phi (1 + m + m^2)/(1 + m), which is right for A = 0, too. NaN where 1 - A phi <= 0 and for a null pointer. */
+   where `particular` is 0 for x and s->shift for y. a (m) is the amplitude and alpha (rad) the phase. They follow from
+   the start: at phi = 0 the deflection is a cos alpha + particular. The integral is (2k/3A) (1 - m^3) with
+   m^2 = 1 - A phi. It is computed as 2k/3 phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null
+   pointer and if 1 - A phi <= 0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;
@@ -404,8 +420,8 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
     return a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0) * cosine + particular / square;
 }
 
-/* Whether the shaft's frequency stays real for the whole first layer (226): 1 if A < 1/(2 pi), else 0.
-   0 for a null pointer, too. */
+/* Whether the shaft's frequency stays real for the whole first layer (226).
+   Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
 #endif

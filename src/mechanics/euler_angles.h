@@ -1,13 +1,15 @@
 /* mechanics/euler_angles.h - Euler's angles
 
-   The attitude of a body by the angles psi, theta, phi of the sequence 3-1-3: turn by psi about z, by theta about the
-   line of nodes, by phi about the body's z axis. Here are the quaternion of three angles, the axes about which they
-   turn, which Lagrange's equations need as domega/dq'_i, and the rates of the angles from an angular velocity.
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
+   the line of nodes, and by phi about its own z axis. This chapter computes
+     - the quaternion of three angles,
+     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the rates psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
 
-   Angles in rad. Errors are within 4 eps for angles up to 0.1/eps (4e14, float 8e5). Beyond 2^(p-1) quarter turns, p
-   the number of digits of vm_real, an angle carries no phase. Tests: tests/test_lagrange.c. */
+   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
+   the number of binary digits of vm_real, an angle carries no phase information. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
@@ -26,11 +28,12 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
     return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
 }
 
-/* Axes about which Euler's angles turn, in inertial axes: omega = psi' axis[0] + theta' axis[1] + phi' axis[2].
-   axis[i] is domega/dq'_i. Nothing is done for a null pointer. */
+/* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2], so that axis[i] is domega/dq'_i. A call with a null pointer
+   does nothing. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* of psi, of theta */
+    vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */
     if (!axis) return;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -39,11 +42,11 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
     axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
 }
 
-/* Axes about which Euler's angles turn, in body axes: omega = psi' axis[0] + theta' axis[1] + phi' axis[2].
-   Nothing is done for a null pointer. */
+/* Unit vectors of the axes about which Euler's angles turn the body, along body axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* of phi, of theta */
+    vm_real s, c, sine, cosine; /* sine s and cosine c of phi; sine, cosine of theta */
     if (!axis) return;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -53,10 +56,10 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 }
 
 /* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_SINGULAR where sin(theta) = 0. */
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR if sin(theta) is 0, and VM_OK otherwise. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3]; /* of psi, of theta */
+    vm_real s, c, sine, cosine, result[3]; /* sine s and cosine c of psi; sine, cosine of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);

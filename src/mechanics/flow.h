@@ -1,9 +1,10 @@
 /* mechanics/flow.h - a free body in space with streams of mass
 
-   Right-hand sides for rk45 and rk87 of a rigid body whose mass, mass centre and inertia change while it moves: given
-   by its streams (151), (152), given as functions of time (170), or carried off by mass that moves with the body
-   (166). The momenta are the states, and velocity and angular velocity follow from them: a motion that keeps a
-   momentum keeps it exactly here, and rates may jump.
+   These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
+   moves. There are three cases: streams cause the change (151), (152); functions of time give it (170); or the mass
+   that is lost or gained moves with the body (166). In the first two cases momentum and angular momentum are states,
+   from which velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and
+   the rate of a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -25,41 +26,46 @@
            rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
-   The equations, with the streams' M', u, d, kappa, omega2 of vm_reactive:
+   The equations. The letters M', u, d, kappa, omega2, P(d) of a stream are explained at vm_reactive. The body has the
+   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
-   r is the mass centre, p = M v the momentum, H the angular momentum about the mass centre, q the attitude, c the
-   mass centre from the reference point in body axes, d = at - c, and R turns body axes into inertial ones. [1] prints
-   the torque of (152) with I' omega2. Where a stream has a store at s, d_s = s - c replaces d in c' and P(d), the
-   store's gyration replaces kappa in I', and the mass on its way through the body holds the momentum M' (s - at) and
-   the angular momentum M' d x d_s. R belongs to q/|q|; the last term of q' is 0 for |q| = 1 and brings the length
-   back to 1, and no integrator loses order by it. The reference point of `at` and of the stores is fixed in the body,
-   at r - R c; if flow.centre is 0 at the start, it is the mass centre at that time.
+   r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
+   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R
+   is the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the
+   length of q back to 1, and integrators keep their order. In (152), [1] prints I' omega2 instead of M' kappa omega2.
+   If a stream has a store at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and P(d); the
+   gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the momentum
+   M' (s - at) and the angular momentum M' d x d_s.
+   The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
+   flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_FLOW_H
 #define VARMASS_MECHANICS_FLOW_H
 
+#include "../base/arrays.h"
 #include "../base/real.h"
 #include "../base/status.h"
+#include "attitude.h"
 #include "bodies.h"
 #include "inertia.h"
 #include "streams.h"
 #include "vectors.h"
 
-/* Indices of the states in y, and how many states there are. Axes are inertial where nothing else is said. */
+/* Indices of the states in y, and numbers of states. Axes are inertial unless body axes are named. */
 enum {
-    VM_Y_R = 0,        /* r, 3 numbers, m */
-    VM_Y_Q = 3,        /* attitude q = w, x, y, z */
+    VM_Y_R = 0,        /* position of the mass centre, 3 numbers, m */
+    VM_Y_Q = 3,        /* attitude, 4 numbers w, x, y, z */
     VM_Y_P = 7,        /* momentum, 3 numbers, kg m/s; for vm_flow_carried_rhs the velocity v, m/s */
     VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
                           angular velocity in body axes, rad/s */
-    VM_Y_MASS = 13,    /* kg */
+    VM_Y_MASS = 13,    /* mass, kg */
     VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
-    VM_Y_INERTIA = 17, /* xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
-    VM_Y_BALANCE = 23, /* vm_flow_balanced_rhs: integrals of momentum 3, angular momentum 3, energy 1 */
-    VM_FLOW_GIVEN_STATES = 13,   /* vm_flow_given_rhs, vm_flow_carried_rhs: flow.update gives mass, centre, inertia */
-    VM_FLOW_STATES = 23,         /* vm_flow_rhs: mass, centre and inertia are states */
-    VM_FLOW_BALANCED_STATES = 30 /* vm_flow_balanced_rhs: these, and the balance */
+    VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
+    VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
+    VM_FLOW_GIVEN_STATES = 13,   /* states if flow.update gives the mass data: vm_flow_given_rhs, vm_flow_carried_rhs */
+    VM_FLOW_STATES = 23,         /* states of vm_flow_rhs; mass, mass centre and inertia are among them */
+    VM_FLOW_BALANCED_STATES = 30 /* states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7 integrals */
 };
 
 /* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
@@ -67,36 +73,37 @@ enum {
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
     vm_stream *streams; /* n streams, kept by the caller */
-    vm_vec3 force;      /* N, resultant of the outer forces, inertial axes */
-    vm_vec3 moment;     /* N m, their moment about the mass centre and all torques, inertial axes */
-    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time
-       and state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a
-       rate that follows a valve, and the laws M(t), c(t), I(t) of mass for vm_flow_given_rhs and vm_flow_carried_rhs.
-       (A law of mass is a function here and not a vm_law, because it has ten numbers, which belong together.) It
+    vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
+    vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
+    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
+       state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
+       that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
+       vm_flow_carried_rhs. (These laws are one function and not vm_laws, because their ten numbers belong together.) It
        returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
-       smooth function of t and y: what switches at some time belongs into the change of an ODE_RESTART event. */
+       smooth function of t and y. To switch something at an instant, use an event with the action ODE_RESTART and its
+       function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
-    void *ctx;             /* for the caller's `update`; not used here */
-    vm_real mass;          /* M(t), kg: vm_flow_given_rhs, vm_flow_carried_rhs */
-    vm_vec3 centre;        /* c(t), m, body axes: vm_flow_given_rhs, and at the start vm_flow_start */
-    vm_inertia inertia;    /* I(t), kg m^2, body axes: vm_flow_given_rhs, vm_flow_carried_rhs */
-    vm_vec3 drift;         /* c'(t), m/s, body axes: vm_flow_carried_rhs */
-    vm_real least_mass;    /* kg: the mass at which vm_flow_mass_left is 0 */
-    vm_real least_inertia; /* kg m^2, where vm_flow_inertia_left is 0 */
-    /* VM_OK, or why the last evaluations gave NaN or ended the run. In a trial step beyond the end the mass may not be
-       positive, or the inertia may be one that no body has; the derivatives are then NaN, so that the integrator
-       shortens its step. An event should stop the run before that. */
+    void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
+    vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
+    vm_vec3 centre;        /* mass centre (vm_flow_given_rhs, vm_flow_start) from the reference point, m, body axes */
+    vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
+    vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
+    vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
+    vm_real least_inertia; /* smallest pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
+    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step may go beyond the end of a
+       motion, where the mass is zero or negative or no body can have the inertia. The derivatives are then NaN, so that
+       the integrator shortens its step. An event should stop the run before this happens. */
     int status;
-    /* 0, or how many numbers y has room for, VM_LENGTH(y). All functions here check it. vm_flow_start writes no more:
-       VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and, if there is room for all VM_FLOW_BALANCED_STATES, the zeros
-       of the balance too. */
+    /* Number of elements of y, VM_LENGTH(y), which all functions below check; 0 if it is unknown. vm_flow_start writes
+       VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
+       VM_FLOW_BALANCED_STATES, it writes the zeros of the balance too. */
     int y_size;
 } vm_flow;
 
-/* Whether there is an array for n streams */
+/* Returns 1 if n is 0, or if n is positive and there is an array of streams. */
 VM_INLINE int vmi_flow_has_streams(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
 
-/* Sets n derivatives to NaN, which makes the integrator shorten its step. Returns 0: the run goes on. */
+/* Sets n derivatives to NaN, which makes the integrator shorten its step. Returns 0, so that the run goes on. */
 VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
 {
     int k;
@@ -104,24 +111,12 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Notes the status of an evaluation in *kept and returns it. Of several failures in a row the first is kept, because
-   the later ones follow from its NaN. */
+/* Stores the status of an evaluation in *kept and returns it. After several failures in a row *kept is the first one,
+   because its NaN causes the later ones. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
     return status;
-}
-
-/* q omega/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length back to
-   1 within some steps of any explicit method, at a rate below that of the rotation itself. */
-VM_INLINE void vmi_flow_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
-{
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    dydt[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    dydt[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    dydt[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    dydt[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
 /* Mass, mass centre and inertia of a body at an instant */
@@ -131,7 +126,7 @@ typedef struct VM_TAG(vmi_flow_mass) {
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* They come from the state, or, if given = 1, from the flow's laws */
+/* The present mass, mass centre and inertia: from the fields of the flow if given = 1, else from the state y */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -147,8 +142,20 @@ VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const v
     return b;
 }
 
-/* From a state y: the rotation to *turn; velocity, angular velocity and the like to *seen. Returns VM_OK,
-   VM_BAD_MASS or VM_BAD_INERTIA. */
+VM_API int vmi_flow_mass_is_finite(const vmi_flow_mass *b)
+{
+    return VM_IS_FINITE(b->mass) && vmi_vec3_is_finite(b->centre) && vmi_inertia_is_finite(&b->inertia);
+}
+
+VM_INLINE int vmi_flow_check_mass(vm_real mass)
+{
+    if (!VM_IS_FINITE(mass)) return VM_NOT_FINITE;
+    if (!(mass > 0)) return VM_BAD_MASS;
+    return VM_OK;
+}
+
+/* Computes from the state y the rotation *turn from body axes to inertial ones, and in *seen the velocity, the
+   angular velocity and all else that the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -157,7 +164,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     const vm_real inverse = 1 / b->mass;
     vm_vec3 h, p_on_the_way, h_on_the_way;
     vmi_inertia_ldl factors;
-    if (!(b->mass > 0)) return VM_BAD_MASS;
+    const int status = vmi_flow_check_mass(b->mass);
+    if (status) return status;
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     *turn = vmi_rotation_of_square(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     h = vmi_times_transposed(turn, vmi_get3(y + VM_Y_H));
@@ -170,8 +178,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     return VM_OK;
 }
 
-/* The seven rates from VM_Y_BALANCE on: momentum, angular momentum and energy that streams take out, minus what outer
-   loads put in */
+/* Sets the seven rates from VM_Y_BALANCE on: momentum, angular momentum and energy that the streams take out, minus
+   those that the outer loads put in */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
@@ -182,7 +190,7 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
 }
 
-/* The right-hand side of n states; n tells which of the three it is */
+/* Evaluates the right-hand side that has n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
@@ -206,7 +214,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     force = vmi_add(flow->force, vmi_add(sum.absolute, force));
     moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
     vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
-    vmi_flow_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
@@ -218,9 +226,9 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 }
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
-   An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of this chapter. Returns
-   VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
-   y_size that is too small; and what flow.update returns. */
+   An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of mechanics/flow.h. Returns
+   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too
+   small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -229,8 +237,8 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
    An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
-   The streams make forces and moments as in vm_flow_rhs.
-   With no streams this is (170): mass joins and leaves at rest, at the mass centre. Errors as for vm_flow_rhs. */
+   The streams make forces and moments as in vm_flow_rhs. Without streams the equations are (170): mass joins and
+   leaves at rest, at the mass centre. The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -240,13 +248,14 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
 /* Right-hand side vm_flow_rhs with seven integrals that check the balances.
    An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are
    zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
-   out, minus what the outer loads put in. Added to the body's own they stay constant. (Two exceptions where a stream
-   has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.) The energy
-   has the continuous limit of (113), (118), for either sign of M':
+   out, minus those that the outer loads put in. The sum of an integral and the body's own quantity stays constant.
+   (There are two exceptions if a stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the
+   energy does not balance.) The rate T' of the kinetic energy is the limit of (113), (118) for a continuous stream
+   with either sign of M'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
-     w = u - v - omega x d, omega_r = omega2 - omega:
-   the first sum is what the streams bring; the second is what engines give (M' < 0) or plastic impact takes (M' > 0).
-   Errors as for vm_flow_rhs. */
+     w = u - v - omega x d, omega_r = omega2 - omega.
+   The first sum is the power that the streams bring. The second term is the power of engines (M' < 0), or the power
+   that plastic impact takes (M' > 0). The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -255,9 +264,10 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
    An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
-   The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum); streams
-   are not read. v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S. Errors as for
-   vm_flow_rhs. */
+   The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum). Streams
+   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S.
+   Their letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
+   errors are those of vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -271,12 +281,12 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
     if (flow->y_size && flow->y_size < VM_FLOW_GIVEN_STATES) return flow->status = VM_SHORT_ARRAY;
-    if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = VM_BAD_INERTIA;
-    if (!(flow->mass > 0)) status = VM_BAD_MASS;
+    status = vmi_flow_check_mass(flow->mass);
+    if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = vmi_first_error(status, VM_BAD_INERTIA);
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
     vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
-    vmi_flow_turning(q, square, omega, dydt + VM_Y_Q);
+    vmi_attitude_rates(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
              vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
@@ -284,8 +294,8 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return 0;
 }
 
-/* How many numbers vm_flow_start writes: as many as y is known to have room for, but the balance only if y_size says
-   so */
+/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes the
+   zeros of the balance only if y_size is large enough for them. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
@@ -293,7 +303,7 @@ VM_API int vmi_flow_size_at_start(const vm_flow *flow)
     return VM_FLOW_STATES;
 }
 
-/* What can be wrong in the arguments of vm_flow_start, which also needs the factors of the inertia to exist */
+/* Checks the arguments of vm_flow_start. The inertia must be possible and not singular. */
 VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 {
     vmi_inertia_ldl factors;
@@ -305,11 +315,12 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
     return VM_OK;
 }
 
-/* Initial state y of a body with streams. Writes the VM_FLOW_STATES first states, or as many as flow.y_size says; the
-   mass centre is flow.centre, and the streams are as flow.streams says at the start. Sets flow.mass and flow.inertia
-   too. For vm_flow_given_rhs y_size or the length of y has to be VM_FLOW_GIVEN_STATES at least; the states of
-   vm_flow_carried_rhs are others, and the caller sets them. VM_BAD_ARGUMENT (a null pointer, n < 0, a motion that
-   does not exist), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (a rod or a point, too), VM_SHORT_ARRAY. */
+/* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
+   The mass centre is flow.centre, and the streams are those of flow.streams at the start. Sets flow.mass and
+   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and flow.y_size
+   must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the
+   caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -343,10 +354,10 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body that n states y describe, its quaternion with length 1. n = VM_FLOW_GIVEN_STATES takes mass, mass centre
-   and inertia from the flow, a larger n takes them from y. Not for the states of vm_flow_carried_rhs, which are
-   others. VM_BAD_ARGUMENT (n < VM_FLOW_GIVEN_STATES, too), VM_SHORT_ARRAY, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_NOT_FINITE. */
+/* The body that n states y describe, with a quaternion of length 1. For n = VM_FLOW_GIVEN_STATES mass, mass centre
+   and inertia come from the flow, for a larger n from y. The states of vm_flow_carried_rhs are different and must not
+   be given. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY, VM_BAD_MASS,
+   VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
     vm_body b;
@@ -358,6 +369,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     if (!vmi_flow_has_streams(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < n) return VM_SHORT_ARRAY;
     now = vmi_flow_mass_at(flow, n < VM_FLOW_STATES, y);
+    if (!vmi_all_finite(VM_FLOW_GIVEN_STATES, y) || !vmi_flow_mass_is_finite(&now)) return VM_NOT_FINITE;
     status = vmi_flow_motion(flow, y, &now, &turn, &seen);
     if (status) return status;
     b.mass = now.mass;
@@ -372,7 +384,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
 }
 
 /* Mass minus flow.least_mass, kg: an event function that stops a run before the mass is used up.
-   For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. NaN for a null pointer. */
+   It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of the event is the vm_flow. Returns NaN for a null
+   pointer. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -380,10 +393,11 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
-/* Least pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
-   It stops a run before the inertia becomes singular, where the pivot is 0. For vm_flow_rhs and vm_flow_balanced_rhs;
-   the event's ctx is the vm_flow. The triangle inequality is not watched, because the inertia of thin bodies is
-   always close to its limit. NaN for a null pointer. */
+/* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
+   The pivots are those of the factorization L D L^T. The event stops a run before the inertia becomes singular, which
+   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The triangle
+   inequality is not watched, because the inertia of thin bodies is always close to its limit. Returns NaN for a null
+   pointer or an inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -391,6 +405,7 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
     vmi_inertia_ldl f;
     vm_real least = 0;
     (void)t;
+    if (!vmi_inertia_is_finite(&i)) return VM_NAN;
     if (vmi_inertia_factor(&i, &f)) least = vmi_smaller(1 / f.z, vmi_smaller(1 / f.y, i.xx));
     return least - ((const vm_flow *)flow)->least_inertia;
 }

@@ -1,8 +1,8 @@
 /* mechanics/flow1.h - translation, and bodies on a line or an axle, with streams of mass
 
-   Right-hand sides of motions with streams of mass that need fewer states than a body in space: translation in space
-   (172), straight motion (175), (176), and rotation about a fixed axle (173a), which has the equation of straight
-   motion with the inertia in the place of the mass.
+   These right-hand sides describe motions with streams of mass that need fewer states than a free body in space:
+   translation in space (172), straight motion (175), (176), and rotation about a fixed axle (173a). The equation of
+   rotation is that of straight motion, with the moment of inertia instead of the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -23,29 +23,29 @@
 #include "streams.h"
 #include "vectors.h"
 
-/* Where the states of vm_translation_rhs stand in y, and how many there are */
+/* Indices of the states of vm_translation_rhs in y, and their number */
 enum {
-    VM_TRANSLATION_R = 0,    /* mass centre, 3 numbers, m */
+    VM_TRANSLATION_R = 0,    /* position of the mass centre, 3 numbers, m */
     VM_TRANSLATION_P = 3,    /* momentum, 3 numbers, kg m/s */
-    VM_TRANSLATION_MASS = 6, /* kg */
+    VM_TRANSLATION_MASS = 6, /* mass, kg */
     VM_TRANSLATION_STATES = 7
 };
 
-/* Where the states of vm_flow1_rhs stand in y, and how many there are. For an axle read angle (rad), angular momentum
-   (kg m^2/s) and moment of inertia about the axle (kg m^2). */
+/* Indices of the states of vm_flow1_rhs in y, and their number. For an axle the states are the angle (rad), the
+   angular momentum (kg m^2/s) and the moment of inertia about the axle (kg m^2). */
 enum {
-    VM_FLOW1_X = 0,    /* place, m */
+    VM_FLOW1_X = 0,    /* position, m */
     VM_FLOW1_P = 1,    /* momentum, kg m/s */
-    VM_FLOW1_MASS = 2, /* kg */
+    VM_FLOW1_MASS = 2, /* mass, kg */
     VM_FLOW1_STATES = 3
 };
 
-/* A stream of mass onto or off a body on a line, or an axle. For an axle `rate` is M' (kappa + rho^2), with the
-   distance rho from the axle and the gyration kappa of the mass, and `velocity` is the stream's angular momentum per
-   unit mass divided by kappa + rho^2. */
+/* A stream of mass onto or off a body on a line, or an axle. For an axle let M' be the mass per time, rho the
+   distance of the mass from the axle and kappa its gyration (inertia per unit mass). Then `rate` is
+   M' (kappa + rho^2), and `velocity` is the angular momentum of the stream per unit mass divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
-    vm_real rate;     /* kg/s; > 0: mass joins. Axle: kg m^2/s */
-    vm_real velocity; /* m/s. Axle: rad/s */
+    vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
+    vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
     int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
 } vm_stream1;
 
@@ -53,15 +53,16 @@ typedef struct VM_TAG(vm_stream1) {
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
     vm_stream1 *streams; /* n streams, kept by the caller */
-    vm_real force;       /* N, resultant of the outer forces. Axle: their moment, N m */
+    vm_real force;       /* resultant of the outer forces, N (axle: their moment about the axle, N m) */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
-       vm_flow.update does; it returns 0, or another number, which ends the run */
+       vm_flow.update does. It returns 0; another number ends the run. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow1) * flow);
-    void *ctx;  /* for the caller's `update`; not used here */
-    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run: see vm_flow.status */
+    void *ctx;  /* pointer for the caller's `update`; not used by the functions below */
+    int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-/* The velocity u of a stream's mass: v is the body's velocity, given that of the stream; one set of axes */
+/* The velocity u of a stream's mass, where v is the velocity of the body and `given` that of the stream, all along
+   the same axes */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
@@ -70,7 +71,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
     return u;
 }
 
-/* The right-hand side of vm_translation_rhs after flow->update */
+/* Evaluates the right-hand side of vm_translation_rhs; flow->update has been called before */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
@@ -94,7 +95,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     return 0;
 }
 
-/* flow->update, then the rates. Out of line, so that a flow without update saves no registers for the call. */
+/* Calls flow->update, then evaluates the rates. This function is not inlined, so that a flow without `update` need
+   not save registers for this call. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -104,9 +106,10 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
 
 /* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
    An ode_rhs of VM_TRANSLATION_STATES states; ctx is a vm_flow, of which n, streams, force, update, y_size and status
-   are used. Body axes are along the inertial ones; at, spin, gyration and stores of the streams are not read. Returns
-   VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
-   y_size that is too small; and what flow.update returns. */
+   are used. r is the position, p the momentum, M the mass, F the outer force, M' the rate of a stream and u the
+   velocity of its mass. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the
+   streams are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
+   VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -115,7 +118,7 @@ VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return vmi_translation_rates(f, y, dydt);
 }
 
-/* The right-hand side of vm_flow1_rhs after flow->update */
+/* Evaluates the right-hand side of vm_flow1_rhs; flow->update has been called before */
 VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
@@ -136,7 +139,8 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     return 0;
 }
 
-/* flow->update, then the rates; out of line for the reason given above */
+/* Calls flow->update, then evaluates the rates. The comment on vmi_translation_updated_rates says why it is not
+   inlined. */
 VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -144,10 +148,11 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
     return vmi_flow1_rates(flow, y, dydt);
 }
 
-/* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176). An ode_rhs of
-   VM_FLOW1_STATES states; ctx is a vm_flow1. x' = p/M, p' = F + sum M' u, M' = sum of the rates. Returns
-   VM_BAD_ARGUMENT, which ends the run, for a null pointer, n < 0, a motion that does not exist; and what flow.update
-   returns. */
+/* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
+   An ode_rhs of VM_FLOW1_STATES states; ctx is a vm_flow1. The position x, the momentum p and the mass M change by
+   x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i, with the outer force F, the streams' rates M_i and the
+   velocities u_i of their mass. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a
+   stream, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;

@@ -1,7 +1,7 @@
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   The right-hand side of mechanics/flow.h for motion in a plane, with 10 states in the place of 23. The streams have
-   no stores; else everything is as in space.
+   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. Streams in the
+   plane have no stores; otherwise the equations are those of motion in space.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
@@ -23,13 +23,13 @@
 #include "flow.h"
 #include "streams.h"
 
-/* Where the states stand in y, inertial axes unless it says body axes; and how many there are */
+/* Indices of the states of vm_flow2_rhs in y, and their number. Axes are inertial unless body axes are named. */
 enum {
-    VM_FLOW2_X = 0,       /* mass centre, 2 numbers x, y, m */
-    VM_FLOW2_ANGLE = 2,   /* rad, anticlockwise */
+    VM_FLOW2_X = 0,       /* position of the mass centre, 2 numbers x, y, m */
+    VM_FLOW2_ANGLE = 2,   /* angle of the body axes, rad, anticlockwise */
     VM_FLOW2_P = 3,       /* momentum, 2 numbers, kg m/s */
     VM_FLOW2_H = 5,       /* angular momentum about the mass centre, kg m^2/s */
-    VM_FLOW2_MASS = 6,    /* kg */
+    VM_FLOW2_MASS = 6,    /* mass, kg */
     VM_FLOW2_CENTRE = 7,  /* mass centre from the reference point, 2 numbers, body axes, m */
     VM_FLOW2_INERTIA = 9, /* moment of inertia about the mass centre, kg m^2 */
     VM_FLOW2_STATES = 10
@@ -37,30 +37,31 @@ enum {
 
 /* A stream of mass in the plane */
 typedef struct VM_TAG(vm_stream2) {
-    vm_real rate;     /* kg/s; > 0: mass joins the body, < 0: mass leaves it */
+    vm_real rate;     /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;       /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
-    vm_real x, y;     /* m, body axes: the point of crossing, from the body's reference point */
-    vm_real vx, vy;   /* m/s, velocity of the mass when it crosses */
-    vm_real spin;     /* rad/s, angular velocity of the mass when it crosses */
-    vm_real gyration; /* m^2, inertia per unit mass of the crossing mass, about its own mass centre */
+    vm_real x, y;     /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
+    vm_real vx, vy;   /* velocity of the mass as it enters or leaves the body, m/s */
+    vm_real spin;     /* angular velocity of the mass as it enters or leaves the body, rad/s */
+    vm_real gyration; /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2 */
 } vm_stream2;
 
 /* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
     vm_stream2 *streams; /* n streams, kept by the caller */
-    vm_real fx, fy;      /* N, resultant of the outer forces, inertial axes */
-    vm_real moment;      /* N m, their moment about the mass centre and all torques */
+    vm_real fx, fy;      /* resultant of the outer forces, N, inertial axes */
+    vm_real moment;      /* moment of the outer forces about the mass centre, plus all torques, N m */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
-       vm_flow.update does; it returns 0, or another number, which ends the run */
+       vm_flow.update does. It returns 0; another number ends the run. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow2) * flow);
-    void *ctx;  /* for the caller's `update`; not used here */
-    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run: see vm_flow.status */
+    void *ctx;  /* pointer for the caller's `update`; not used by the functions below */
+    int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* sin and cos of x, with errors below 0.6 eps. The same as vmi_sincos, with a shorter reduction below 2^20 quarter
-   turns (float 2^10): pi/2 is the sum of `first`, of 33 (float 14) bits, whose products with j are exact, and
-   `second`, which is known to 2^-87 (2^-38). Rounding j times `second` costs 2^-67 (2^-28). */
+/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) the reduction of x by j
+   quarter turns is shorter than that of vmi_sincos. It takes pi/2 as the sum of two numbers: `first` has 33 (float
+   14) bits, so that j times `first` is exact, and `second` makes the error of the sum 2^-87 (float 2^-38). The
+   product j times `second` has a rounding error of 2^-67 (float 2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -88,31 +89,32 @@ VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
     *cosine = (j & 1 ? s : c) * (vm_real)(1 - ((j + 1) & 2));
 }
 
-/* The motion of a body in the plane as its streams need it */
+/* The motion of a body in the plane, in the form that the sums over its streams need */
 typedef struct VM_TAG(vmi_stream_seen2) {
-    vm_real sine, cosine;       /* of the body's angle */
-    vm_real vx, vy;             /* momentum/mass, body axes */
-    vm_real omega;              /* rad/s */
+    vm_real sine, cosine;       /* sine and cosine of the body's angle */
+    vm_real vx, vy;             /* velocity, which is momentum/mass, body axes */
+    vm_real omega;              /* angular velocity, rad/s */
     vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
 } vmi_stream_seen2;
 
-/* The sums over the streams of a body in the plane, in body axes except fx, fy; the letters of vm_reactive */
+/* The sums over the streams of a body in the plane, in body axes except fx, fy. The letters M', u, v, d, kappa,
+   omega2 are explained at vm_reactive. */
 typedef struct VM_TAG(vmi_stream_sum2) {
-    vm_real rate;    /* sum M' */
-    vm_real carried; /* sum M' of the streams whose velocity is relative to the body */
-    vm_real px, py;  /* sum M' (u - v) of these streams */
-    vm_real fx, fy;  /* sum M' u of the other streams, inertial axes, and the outer force */
-    vm_real moment;  /* sum d x M' (u - v) + M' kappa omega2, and the outer moment */
-    vm_real sx, sy;  /* sum M' d */
-    vm_real inertia; /* sum M' (kappa + d^2) */
+    vm_real rate;    /* total mass rate, the sum of M' over all streams, kg/s */
+    vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
+    vm_real px, py;  /* sum of M' (u - v) of the streams whose velocity is relative to the body */
+    vm_real fx, fy;  /* sum of M' u of the streams whose velocity is absolute, inertial axes, plus the outer force */
+    vm_real moment;  /* sum of d x M' (u - v) + M' kappa omega2, plus the outer moment */
+    vm_real sx, sy;  /* sum of M' d */
+    vm_real inertia; /* sum of M' (kappa + d^2) */
 } vmi_stream_sum2;
 
-/* Adds a stream of known motion to the sums */
+/* Adds a stream, whose `motion` is known, to the sums */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);
     const vm_real dx = s->x - b->centre_x, dy = s->y - b->centre_y;
-    vm_real ux, uy, spin = 0; /* M' (u - v) in the end, and omega2 */
+    vm_real ux, uy, spin = 0; /* ux, uy become M' (u - v); spin is the angular velocity omega2 of the mass */
     if (vmi_stream_moves_with_body(s->motion)) {
         ux = -b->omega * dy;
         uy = b->omega * dx;
@@ -146,7 +148,7 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, v
     sum->inertia += s->rate * (s->gyration + dx * dx + dy * dy);
 }
 
-/* VM_OK if the mass and the inertia of the state y are positive */
+/* Returns VM_OK if the mass and the inertia of the state y are positive, else VM_BAD_MASS or VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 {
     if (!(y[VM_FLOW2_MASS] > 0)) return VM_BAD_MASS;
@@ -156,8 +158,8 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
    An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
-   Returns VM_BAD_ARGUMENT, which ends the run, for a null pointer, n < 0, a motion that does not exist; and what
-   flow.update returns. */
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that
+   flow.update returns, each of which ends the run. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;

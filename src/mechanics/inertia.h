@@ -1,6 +1,6 @@
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
    A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
-   says whether a body can have it, moves it to a parallel axis (40), and finds its principal moments and axes.
+   tells whether a body can have this tensor, moves it to parallel axes (40), and finds principal moments and axes.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
        vm_vec3 d = {0.5, 0, 0};              // m
@@ -14,7 +14,7 @@
 #include "../base/real.h"
 #include "vectors.h"
 
-/* A tensor of inertia by its entries, kg m^2. Products of inertia have the sign that they have in the tensor:
+/* A tensor of inertia, given by its entries, in kg m^2. The products of inertia have the sign of the tensor's entries:
    xy = -integral of x y dm. */
 typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
@@ -25,14 +25,14 @@ VM_API int vmi_inertia_is_finite(const vm_inertia *i)
     return vmi_vec3_is_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_is_finite(vmi_vec3(i->xy, i->xz, i->yz));
 }
 
-/* i a */
+/* The product of the tensor i and the vector a */
 VM_API vm_vec3 vmi_inertia_times(const vm_inertia *i, vm_vec3 a)
 {
     return vmi_vec3(i->xx * a.x + i->xy * a.y + i->xz * a.z, i->xy * a.x + i->yy * a.y + i->yz * a.z,
                     i->xz * a.x + i->yz * a.y + i->zz * a.z);
 }
 
-/* a + c b */
+/* The tensor a + c b */
 VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
 {
     a.xx += c * b.xx;
@@ -44,7 +44,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T: the inertia about the origin of a unit mass at d */
+/* P(d) = |d|^2 E - d d^T, with the unit matrix E. It is the inertia of a unit mass at d about the origin. */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -57,8 +57,8 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-/* m^T i m: the entries of i along the columns of m */
-VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
+/* The tensor m^T i m: the entries of the tensor i along new axes, which are the columns of the matrix m */
+VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
     vm_inertia t;
@@ -71,8 +71,9 @@ VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
     return t;
 }
 
-/* The sizes of the terms that the entries of m^T i m are sums of; their rounding errors are some eps of these */
-VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
+/* For each entry of the tensor m^T i m, the sum of the absolute values of its terms. The rounding error of the entry is
+   a few eps times this sum. */
+VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
     vmi_mat3 b;
@@ -88,10 +89,10 @@ VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
     return vmi_inertia_along(&a, &b);
 }
 
-/* |xx| + |yy| + |zz|, which is the trace of an inertia that a body has */
+/* The sum |xx| + |yy| + |zz|, which is the trace if i is the inertia of a body */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Six numbers of a state as an inertia, and back */
+/* Reads six numbers of a state as an inertia tensor. vmi_set_inertia writes a tensor to a state. */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -114,16 +115,17 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* What roundings may add to an inertia whose entries are sums of terms of the size of i, kg m^2 */
+/* The tolerance, in kg m^2, for the rounding errors of an inertia tensor. `i` is this tensor itself, or has as entries
+   the sizes of the terms that were added up to this tensor. */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
-/* 1 if a body can have the inertia i to within slack (kg m^2): tr(i)/2 E - i, the second moments integral of r r^T
-   dm, must have no negative eigenvalue. By elimination, after slack, which exceeds the rounding errors, has been
-   added */
+/* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). The matrix tr(i)/2 E - i, with the
+   unit matrix E, is the integral of r r^T dm and must have no negative eigenvalue. The function adds slack, which
+   exceeds the rounding errors, to the trace tr(i). Then Gaussian elimination must give positive pivots only. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
-    vm_real x, y, z, yz; /* pivots, and the entry left beside the last two */
+    vm_real x, y, z, yz; /* the pivots x, y, z; yz is minus the off-diagonal entry that remains */
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -134,17 +136,17 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Whether a body can have this inertia: 1 if it can, 0 if not, and for NaN and a null pointer. A body's principal
-   moments are not negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace
-   count as rounding errors. Rods and points are bodies. */
+/* Test whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
+   null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
+   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points are bodies, too. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
-/* Inertia about a point d away from the mass centre, along parallel axes, (40): own + mass P(d), where own is about
-   the mass centre, kg m^2, and d in m. With -mass it goes back to the mass centre. NaN for a null pointer; NaN in
-   the arguments gives NaN. */
+/* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
+   is the inertia about the mass centre, P(d) = |d|^2 E - d d^T, and d is in m. A call with -mass undoes the shift.
+   Returns NaN for a null pointer, and in every entry that depends on a NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -153,14 +155,15 @@ VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 
 
 /* ---- principal axes ---- */
 
-/* Principal moments, kg m^2, and unit vectors along the axes */
+/* Principal moments, in kg m^2, and unit vectors along the principal axes */
 typedef struct VM_TAG(vmi_principal) {
     vm_real moment[3];
     vm_vec3 axis[3];
 } vmi_principal;
 
-/* One of Jacobi's rotations, in the plane of axes p and q: a[p][q] becomes 0, the columns of v turn with the axes.
-   t, c, s are tangent, cosine and sine of the angle, of which the smaller one is taken. */
+/* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
+   The columns of v are the axes and turn as well. t, c, s are the tangent, cosine and sine of the rotation angle, which
+   is the smaller of the two possible ones. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -181,10 +184,10 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes by Jacobi's rotations, which converge quadratically, in four or five sweeps */
+/* Principal moments and axes of the tensor i, found by Jacobi rotations, which converge quadratically */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
-    const int most_sweeps = 12; /* a bound that is not reached */
+    const int most_sweeps = 12; /* quadratic convergence needs fewer sweeps */
     vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     vmi_principal result;
     int sweep, p, q;
@@ -222,27 +225,28 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* 1 if these are moments of a body: none is larger than the sum of the two others, to within slack (kg m^2). Then
-   none is below -slack either. */
+/* Returns 1 if a body can have these principal moments: none is larger than the sum of the other two plus slack, in kg
+   m^2. It follows that no moment is below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A moment below this share of the terms that it is a sum of is made of their rounding errors */
+/* A principal moment is a sum. If it is smaller than this share of its terms, it is only their rounding error. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
-/* 1 if a moment about an axis is lost in the rounding errors of a tensor whose entries are sums of terms of these
-   sizes; also for a negative moment and NaN */
+/* Returns 1 if a moment about an axis is smaller than the rounding errors of its tensor, and also if it is negative or
+   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sizes of these terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
     return !(moment > VMI_LOST_SHARE * vmi_dot(e, vmi_inertia_times(sizes, e)));
 }
 
-/* Turns moments that are possible within roundings into some that a body can have exactly: a moment that is lost in
-   the rounding errors becomes 0, one larger than the sum of the others becomes that sum. 1 if anything changed */
+/* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
+   smaller than its rounding error becomes 0. A moment larger than the sum of the other two becomes that sum. Returns 1
+   if a moment changed. */
 VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
 {
     int k, changed = 0;
@@ -260,7 +264,7 @@ VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
     return changed;
 }
 
-/* The angular velocity omega with i omega = h, where parts of h along axes without moment are left out */
+/* The angular velocity for the angular momentum h. Components of h along axes with a zero moment are ignored. */
 VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
@@ -270,8 +274,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     return omega;
 }
 
-/* *omega with i omega = h, corrected once. About an axis without moment (of a rod, a point) the spin stays as it was
-   before. Returns 1 if more angular momentum than noise was left about such an axis, which it cannot carry. */
+/* Solves i omega = h, with inertia i and angular momentum h, for the angular velocity *omega, with one refinement.
+   About an axis with zero moment (of a rod or a point) the angular velocity keeps its value in `before`. Returns 1 if h
+   has a component larger than noise along such an axis, which the body cannot carry. Returns 0 otherwise. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -289,12 +294,13 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 
 /* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
 
-/* The factors of i = L D L^T: xy, xz, yz of L, and x, y, z of 1/D */
+/* The factors of an inertia tensor L D L^T with a unit triangular matrix L and a diagonal matrix D: the entries xy, xz,
+   yz of L, and the diagonal entries x, y, z of the inverse of D */
 typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
-/* Factors of i; returns 0 if a pivot is not positive or is lost in its own rounding errors, else 1 */
+/* Computes the factors f of the tensor i. Returns 0 if a pivot is not positive or is only a rounding error, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -310,7 +316,7 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* i^-1 h from the factors of i */
+/* The solution w of i w = h, computed from the factors f of the tensor i */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -321,17 +327,18 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
-/* vmi_running_inertia_is_possible for thin bodies. The inertia of a flat body meets the triangle inequality with
-   equality, except for the roundings of all steps: the slack sqrt(eps) allows 1e7 (float 3000) of them. */
+/* Decides for thin bodies what vmi_running_inertia_is_possible returns. For a flat body one moment equals the sum of
+   the other two, except for the rounding errors of all integration steps so far. The tolerance, sqrt(eps) of the trace,
+   allows for about 1/sqrt(eps) such errors. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
-    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* of the trace */
+    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
     return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 
-/* 1 if a body can have the inertia i, whose moments are positive, at some time of an integration. A cheap test is
-   enough for most bodies: tr(i)/2 E - i is positive definite if its least diagonal entry is larger than all the
-   others of a row together can be. */
+/* Returns 1 if a body can have the inertia i. The principal moments of i must be positive. This test is for use in
+   every step of an integration. A cheap criterion is enough for most bodies: tr(i)/2 E - i, with the unit matrix E, is
+   positive definite if each of its diagonal entries is larger than the sum of the absolute products of inertia. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -339,7 +346,7 @@ VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
     return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
 }
 
-/* vmi_inertia_factor that also returns 0 if no body has the inertia i */
+/* Computes the factors of i as vmi_inertia_factor does, but also returns 0 if no body can have the inertia i */
 VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);

@@ -1,6 +1,6 @@
 /* mechanics/inverse.h - how a part must leave, so that the rest moves as wanted
-   The inverse question of a separation: Tables 2 to 4 of [1] ask which motions of the part leave a rest that does
-   not turn, that rests, or that moves on as the whole did.
+   This chapter inverts a separation. It answers the questions of Tables 2 to 4 of the dissertation [1]: with which
+   motion must a part leave so that the rest does not turn, is at rest, or moves on as the whole did?
 
        vm_vec3 none = {0, 0, 0};
        vm_body moving; // whole and part are vm_bodies
@@ -19,7 +19,9 @@
 #include "jumps2.h"
 #include "vectors.h"
 
-/* The velocity of the part that gives the rest the velocity rest_v: v2 = v + (linear - M1 (v1 - v))/m by (24) */
+/* The velocity v2 with which the part must leave so that the rest gets the velocity v1 = rest_v. By (24) it is
+   v2 = v + (linear - M1 (v1 - v))/m, with the velocity v of the whole, the impulse `linear`, the mass M1 of the rest
+   and the mass m of the part. */
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                  vm_vec3 rest_v)
 {
@@ -28,16 +30,17 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
     return vmi_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* I2 Omega_r of the part with which the rest turns with rest_omega: h - I1 (rest_omega - Omega), where h is the
-   angular momentum that the rest has if the part turns as the whole does */
+/* The angular momentum that the part must have relative to the whole so that the rest turns with rest_omega. It is
+   h - I1 (rest_omega - Omega), where Omega is the angular velocity of the whole and I1 the inertia of the rest. h is
+   the angular momentum that the rest has if the part turns with Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
     const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
     return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
-/* What the rest would be if the part left with its velocity, but turned as the whole does; the bodies are valid, but
-   for an infinite velocity of the part */
+/* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
+   The caller has checked the bodies. Only the velocity of the part may be infinite or NaN. */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
@@ -52,11 +55,11 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* Gives part the angular velocity with which the rest turns with rest_omega. VM_NULL_AXIS where it would have to
-   spin about an axis without inertia. */
+/* Gives the part the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part would
+   need angular momentum about an axis with zero moment of inertia. */
 VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
-    vmi_frame own = *frame; /* with the part's axes */
+    vmi_frame own = *frame; /* the frame of the jump, with the axes of the part */
     vmi_lump lump;
     vmi_principal p;
     vm_vec3 spin;
@@ -74,13 +77,15 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 }
 
 /* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving is the part with the
-   velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and then with the angular velocity that gives it
-   *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is asked for, and the part keeps its own motion.
-   With *rest_omega = 0 the rest does not turn (Table 2, 5 and 7; Table 4, 2), with *rest_v = 0 too it is at rest
-   (Table 3, 6 and 8), and with the whole's motion it moves on as the whole did (Table 3, 7).
+   velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and with the angular velocity that gives the rest
+   *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part keeps its own velocity. If rest_omega_or_NULL is
+   NULL, it keeps its own angular velocity.
+     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, 5 and 7; Table 4, 2).
+     - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, 6 and 8).
+     - If both have the values of the whole, the rest moves on as the whole did (Table 3, 7).
 
-   VM_NULL_AXIS (> 0, done as far as possible): the part would have to spin about an axis without inertia. Other
-   statuses as those of vm_separate. */
+   Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. *moving
+   then meets the wish as far as possible. The other statuses are those of vm_separate. */
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
@@ -107,7 +112,7 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
 
 /* ---- the plane ---- */
 
-/* vmi_part_velocity in the plane: sets vx and vy of *part */
+/* Does in the plane what vmi_part_velocity does in space: sets vx and vy of *part */
 VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
                            vm_body2 *part)
 {
@@ -124,7 +129,7 @@ VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or
     part->vy = v.y;
 }
 
-/* vmi_unturned_rest in the plane */
+/* Does in the plane what vmi_unturned_rest does in space */
 VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                               vmi_frame *frame, vmi_lump *rest)
 {
@@ -135,7 +140,7 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
 
-/* vmi_turn_part in the plane */
+/* Does in the plane what vmi_turn_part does in space */
 VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
                           vm_body2 *part)
 {
@@ -152,8 +157,9 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
 
 /* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving is the
    part with the velocity that gives the rest the velocity rest_v_or_NULL[0], rest_v_or_NULL[1] (m/s, along x and y),
-   and then with the angular velocity that gives it *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is
-   asked for, and the part keeps its own motion. Statuses as those of vm_separation_for_rest. */
+   and with the angular velocity that gives the rest *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part
+   keeps its own velocity. If rest_omega_or_NULL is NULL, it keeps its own angular velocity. The statuses are those of
+   vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)
@@ -179,11 +185,11 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of a part that leaves the rest with a wanted spin, in the plane. It is (Table 3, 7), asked for v_r: the
-   rest turns with rest_omega (rad/s), and the part keeps its own spin. Of all such velocities, *moving has the one
-   with the least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. The
-   velocity in *part is not read. VM_SINGULAR if SS2 = 0, so that no velocity turns the rest. Other statuses as those
-   of vm_separate2. */
+/* Velocity of a part that leaves the rest with a wanted spin, in the plane, (Table 3, 7). The rest then turns with
+   rest_omega (rad/s), while the part keeps its own spin. S and S2 are the mass centres of whole and part. *moving has
+   the smallest velocity v_r relative to the whole that does this. It is orthogonal to the line SS2; any velocity along
+   SS2 may be added to it. The velocity in *part is not read. Returns VM_SINGULAR if S and S2 are one point, so that no
+   velocity turns the rest. The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -196,16 +202,18 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(rest_omega)) return VM_NOT_FINITE;
     b = *part;
-    dx = b.x - whole->x; /* SS2 */
+    dx = b.x - whole->x; /* the vector SS2 */
     dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy; /* v_r = 0 */
+    b.vx = whole->vx - whole->omega * dy; /* the part moves as the whole does: v_r = 0 */
     b.vy = whole->vy + whole->omega * dx;
     parts = vmi_bodies_in_plane(1, &b);
     status = vmi_check_jump2(whole, &parts, external_or_NULL);
     if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
-    /* h, what the part's spin and the rest's leave, must be m M/M1 SS2 x v_r, with v_r = c k x SS2 */
+    /* The velocity v_r = c k x SS2 must supply the angular momentum h that the spins of part and rest do not account
+       for. It supplies m M/M1 SS2 x v_r. M, m, M1 are the masses of whole, part and rest; k is the unit vector along
+       z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
     b.vx -= c * dy;

@@ -1,6 +1,6 @@
 /* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
-   Kinetic energy is not kept when bodies separate or join. The change is the kinetic energy of the motions relative
-   to the whole: theorem (113), (118), the form for both of Carnot's theorem.
+   Kinetic energy is not conserved when bodies separate or join. Its change is the kinetic energy of the motions
+   relative to the whole: theorem (113), (118), which is Carnot's theorem for separations and for attachments.
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -15,7 +15,8 @@
 #include "relative.h"
 #include "vectors.h"
 
-/* Kinetic energy of the motions of n bodies and one more relative to the whole; NaN for a null pointer and n < 0 */
+/* The sum of the kinetic energies of n bodies and one more, each in its motion relative to the whole. Returns NaN for a
+   null pointer or n < 0. */
 VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
@@ -30,7 +31,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     return sum + vm_kinetic_energy(&b);
 }
 
-/* Work of an impulse on a body, J: v_S.linear + Omega.moment about S; 0 without an impulse or a body */
+/* Work of an impulse on a body, J: v.linear + omega.moment, with the moment about the mass centre. Returns 0 for a null
+   pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -39,19 +41,20 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
-/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113),
-   (118). It is the kinetic energy of their motions relative to the whole plus the impulse's work on the whole,
-   v_S.linear + Omega.moment about S; exact in space. At high speed it has digits that the difference of the energies
-   has lost. whole moves as before the jump, parts and rest as after it. NaN for a null pointer and n < 0. */
+/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113), (118).
+   It is computed as the kinetic energy of their motions relative to the whole, plus the work of the impulse on the
+   whole. This is exact in space. At high speed it keeps digits that the difference of the energies loses. `whole` is
+   the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
     return vmi_relative_energy(whole, n, parts, rest) + vmi_impulse_work(whole, external_or_NULL);
 }
 
-/* Energy lost at an attachment, J: the kinetic energy of body and the n added less that of the whole, Carnot's loss.
-   It is the kinetic energy of their motions relative to the whole less the impulse's work on the whole. body and
-   added move as before the jump, whole as after it. NaN for a null pointer and n < 0. */
+/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` less that of the whole
+   (Carnot's loss). It is computed as the kinetic energy of their motions relative to the whole, less the work of the
+   impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it. Returns
+   NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                               const vm_body *whole)
 {

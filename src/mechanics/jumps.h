@@ -1,14 +1,15 @@
 /* mechanics/jumps.h - parts separate from a body or are attached to it, in space
-   In an instant the mass, mass centre, inertia, velocity and angular velocity of a body jump, while its attitude
-   stays: (13)-(15), (24), (33), (34), (40). An impulse may act in the same instant, and any number of parts may take
-   part.
+   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, by (13)-(15),
+   (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of parts may
+   separate or be attached at once.
 
        vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
        int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: how the rest moves on
 
-   Jumps in the plane are in jumps2.h, in relative motions in relative.h, the inverse question (how must a part
-   leave?) in inverse.h, the energy in jump_energy.h. Tests: tests/test_jumps.c, tests/test_jump_equations.c. */
+   Jumps in the plane are in jumps2.h, and jumps that are given by relative motions in relative.h. The inverse question
+   (how must a part leave?) is in inverse.h, and the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c,
+   tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS_H
 #define VARMASS_MECHANICS_JUMPS_H
 
@@ -18,32 +19,36 @@
 #include "inertia.h"
 #include "vectors.h"
 
-/* How it is computed. A body (mass M, velocity v, mass centre S) becomes one of mass M1 = M + sign m and mass centre
-   S1, when another (m, v2, S2) is attached (sign = 1) or separates (sign = -1). With d = SS2, every inertia about
-   the body's own mass centre, and moment for the impulse's moment about S1:
+/* How a jump is computed. A body has the mass M, velocity v, inertia I, angular velocity omega, and its mass centre S
+   is at r. Another body (m, v2, I2, omega2, S2) is attached to it (sign = 1) or separates from it (sign = -1). After
+   this the first body has the mass M1 = M + sign m, v1, I1, omega1, and its mass centre S1 is at r1. Every inertia is
+   about its body's own mass centre. The vector d leads from S to S2, and P(d) = |d|^2 E - d d^T with the unit matrix E.
+   An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
-   So a separation is an attachment of negative mass and inertia. The law is the same in a frame that moves and turns
-   with any Omega, if all omegas and v2 - v are taken relative to it, (42) in space. The frame is chosen so that the
-   terms that cancel are small, and few digits are lost: it moves with the heaviest body, and at a separation it
-   turns with the whole. */
-enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* values of sign */
+   A separation is therefore an attachment of negative mass and inertia.
+
+   The equations keep this form in a frame that moves and that turns with any angular velocity Omega, if all omegas and
+   v2 - v are taken relative to this frame: (42) in space. The computation uses a frame in which the terms that cancel
+   are small, so that few digits are lost. This frame moves with the heaviest body, and at a separation it turns with
+   the whole. */
+enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters named `sign` */
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q;           /* attitude of the first body, along whose axes inertias are added */
-    vmi_mat3 turn;       /* its rotation matrix */
-    vm_vec3 r, v, omega; /* place, velocity and angular velocity of the frame */
+    vm_quat q;           /* attitude of the first body; inertias are added along its axes */
+    vmi_mat3 turn;       /* the rotation matrix of q */
+    vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;
 
-/* What a body, or several bodies joined, bring into the jump. "lump" as in a lumped mass. */
+/* A lump: the mass, motion and inertia of a body, or of several bodies joined, relative to the frame of a jump */
 typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
-    vm_vec3 r, v;       /* mass centre and velocity, less those of the frame */
-    vm_vec3 h;          /* angular momentum I (omega - Omega), inertial axes */
-    vm_inertia inertia; /* about the mass centre, along the frame's axes q */
-    vm_inertia sizes;   /* the sizes of the terms whose sums are the entries of inertia */
-    vm_real noise;      /* the size of h before cancellation: h is right to some eps of it */
+    vm_vec3 r, v;       /* position and velocity of the mass centre, less r and v of the frame */
+    vm_vec3 h;          /* angular momentum about the mass centre, relative to the frame; inertial axes */
+    vm_inertia inertia; /* inertia about the lump's mass centre, along the axes given by the frame's q */
+    vm_inertia sizes;   /* the sizes of the terms of which the entries of inertia are sums */
+    vm_real noise;      /* the sum of the sizes of the terms of h; the rounding error of h is a few eps of it */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
@@ -51,9 +56,9 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     const vmi_mat3 own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
     const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
-    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* the frame's axes in those of the body */
+    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
-    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* equal attitudes cost no digits */
+    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes turn is exactly the identity */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
         turn.z = vmi_times_transposed(&own, frame->turn.z);
@@ -68,8 +73,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* P(d) along the frame's axes, and the sizes of its terms, if d has the rounding errors of positions as large as
-   reach */
+/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets *sizes to the sizes of the terms of its entries. d is a
+   difference of positions of the size `reach`, and has the rounding errors of these positions. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -79,7 +84,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* d^2 and 2 d reach */
+    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* d^2 + 2 d reach + reach^2; the next line removes reach^2 */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -87,7 +92,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* The noise that b and the term m M/M1 d x slip add to a lump: d is as uncertain as positions of the size of reach */
+/* Returns how much the noise of a grows when b is joined to it: by the noise of b, and by that of the product of
+   `reduced` and d x slip. The vector d leads from a to b and is a difference of positions of the size `reach`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -98,13 +104,13 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
            moved * vmi_norm1(reach) * (distance * vmi_norm1(frame->omega) + vmi_norm1(slip));
 }
 
-/* Attaches b to a (sign = 1) or separates it from a (sign = -1). VM_BAD_MASS if no mass is left. */
+/* Attaches b to a (sign 1) or separates b from a (sign -1). Returns VM_BAD_MASS if no mass is left, else VM_OK. */
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
-    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* sign m/M1, sign m M/M1 */
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* mass share of b; reduced mass */
     const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
-    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* v2 - v relative to the frame */
+    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
     const vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
     vm_inertia sizes, moved = vmi_moved_inertia(frame, d, reach, &sizes);
@@ -113,7 +119,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
     a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
-    if (b->mass > a->mass) { /* from the heavier, so that a light body's motion costs no digits of it */
+    if (b->mass > a->mass) { /* correct the values of the heavier body, which loses no digits */
         a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
         a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
     } else {
@@ -124,7 +130,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     return VM_OK;
 }
 
-/* Adds an impulse to the velocity and the angular momentum of a */
+/* Adds an impulse to the velocity and the angular momentum of the lump a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
     const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
@@ -133,8 +139,8 @@ VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impu
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
-/* The frame of a jump: it moves with the heaviest of all bodies. At a separation, and where only an impulse acts, it
-   turns with the first body, at an attachment not at all. */
+/* The frame of a jump. It moves with the heaviest of all bodies. At a separation, or if only an impulse acts, it turns
+   with the first body. At an attachment it does not turn. */
 VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_real sign)
 {
     vm_real mass = body->mass;
@@ -157,7 +163,7 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     return frame;
 }
 
-/* VM_OK if the bodies are valid and the impulse is finite, else the error that vmi_first_error puts first */
+/* Returns VM_OK if the bodies are valid and the impulse is finite, else the error that vmi_first_error selects. */
 VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
@@ -165,8 +171,9 @@ VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const v
     return vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* The first body after the jump: with the others attached (sign = 1) or without them (-1), and after the impulse.
-   The others are joined among each other first. VM_BAD_MASS if no mass is left. */
+/* Sets *total to the first body as it is after the jump and the impulse. The other bodies are first joined to each
+   other. Then they are attached to the first body (sign = 1) or separate from it (sign = -1). Returns VM_BAD_MASS if no
+   mass is left, else VM_OK. */
 VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
                           const vm_impulse *external_or_NULL, vmi_lump *total)
 {
@@ -184,8 +191,8 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
     return status;
 }
 
-/* Principal axes of a lump, whose moments become some that a body can have exactly. VM_NOT_FINITE, VM_BAD_INERTIA if
-   the moments are not possible within the rounding errors. */
+/* Finds the principal axes of a lump and changes its moments to moments that a body can have exactly. Returns
+   VM_NOT_FINITE, VM_BAD_INERTIA if the moments violate the rules by more than rounding errors, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -195,8 +202,9 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
     return VM_OK;
 }
 
-/* *omega: the angular velocity relative to the frame, inertial axes, of a lump with principal axes p; before: what
-   it was before the jump. Returns 1 if angular momentum was left about an axis without moment, else 0. */
+/* Sets *omega to the angular velocity, relative to the frame and in inertial axes, of a lump with principal axes p.
+   `before` is its value before the jump. Returns 1 if the lump has angular momentum about an axis with zero moment of
+   inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
@@ -208,8 +216,8 @@ VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi
     return left;
 }
 
-/* The jump of a body to which n others are attached (sign = 1) or from which they separate (-1), while an impulse
-   acts */
+/* Sets *result to a body after n others are attached to it (sign = 1) or separate from it (sign = -1), while an impulse
+   acts. The statuses are those of vm_separate. */
 VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign,
                     const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -238,46 +246,48 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains, the instant after. *part has left the whole and moves as
-   given; rest gets mass, mass centre (15), inertia by the parallel axes (40), velocity (24) and angular velocity
-   (34), and the whole's attitude. *external, where not NULL, acted during the instant. Exact in space: momentum and
-   angular momentum of rest and part are those of the whole plus the impulse. rest may be whole or part.
+/* Separation of a part from a body: *rest is what remains of the whole. *part is the part with its motion after the
+   separation. *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity
+   (34), and the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space:
+   momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
+   be equal to whole or to part.
 
-   A part that moves on as before leaves the motion of the rest as it was, however little of the inertia is left:
-   only motions relative to the whole are added, so that neither high speed nor a place far from the origin costs
-   digits of omega. The inertia of the rest is right to 8 eps of the whole's, and far from the origin to what an eps
-   of the positions changes; a moment below that becomes 0.
+   If the part moves on as before the separation, the rest keeps its motion, even if only little inertia is left. The
+   computation adds only motions relative to the whole. Neither high speed nor a position far from the origin therefore
+   costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia, plus the
+   effect of a change of the positions by eps of their size. A moment that is smaller than this error becomes 0.
 
-   VM_NULL_AXIS (> 0, done): the rest is a rod or a point, and angular momentum was left about its null axis, which
-   cannot carry it; the spin about this axis stays the whole's. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE.
-   VM_BAD_MASS: a mass is not positive, that of the rest included. VM_BAD_INERTIA: an inertia that no body has, as
-   that of a rest if the part cannot have been in the whole. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
+   balance leaves it angular momentum about its null axis, which it cannot have. Its spin about this axis is then that
+   of the whole. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the
+   rest) is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia if the part
+   cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another (plastic impact): *whole is the two together, the instant after (24), (33). body
-   and added move as given the instant before; *external, where not NULL, acted during the instant. The attitude of
-   the whole is body's. Statuses as those of vm_separate; with VM_NULL_AXIS, for a whole that is a rod or a point,
-   the spin about the null axis stays body's. */
+/* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). `body` and `added`
+   have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has the
+   attitude of `body`. The statuses are those of vm_separate. With VM_NULL_AXIS the whole is a rod or a point, and the
+   spin about its null axis remains that of `body`. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors it is what n calls of
-   vm_separate give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate, and
-   VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
+   vm_separate give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
+   vm_separate, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
     return vmi_jump(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors it is what n
-   calls of vm_attach give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach, and
-   VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors, n calls of
+   vm_attach give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_attach,
+   and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -286,7 +296,7 @@ VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const
 
 /* ---- the inertia of a whole and of its parts ---- */
 
-/* A body that does not move, its axes the inertial ones */
+/* A body at rest whose axes are the inertial axes */
 VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3 r)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -296,7 +306,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Inertia and mass centre by a jump of bodies at rest, the first at the origin and the second at d */
+/* Computes an inertia and a mass centre by a jump of two bodies at rest, the first at the origin, the second at d */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -313,19 +323,19 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias are along one set of
-   axes, each about its body's own mass centre, kg m^2. d leads from the mass centre of a to that of b, *centre from
-   that of a to the common one, m. Accuracy as that of vm_separate. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA. */
+/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along one
+   set of axes, each about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The result
+   *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
+   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
 {
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40), the way back from
-   vm_combine_inertia. d leads from the mass centre of the whole to that of the part (SS2), *centre from that of the
-   whole to that of the rest (SS1), m. Statuses as those of vm_combine_inertia. */
+/* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40). It undoes
+   vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The result *centre (m) leads
+   from the mass centre of the whole to that of the rest. The statuses are those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
                             vm_vec3 d, vm_inertia *rest, vm_vec3 *centre)
 {

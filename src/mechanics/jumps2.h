@@ -1,6 +1,6 @@
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
-   The plane's form of jumps.h, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
-   The same code joins the masses; only the last step, from angular momentum to angular velocity, is the plane's own.
+   This is jumps.h for the plane, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
+   The code of jumps.h joins the masses. Only the last step, from angular momentum to angular velocity, differs.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
        int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: how the rest moves on
@@ -25,8 +25,8 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
     return lifted;
 }
 
-/* The moment of a lump of the plane becomes one that a body can have exactly: a moment that is lost in rounding
-   errors becomes 0. VM_NOT_FINITE, VM_BAD_INERTIA if it is negative beyond rounding errors. */
+/* Changes the moment of inertia of a lump of the plane to one that a body can have exactly: a moment that is smaller
+   than its rounding errors becomes 0. Returns VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -35,8 +35,9 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* *omega: the angular velocity of a lump relative to the frame, (44), or what it was before if there is no inertia.
-   Returns 1 if angular momentum was left, which a lump without inertia cannot carry, else 0. */
+/* Sets *omega to the angular velocity of a lump relative to the frame, (44). If the lump has no inertia, *omega becomes
+   `before`, the value before the jump. Returns 1 if a lump without inertia has angular momentum, which is impossible,
+   else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
     if (lump->inertia.zz > 0) {
@@ -47,7 +48,7 @@ VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
     return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
 }
 
-/* vmi_check_jump in the plane */
+/* Does in the plane what vmi_check_jump does in space */
 VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const vm_impulse2 *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body2(body), vmi_check_bodies(others));
@@ -57,7 +58,7 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
     return vmi_impulse_is_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* vmi_jump_total for bodies of the plane, with the moment of the total clamped */
+/* Does in the plane what vmi_jump_total does in space, and calls vmi_lump_clamp_moments2 */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
@@ -74,7 +75,7 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-/* vmi_jump in the plane */
+/* Does in the plane what vmi_jump does in space */
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
                      const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -101,42 +102,43 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains, the instant after, (35)-(39). *part has left
-   the whole and moves as given; *external, where not NULL, acted during the instant. Momentum and angular momentum
-   of rest and part are those of the whole plus the impulse. rest may be whole or part. Accuracy as that of
-   vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part is the part with
+   its motion after the separation. The impulse, if there is one, acts during the separation. Momentum and angular
+   momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or
+   to part. The accuracy is that of vm_separate.
 
-   VM_NULL_AXIS (> 0, done): the rest is a point, and angular momentum about it was left, which it cannot carry;
-   omega stays the whole's. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE. VM_BAD_MASS: a mass is not positive, that
-   of the rest included. VM_BAD_INERTIA: an inertia is negative, that of the rest included. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the balance
+   leaves it angular momentum about itself, which it cannot have. Its omega is then that of the whole. The errors are
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the rest) is not positive, and
+   VM_BAD_INERTIA if an inertia (or that of the rest) is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
     return vmi_jump2(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another in the plane (plastic impact): *whole is the two together, the instant after.
-   body and added move as given the instant before; *external, where not NULL, acted during the instant. The angle of
-   the whole is body's. Statuses as those of vm_separate2; with VM_NULL_AXIS, for two points at one place, omega
-   stays body's. */
+/* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. `body` and
+   `added` have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has
+   the angle of `body`. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
+   position, and omega remains that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
     return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors it is
-   what n calls of vm_separate2 give. With n = 0 only the impulse acts on the body. Statuses as those of
-   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n
+   calls of vm_separate2 give the same result. With n = 0 only the impulse acts on the body. The statuses are those
+   of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors
-   it is what n calls of vm_attach2 give. With n = 0 only the impulse acts on the body. Statuses as those of
-   vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding
+   errors, n calls of vm_attach2 give the same result. With n = 0 only the impulse acts on the body. The statuses
+   are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {

@@ -1,13 +1,16 @@
 /* mechanics/lagrange.h - Lagrange's equations with variable mass
 
-   Integrates any system of n generalized coordinates whose kinetic energy you can write down, with masses that depend
-   on time and position (247). You give the energy, the masses and the generalized forces; mass matrix and derivatives
-   are found from the energy. The states are the coordinates q and the momenta pi = dT/dq', so that neither rates of
-   momenta nor rates of masses are needed:
+   This chapter has the right-hand side for any system of n generalized coordinates whose kinetic energy T you can write
+   down. The masses may depend on time and position (247). You give T, the masses and the generalized forces Q. The
+   chapter computes the mass matrix A, the vector b and the derivatives from T. The states are the coordinates q and the
+   momenta pi = dT/dq', so that neither rates of momenta nor rates of masses are needed:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0.
-   (247) corrected, with T of the velocities of the material and r2 the place where a stream crosses:
+
+   This is (247) corrected. T must use the velocities of the material. With streams of mass, Lagrange's equations are
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
-   A derivative that lets the masses vary with q, as (244)-(247) may be read, is wrong.
+   A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
+   unit mass, the inertia kappa. omega is the angular velocity of the body. In dT/dq_i the masses must not vary,
+   although (244)-(247) may be read so.
 
        #include "varmass.h"
        static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
@@ -30,12 +33,13 @@
            return vm_lagrange_start(&body, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &body, 2, ...)
        }
 
-   Q holds what the streams bring, too. A pendulum of length l that leaks at its bob has Q = -m g l sin q + m' l^2 q'
-   if the leaking mass moves on with the bob and takes its momentum along; without the last term the mass would leave
-   at rest.
-   Accuracy: A and b come from T by differences over unit rates, which are exact except for roundings of T at unit
-   rates and at rest. dT/dq comes from central differences of order 6, within 2e-13 of the largest T (float 1e-5) if T
-   varies in q over the given scales. Tests: tests/test_lagrange.c. */
+   Your Q must contain the terms of the streams, too. Example: a pendulum of length l and angle q has a bob that leaks
+   mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
+   Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
+
+   Accuracy: A and b are differences of values of T, which are exact except for rounding errors of T. dT/dq is a central
+   difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if T varies noticeably only when q
+   changes by the given scales. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -47,29 +51,29 @@
 /* A mechanical system: the ctx of vm_lagrange_rhs */
 typedef struct VM_TAG(vm_lagrange_system) {
     int n;        /* number of coordinates, > 0 */
-    int n_masses; /* number of masses, inertias and other quantities that are frozen in dT/dq, >= 0 */
-    /* sets the n_masses masses at t and q; NULL where n_masses is 0 */
+    int n_masses; /* number of masses, inertias and other quantities that are held constant in dT/dq, >= 0 */
+    /* Sets the n_masses masses at time t and coordinates q. NULL if n_masses is 0. */
     void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx);
-    /* the kinetic energy T, J: a polynomial of degree 2 in the n rates q' */
+    /* Returns the kinetic energy T (J), a polynomial of degree 2 in the n rates q'. */
     vm_real (*energy)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx);
-    /* NULL, or adds the n generalized forces to Q (vm_lagrange_add_force does); returns 0, or a number that ends the
-       run */
+    /* NULL, or a function that adds the n generalized forces to Q, for example by vm_lagrange_add_force. It returns
+       0; another number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
-    void *ctx;             /* for the three functions; not used here */
-    const vm_real *scales; /* of each coordinate: over which change T varies noticeably; NULL: 1 for all */
-    vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, kept by the caller */
+    void *ctx;             /* the argument ctx of the three functions above */
+    const vm_real *scales; /* for each coordinate the change over which T varies noticeably; NULL for 1 everywhere */
+    vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
 /* Length of vm_lagrange_system.work */
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
 
-/* The parts of a system's work */
+/* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
-    vm_real *A;      /* n n numbers */
-    vm_real *b;      /* n numbers */
-    vm_real *rates;  /* n numbers: pi - b, then the rates q' */
-    vm_real *trial;  /* n numbers: rates or coordinates at which T is tried */
-    vm_real *masses; /* n_masses numbers */
+    vm_real *A;      /* the mass matrix, n n numbers */
+    vm_real *b;      /* the linear terms of T in the rates, n numbers */
+    vm_real *rates;  /* pi - b, and later the rates q', n numbers */
+    vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
+    vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
 } vmi_lagrange_parts;
 
 VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
@@ -83,7 +87,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
     return w;
 }
 
-/* T at the rates x e_i + z e_j; an index -1 means that the term is left out */
+/* The kinetic energy T at the rates x e_i + z e_j, where e_i is the unit vector of coordinate i. An index -1 means
+   that its term is left out. */
 VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
                                    int j, vm_real z)
 {
@@ -95,8 +100,8 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
     return system->energy(t, q, w.trial, w.masses, system->ctx);
 }
 
-/* Finds A and b from T. Off the diagonal the steps have the size 1/sqrt(A_ii), so that a coordinate with a large
-   energy does not cover the other's digits. */
+/* Computes the mass matrix A and the vector b from values of T. For an entry of A off the diagonal, the two rates are
+   1/sqrt(A_ii) and 1/sqrt(A_jj), so that a coordinate with a large energy does not hide the digits of the other one. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -120,26 +125,29 @@ VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, 
         }
 }
 
-/* Puts the masses at (t, q) into the work, where they stay while T is differentiated */
+/* Writes the masses at (t, q) into the work array. They stay constant there while T is differentiated. */
 VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Puts q' = A^-1 (pi - b) of the state y into the work. VM_SINGULAR */
+/* Writes the rates q' = A^-1 (pi - b) of the state y into the work array. Returns VM_SINGULAR if A is not positive
+   definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
-    int k;
+    int k, status;
     vmi_lagrange_freeze(system, t, y);
     vmi_lagrange_quadratic(system, t, y);
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
-    return vmi_solve_mass(system->n, w.A, w.rates, w.trial);
+    status = vmi_solve_mass(system->n, w.A, w.rates, w.trial);
+    if (status && !(VM_IS_FINITE(t) && vmi_all_finite(2 * system->n, y))) return VM_NOT_FINITE;
+    return status;
 }
 
-/* dT/dq_i with the masses in the work, by a central difference of order 6. Its error is h^6/140 of the seventh
-   derivative plus a rounding error of eps/h; both are small for h = 2^-7 where eps = 2^-52, and for 2^-3 where eps =
-   2^-23. */
+/* The derivative dT/dq_i with the masses in the work array, by a central difference of order 6 with the step h. Its
+   error is h^6/140 times the seventh derivative, plus a rounding error of eps/h. Both are small for h = 2^-7 in double
+   precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -160,7 +168,7 @@ VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real
     return sum / h;
 }
 
-/* Whether all that vm_lagrange_system asks for is there */
+/* Returns 1 if the system has all functions and arrays that it needs, else 0. */
 VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 {
     return system && system->n > 0 && system->n_masses >= 0 && system->energy && system->work &&
@@ -168,11 +176,11 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 }
 
 /* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns VM_BAD_ARGUMENT,
-   VM_SINGULAR, where the mass matrix is not positive definite (as for vm_lagrange_separate; a mass has become
-   negative, for example), and what system->forces returns; each of them ends the run. An event should stop it before.
-   Time:
-   2 n^2 + 6 n + 1 calls of system->energy. */
+   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns 0 or an error that
+   ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite, VM_NOT_FINITE
+   if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive definite if, for
+   example, a mass has become negative; use an event to stop the run before that. The number of calls of system->energy
+   grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -193,7 +201,7 @@ VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lag
 }
 
 /* Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'.
-   y is an array of 2 n numbers. VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+   y is an array of 2 n numbers. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, or VM_OK. */
 VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
     vmi_lagrange_parts w;
@@ -214,7 +222,7 @@ VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_rea
 }
 
 /* Rates q' of a system at time t, from its state y = q, pi.
-   y has 2 n numbers, rates n. VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE. */
+   y has 2 n numbers, rates has n. Returns VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE, or VM_OK. */
 VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_real *y, vm_real *rates)
 {
     int status;
@@ -225,7 +233,7 @@ VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_rea
 }
 
 /* Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i.
-   The masses are those at (t, q).    q and rates have n numbers. NaN for i outside 0 ... n - 1 and for a null
+   The masses are those at (t, q). q and rates have n numbers. Returns NaN for i outside 0 ... n - 1 and for a null
    pointer. */
 VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates,
                                      int i)

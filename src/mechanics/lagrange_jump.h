@@ -1,16 +1,17 @@
 /* mechanics/lagrange_jump.h - Lagrange's equations across a jump
 
-   Generalized velocities after a part separates from a system, or is attached to it, in an instant (96), and after an
-   impact. Mass matrices are arrays of n n numbers, row after row; velocities, momenta and impulses have n. The
-   matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i of the body's mass centre and turn[i] =
-   d omega/dqdot_i, in inertial axes, (87)-(90).
+   This chapter computes generalized velocities qdot after a part separates from a system or is attached to it in an
+   instant (96), and after an impact. A mass matrix is an array of n n numbers, row after row. Velocities, momenta and
+   impulses are arrays of n numbers. The matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i and
+   turn[i] = domega/dqdot_i, (87)-(90). Here v is the velocity of the mass centre and omega the angular velocity, both
+   along inertial axes.
 
        vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
        vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // the part's momenta, and the velocities
        vm_real work[VM_LAGRANGE_WORK(2)];
        int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
-   The coordinates may be quasi-coordinates, too: velocities qdot_i that are no derivatives, as those about body axes.
+   The velocities qdot_i need not be derivatives of coordinates. They may be spins about body axes (quasi-coordinates).
    Tests: tests/test_lagrange_jump.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_JUMP_H
 #define VARMASS_MECHANICS_LAGRANGE_JUMP_H
@@ -25,11 +26,11 @@
 #include "generalized_force.h"
 #include "vectors.h"
 
-/* Length of `work` for n coordinates */
+/* Length of the array `work` for n coordinates */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
-/* Adds a body's share to the mass matrix of T = qdot^T matrix qdot/2.
-   dr and turn are arrays of n; without one of them its term is left out; without body or matrix nothing is done. */
+/* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
+   dr and turn are arrays of n. A NULL array means that its term is 0. If body or matrix is NULL, nothing is done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -51,8 +52,8 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Adds the generalized momentum of a body, as it moves, to p.
-   dr, turn and p are arrays of n; without dr or turn its term is left out; without body or p nothing is done. */
+/* Add the generalized momentum of a body's motion to p.
+   dr, turn and p are arrays of n. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -60,9 +61,9 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
     vm_lagrange_add_force(n, vm_momentum(body), dr_or_NULL, vmi_spin_momentum(body), turn_or_NULL, p);
 }
 
-/* Adds the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
-   r in m, inertial axes. The moment of the impulse is that about r, which (23a) does not say. dr, turn and p are
-   arrays of n; without dr or turn its term is left out; without impulse or p nothing is done. */
+/* Add the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
+   r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. dr,
+   turn and p are arrays of n. If dr or turn is NULL, its term is 0. If impulse or p is NULL, nothing is done. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -71,7 +72,8 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
-/* Solves matrix (qdot_after - qdot) = b. work holds room for the matrix, then b, then room for n numbers. */
+/* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: space for a copy of the matrix, then b, which the
+   caller has set, then space for n more numbers. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
 VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
                                    vm_real *work)
 {
@@ -84,8 +86,9 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
     return vmi_copy_if_finite(n, b, qdot_after);
 }
 
-/* Solves after (qdot_after - qdot) = (before - after) qdot + sign part + impulse. The unknown is the change, so that
-   a part of little mass changes qdot by little, with an error that is small against this change. */
+/* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign part + impulse, where `before` and `after` are mass
+   matrices. The unknown is the change of qdot. A part of little mass changes qdot little, and the error is small
+   compared with this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
@@ -102,14 +105,15 @@ VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after,
     return vmi_lagrange_jump_solve(n, after, qdot, qdot_after, work);
 }
 
-/* Velocities after a part separates: after qdot_after = before qdot - part + impulse (96).
-   (96) is d(T2 - T1)/dqdot = impulse, where the velocity of the part relative to the body is held while
-   differentiating; then the part's share is its generalized momentum `part`. before and after are the mass matrices
-   with and without the part. Without part or impulse its term is 0; qdot_after may be qdot; work has
-   VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot by little, and this change is right to a few eps of
-   itself. VM_BAD_ARGUMENT (a null pointer, n <= 0), VM_NOT_FINITE; VM_SINGULAR where a coordinate, or several
-   together, move no mass or a negative one: an entry on the diagonal of `after` is not positive, or a pivot is below
-   4 n eps when the diagonal is scaled to 1. */
+/* Velocities after a part separates: after*qdot_after = before*qdot - part + impulse (96).
+   (96) is d(T2 - T1)/dqdot = impulse, with the kinetic energies T1 before and T2 after the separation. The velocity of
+   the part relative to the body is constant in the derivative. The term of the part is therefore its generalized
+   momentum `part`. `before` and `after` are the mass matrices with and without the part. If part or impulse is NULL,
+   its term is 0. qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot
+   little, and this change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0,
+   VM_NOT_FINITE, VM_SINGULAR if a coordinate, or several together, move no mass or a negative one, and VM_OK otherwise.
+   The matrix counts as singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps
+   after the diagonal has been scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -117,8 +121,9 @@ VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *aft
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, -1, impulse_or_NULL, qdot_after, work);
 }
 
-/* Velocities after a part is attached: after qdot_after = before qdot + part + impulse (96).
-   `part` is the generalized momentum of the part before it is attached; the rest is as for vm_lagrange_separate. */
+/* Velocities after a part is attached: after*qdot_after = before*qdot + part + impulse (96).
+   `part` is the generalized momentum of the part before it is attached. Everything else is as for
+   vm_lagrange_separate. */
 VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                               const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                               vm_real *work)
@@ -126,10 +131,10 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, 1, impulse_or_NULL, qdot_after, work);
 }
 
-/* Velocities after an impact that changes no mass: matrix (qdot_after - qdot) = impulse.
-   It is also a separation that stays accurate where the part is nearly the whole body: then `matrix` is that of the
-   rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. Arrays, errors and
-   work as for vm_lagrange_separate; impulse must be there. */
+/* Velocities after an impact that changes no mass: matrix*(qdot_after - qdot) = impulse.
+   This function also computes a separation accurately if the part is nearly the whole body. Then `matrix` is the mass
+   matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body.
+   Arrays, errors and work are as for vm_lagrange_separate, but impulse must not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {

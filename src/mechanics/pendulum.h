@@ -1,8 +1,9 @@
 /* mechanics/pendulum.h - a pendulum from which a part is cut
 
-   Example (119)-(132) in corrected form: a uniform rod of mass M and length L swings about its end O; its outer
-   length l, with the mass m = M l/L, is cut off and leaves with a velocity and an angular velocity relative to the
-   rod. The result is the motion of both, their energies and momenta, and the impulse of the pivot.
+   This is the example (119)-(132), corrected as in docs/errata.md. A uniform rod of mass M and length L swings about
+   its end O. A part at its free end, of length l and mass m = M l/L, is cut off. It leaves with a given velocity and
+   angular velocity relative to the rod. The results are the motions, energies and momenta of the part and of the
+   remaining rod, and the impulse of the pivot.
 
        vm_pendulum rod = {3, 1, VM_C(0.5), 2, VM_AXES_COS_SIN}; // 3 kg, 1 m, 0.5 rad, 2 rad/s
        vm_pendulum_cut cut;
@@ -18,35 +19,35 @@
 
 /* How the angle of a pendulum is measured */
 enum {
-    VM_AXES_COS_SIN = 0, /* the rod is along (cos, sin) of the angle, which counts from x counterclockwise; the formulas
-                            (122), (125), (132) need this */
-    VM_AXES_SIN_COS = 1  /* the rod is along (sin, cos) of the angle (123), x across and y along: the angle turns
-                            clockwise */
+    VM_AXES_COS_SIN = 0, /* the rod is along (cos, sin) of the angle, which is measured counterclockwise from x; the
+                            formulas (122), (125), (132) need this choice */
+    VM_AXES_SIN_COS = 1  /* the rod is along (sin, cos) of the angle (123), which is measured clockwise from y */
 };
 
 /* A uniform rod that swings about its end O, the origin */
 typedef struct VM_TAG(vm_pendulum) {
-    vm_real mass;   /* M > 0, kg */
-    vm_real length; /* L > 0, m */
-    vm_real angle;  /* phi, rad */
-    vm_real rate;   /* phi', rad/s */
+    vm_real mass;   /* mass M > 0, kg */
+    vm_real length; /* length L > 0, m */
+    vm_real angle;  /* angle phi, rad */
+    vm_real rate;   /* angular velocity phi', rad/s */
     int axes;       /* VM_AXES_COS_SIN or VM_AXES_SIN_COS */
 } vm_pendulum;
 
-/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the rest and of the part. */
+/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the remaining rod (the rest) and of the
+   part. */
 typedef struct VM_TAG(vm_pendulum_cut) {
-    vm_pendulum rest; /* rest.rate is phi1' */
-    vm_real mass;     /* m of the part, kg */
-    vm_real x, y;     /* place of S2 (123), m */
+    vm_pendulum rest; /* the remaining rod; rest.rate is its angular velocity phi1' after the cut (125) */
+    vm_real mass;     /* mass m of the part, kg */
+    vm_real x, y;     /* position of S2 (123), m */
     vm_real vx, vy;   /* velocity of S2 (121), m/s */
-    vm_real rate;     /* angular velocity of the part, phi' + Omega, rad/s; it has the sense of phi */
-    vm_real T1;       /* kinetic energy before the cut (119), J */
-    vm_real T_S1;     /* kinetic energy of the rest (124), J */
-    vm_real T_S2;     /* kinetic energy of the part (122), corrected, J */
-    vm_real L1;       /* angular momentum of the rest about O (130), kg m^2/s */
-    vm_real L2;       /* angular momentum of the part about O (128), corrected, kg m^2/s */
-    vm_real pivot_x;  /* impulse of the pivot on the rest during the cut, N s */
-    vm_real pivot_y;
+    vm_real rate;     /* angular velocity phi' + Omega of the part, positive for growing phi, rad/s */
+    vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
+    vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
+    vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
+    vm_real L1;       /* angular momentum of the remaining rod about O after the cut (130), kg m^2/s */
+    vm_real L2;       /* angular momentum of the part about O after the cut, kg m^2/s [(128) corrected] */
+    vm_real pivot_x;  /* impulse of the pivot on the remaining rod during the cut, along x, N s */
+    vm_real pivot_y;  /* impulse of the pivot on the remaining rod during the cut, along y, N s */
 } vm_pendulum_cut;
 
 VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
@@ -60,7 +61,8 @@ VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
     return VM_OK;
 }
 
-/* Unit vectors of a pendulum: e from O along the rod, f across it in the direction in which the angle grows */
+/* Unit vectors of a pendulum: e points from O along the rod, f across the rod in the direction in which the angle
+   grows. */
 VM_API void vmi_pendulum_directions(const vm_pendulum *p, vm_real *ex, vm_real *ey, vm_real *fx, vm_real *fy)
 {
     if (p->axes == VM_AXES_COS_SIN) {
@@ -81,12 +83,14 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
            VM_IS_FINITE(c->pivot_x) && VM_IS_FINITE(c->pivot_y);
 }
 
-/* Motion of a pendulum and of the part that is cut off it, (119)-(132).
-   part is the length l of the part, m, 0 < l < L; Omega (rad/s) is its angular velocity relative to the rod, in the
-   sense of phi; (ux, uy) (m/s) is the velocity of its mass centre relative to the rod, in the axes of the pendulum.
-     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos):
-   this is (125), (132) corrected and simplified by hand, so that no digits cancel. VM_BAD_ARGUMENT (axes that
-   do not exist, too), VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN (the part is not shorter than the rod). */
+/* Motion of a pendulum and of the part that is cut off from it, (119)-(132).
+   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod,
+   positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's mass
+   centre (x, y) relative to the rod, along the axes x, y of the pendulum. The remaining rod then turns with
+     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos).
+   This is (125), (132) corrected and simplified by hand, so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
+   pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
+   otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -95,12 +99,13 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     int status;
     if (!pendulum || !cut) return VM_BAD_ARGUMENT;
     status = vmi_check_pendulum(pendulum, part);
+    if (!VM_IS_FINITE(Omega) || !VM_IS_FINITE(ux) || !VM_IS_FINITE(uy)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_pendulum_directions(pendulum, &ex, &ey, &fx, &fy);
-    rho = pendulum->length - part / 2; /* from O to S2 */
+    rho = pendulum->length - part / 2; /* distance from O to S2 */
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
-    across = ux * fx + uy * fy; /* rho across = s (x u_y - y u_x) */
+    across = ux * fx + uy * fy; /* velocity across the rod; rho * across is s (x u_y - y u_x) */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
@@ -118,7 +123,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after minus momentum before */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* all momentum after the cut minus before */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;

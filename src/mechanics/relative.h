@@ -1,7 +1,7 @@
 /* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
-   The motion of a body relative to the frame that moves and turns rigidly with another one (25), (26), (41), and the
-   jump laws in such motions, (28)-(31), (42)-(44): often only the velocity with which a part leaves the whole is
-   known.
+   This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
+   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). They are needed if only the
+   velocity of a part relative to the whole is known.
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
@@ -21,13 +21,13 @@
 #include "jumps2.h"
 #include "vectors.h"
 
-/* Velocity of the point r of the frame that moves rigidly with a body: the dragging velocity of (25) */
+/* Velocity at the point r of the frame that moves rigidly with a body. In (25) it is the dragging velocity. */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
 }
 
-/* The motion of b relative to the frame that moves rigidly with the body `to`; nothing is checked */
+/* The motion of b relative to the frame that moves rigidly with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
@@ -35,7 +35,7 @@ VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
     return b;
 }
 
-/* The absolute motion of b, which is given relative to the body `to`; nothing is checked */
+/* The absolute motion of b, whose motion is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
@@ -43,7 +43,7 @@ VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
     return b;
 }
 
-/* *result becomes b, if all numbers are finite */
+/* Copies b to *result. Returns VM_NOT_FINITE, and copies nothing, if a number is not finite. */
 VM_API int vmi_put_body(const vm_body *b, vm_body *result)
 {
     if (!vmi_body_is_finite(b)) return VM_NOT_FINITE;
@@ -51,7 +51,8 @@ VM_API int vmi_put_body(const vm_body *b, vm_body *result)
     return VM_OK;
 }
 
-/* *result becomes b, a body of the plane with this angle, if all numbers are finite */
+/* Copies b to *result as a body of the plane with this angle. Returns VM_NOT_FINITE, and copies nothing, if a number
+   is not finite. */
 VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
 {
     const vm_body2 flat = vmi_body_to_plane(b, angle);
@@ -60,11 +61,13 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
     return VM_OK;
 }
 
-/* Motion of a body relative to the frame that moves rigidly with the body `to`: v and omega of *relative become
+/* Motion of a body relative to the frame that moves rigidly with the body `to`. The body has position r, velocity v and
+   angular velocity omega; `to` has r_S, v_S and Omega. v and omega of *relative become
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
-   and all else is copied; axes and origin stay the inertial ones. relative may be absolute. VM_BAD_ARGUMENT: a null
-   pointer. VM_NOT_FINITE: a number of absolute or of the motion of `to`, or a result, is not finite. Masses and
-   inertias are not looked at otherwise. */
+   and all other fields are copied. The vectors remain along the inertial axes, and r remains the position from the
+   inertial origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer,
+   VM_NOT_FINITE if a number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses
+   and inertias are not checked further. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -73,8 +76,8 @@ VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *r
     return vmi_put_body(&b, relative);
 }
 
-/* Absolute motion of a body that is given relative to the body `to`: the way back from vm_to_relative, with its
-   statuses. absolute may be relative. */
+/* Absolute motion of a body whose motion is given relative to the body `to`. It undoes vm_to_relative and has its
+   statuses. The pointer absolute may be equal to relative. */
 VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *absolute)
 {
     vm_body b;
@@ -83,8 +86,8 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion in the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change as in
-   vm_to_relative, all else is copied. Statuses as those of vm_to_relative. */
+/* Motion in the plane relative to the frame that moves rigidly with the body `to`. vx, vy and omega change as in
+   vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
@@ -94,8 +97,8 @@ VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body
     return vmi_put_body2(&b, absolute->angle, relative);
 }
 
-/* Absolute motion in the plane of a body that is given relative to the body `to`: the way back from vm_to_relative2,
-   with its statuses */
+/* Absolute motion in the plane of a body whose motion is given relative to the body `to`. It undoes vm_to_relative2
+   and has its statuses. */
 VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body2 *absolute)
 {
     vm_body whole, b;
@@ -107,7 +110,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* A jump in motions relative to the first body, which is at rest in them: the law has the same form in its frame */
+/* Computes a jump from motions relative to the first body. In its own frame this body is at rest, and the equations of
+   a jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -118,7 +122,7 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* vmi_jump_relative in the plane */
+/* Does in the plane what vmi_jump_relative does in space */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -129,36 +133,36 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
     return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Separation, where the motions are given relative to the whole: (28)-(31), (42)-(44). v and omega of part are
-   relative to the whole, and so are those of *rest. The whole's own v and omega are not read. Otherwise as
-   vm_separate, statuses included. */
+/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of *rest are
+   relative to the whole. v and omega of *whole are not read. Everything else, the statuses included, is as in
+   vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment, where the motions are given relative to the first body: (28)-(31), (42)-(44). v and omega of added are
-   relative to body, and so are those of *whole. The own v and omega of body are not read. Otherwise as vm_attach,
-   statuses included. */
+/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of *whole
+   are relative to `body`. v and omega of *body are not read. Everything else, the statuses included, is as in
+   vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
     return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation in the plane, where the motions are given relative to the whole: vx, vy, omega of part are relative to
-   the whole, and so are those of *rest. The whole's own motion is not read. Otherwise as vm_separate2, statuses
-   included. */
+/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of *rest are
+   relative to the whole. vx, vy and omega of *whole are not read. Everything else, the statuses included, is as in
+   vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, where the motions are given relative to the first body: vx, vy, omega of added are
-   relative to body, and so are those of *whole. The own motion of body is not read. Otherwise as vm_attach2,
-   statuses included. */
+/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole are
+   relative to `body`. vx, vy and omega of *body are not read. Everything else, the statuses included, is as in
+   vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {

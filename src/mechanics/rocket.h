@@ -1,8 +1,8 @@
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
-   Motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151), (171) and
-   (175), (176); the motion along a line at a constant rate of mass; the spin of a rocket whose jet damps it, from
-   Euler's equations. All are right to a few eps, down to a rate of zero.
+   These are motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151),
+   (171) and (175), (176); the motion along a line at a constant rate of mass; and the spin of a rocket whose jet
+   damps it, from Euler's equations. The formulas stay accurate as the rate of mass tends to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -21,16 +21,17 @@
 #include "streams.h"
 #include "vectors.h"
 
-/* A spinning axisymmetric body whose mass is taken from around the mass centre, which stays in its place, and leaves
-   through a nozzle on the axis (rate < 0), or goes the other way (rate > 0). The z axis is the axis of symmetry. */
+/* A spinning axisymmetric body. Its mass comes from around the mass centre and leaves through a nozzle on the axis
+   (rate < 0), or flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis is the axis
+   of symmetry. */
 typedef struct VM_TAG(vm_jet) {
-    vm_real rate;                /* kg/s, < 0: mass leaves */
-    vm_real axial;               /* C0, kg m^2, moment of inertia about the axis at t = 0 */
-    vm_real transverse;          /* A0, kg m^2, moment of inertia across the axis at t = 0 */
-    vm_real gyration_axial;      /* m^2, inertia per unit mass about the axis, of stored and of crossing mass */
-    vm_real gyration_transverse; /* m^2, inertia per unit mass across the axis, of the stored mass */
-    vm_real gyration_out;        /* m^2, inertia per unit mass across the axis, of the crossing mass */
-    vm_real nozzle;              /* m, distance of the nozzle from the mass centre */
+    vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
+    vm_real axial;               /* moment of inertia C0 about the axis at t = 0, kg m^2 */
+    vm_real transverse;          /* moment of inertia A0 about a transverse axis at t = 0, kg m^2 */
+    vm_real gyration_axial;      /* inertia per unit mass about the axis, in the body and in the nozzle, m^2 */
+    vm_real gyration_transverse; /* inertia per unit mass about a transverse axis, of the mass in the body, m^2 */
+    vm_real gyration_out;        /* inertia per unit mass about a transverse axis, of the mass in the nozzle, m^2 */
+    vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
 VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
@@ -38,10 +39,10 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
     return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Velocity when the mass has gone from m0 to m by mass of the velocity u (151), (171).
-   v0 (m/s) is the velocity at mass m0 (kg), impulse (N s) that of the outer forces meanwhile. u = 0 is Levi-Civita's
-   case. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
-   terms. NaN where a mass is not positive and for infinite arguments. */
+/* Velocity after the mass changes from m0 to m by mass with the absolute velocity u (151), (171).
+   v0 (m/s) is the velocity at mass m0 (kg), u is in m/s, and impulse (N s) is that of the outer forces during the
+   change. The case u = 0 is that of Levi-Civita. About a fixed axle this formula gives the angular velocity, with
+   moments of inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */
 VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
@@ -49,22 +50,24 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
     return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
 }
 
-/* Velocity of Tsiolkovsky's rocket when its mass has come from m0 to m: v0 + w ln(m/m0), (175), (176).
-   v0 (m/s) is the velocity at mass m0 (kg), w (m/s) that of the crossing mass relative to the body; there is no outer
-   force. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
-   terms. NaN where a mass is not positive and for infinite arguments. */
+/* Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m: v0 + w ln(m/m0), (175), (176).
+   v0 (m/s) is the velocity at mass m0 (kg), and w (m/s) is the velocity, relative to the body, of the mass that joins
+   or leaves. There is no outer force. About a fixed axle this formula gives the angular velocity, with moments of
+   inertia instead of masses. The error is at most 4 eps of |v0| + |w ln(m/m0)|. Returns NaN if a mass is not positive
+   and for infinite arguments. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
     if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(w)) return VM_NAN;
-    if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact */
+    if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact here */
     else l = vmi_two_plus(vmi_log(m), vmi_minus(vmi_log(m0)));
     return v0 + w * l.hi;
 }
 
-/* *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34), NaN beyond; within 2 ulp.
-   They are the means of 1/m over a flow at constant rate. */
+/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34). For other x they are
+   NaN. In a flow at constant rate let s be the fraction of the time that has passed, and m = 1 + x s the mass divided
+   by its initial value. Then *first is the mean of 1/m over s, and *second the mean of s/m. */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
@@ -74,14 +77,15 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 }
 
 /* Position and velocity on a line after t seconds of a stream of constant rate.
-   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; the force (N), the rate and the velocity of the stream are constant.
-   t may be negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute
-   velocity u:
+   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0. The force (N), the rate and the velocity of the stream are constant.
+   t may be negative. With tau = rate t/m0, m = m0 + rate t, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2,
+   for an absolute velocity u:
      v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B;
    for a velocity w relative to the body:
      v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
-   Within 8 eps of the terms, for every rate, zero included. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS where m0 or
-   m0 + rate t is not positive. */
+   For every rate >= 0 the errors are at most 8 eps times the terms of these sums. If mass leaves, this bound grows
+   with m0/m, because the rounding error of rate t is large relative to a small m. Returns VM_BAD_ARGUMENT,
+   VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
 {
@@ -97,7 +101,7 @@ VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_re
     if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
     if (vmi_stream_moves_with_body(stream->motion)) {
         difference = first - second;
-        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near -1 both are large */
+        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near tau = -1 first and second are large */
         acceleration = (force + stream->rate * given) / m0;
         result[0] = x0 + t * (v0 + acceleration * t * difference);
         result[1] = v0 + acceleration * t * first;
@@ -121,12 +125,13 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
 
 /* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
    There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
-   gyration_axial t the transverse part of omega has the length
+   gyration_axial t the transverse part omega_t of omega has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-   omega_z stays constant, and the transverse part turns by omega_z times the integral of C/A - 1. With
-   tau = rate gyration_transverse t/A0 and L, B of vm_linear_flow: ln(A/A0) = tau L, and the integral is
-   t (C0/A0 L - 1 + rate t gyration_axial/A0 B). The error is at most 8 times what an eps in the inputs makes.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA where A or C is not positive. */
+   where omega_t0 is its value at t = 0. omega_z stays constant, and the transverse part turns by omega_z times the
+   integral of C/A - 1 over time. Let L and B be the functions of tau of vm_linear_flow, here with
+   tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is t (C0/A0 L - 1 + rate t
+   gyration_axial/A0 B). The error is at most 8 times the change that an error of eps in the inputs makes. Returns
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;

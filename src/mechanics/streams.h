@@ -1,9 +1,9 @@
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
    A stream carries mass into a body, or out of it, at one point. The mass brings or takes momentum and angular
-   momentum with it: this is the reactive force (156), the reactive moment (158) and the reactive torque (157). Here
-   are the loads of an instant and the accelerations that follow from them, (159) and (160). To integrate a motion,
-   take mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
+   momentum with it, which causes the reactive force (156), the reactive moment (158) and the reactive torque (157).
+   This chapter computes these loads at an instant and the accelerations that follow from them, (159) and (160). To
+   integrate a motion, use mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
 
        vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
@@ -23,63 +23,67 @@
 #include "inertia.h"
 #include "vectors.h"
 
-/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body at which the
-   stream crosses the body's surface. */
+/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body's surface at which
+   the mass enters or leaves. */
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
-    VM_CARRIED = 2,  /* the mass moves as the point and the body do; velocity and spin of the stream are not read.
-                        There is no torque, but the force M' omega x d remains, which (166) neglects */
-    VM_AT_REST = 3   /* the mass is at rest (167)-(169), velocity and spin of the stream are not read */
+    VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; velocity and spin of the stream
+                        are not read. There is no torque, but a force M' omega x d remains, which (166) neglects (M' is
+                        the rate, d leads from the mass centre to the point, omega is the body's spin) */
+    VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
 };
 
-/* The place in a body that mass is taken from or put to, where this is not the point at which its stream crosses */
+/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if the mass
+   does not lie at the point at which the stream enters or leaves the body. */
 typedef struct VM_TAG(vm_store) {
-    vm_vec3 at;          /* m, body axes, from the body's reference point */
-    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of the stored mass, about its own mass centre */
+    vm_vec3 at;          /* position from the body's reference point, m, body axes */
+    vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
 } vm_store;
 
-/* A stream of mass in space. Zero is a fair value of every field, and a term that is zero costs nothing. */
+/* A stream of mass in space. Every field may be zero, and a term that is zero costs no time. */
 typedef struct VM_TAG(vm_stream) {
-    vm_real rate;         /* kg/s; > 0: mass joins the body, < 0: mass leaves it */
+    vm_real rate;         /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
-    vm_vec3 at;           /* m, body axes: the point of crossing, from the body's reference point */
-    vm_vec3 velocity;     /* m/s, velocity of the mass when it crosses */
-    vm_vec3 spin;         /* rad/s, angular velocity of the mass when it crosses */
-    vm_inertia gyration;  /* m^2, body axes: inertia per unit mass of the crossing mass, about its own mass centre */
-    const vm_store *from; /* where the mass is taken from or put to; NULL: the point of crossing. Between the two it
-                             flows in a straight line, and its momentum on this way counts */
+    vm_vec3 at;           /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
+    vm_vec3 velocity;     /* velocity of the mass as it enters or leaves the body, m/s */
+    vm_vec3 spin;         /* angular velocity of the mass as it enters or leaves the body, rad/s */
+    vm_inertia gyration;  /* inertia per unit mass of this mass, about its own mass centre, m^2, body axes */
+    const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
+                             point `at` the mass flows in a straight line, and the body's momentum includes that of this
+                             flow */
 } vm_stream;
 
-/* The reactive loads of an instant, in inertial axes except inertia_rate. For each stream M' is the rate, u the
-   velocity of the crossing mass, omega2 its angular velocity, kappa its gyration, and d goes from the body's mass
-   centre to the point of crossing; P(d) = |d|^2 E - d d^T:
+/* The reactive loads at an instant, in inertial axes except inertia_rate. The body has the mass M, the inertia I, the
+   velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of its mass, omega2 the
+   angular velocity of its mass and kappa its gyration. The vector d leads from the body's mass centre to the point at
+   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
      torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
                                                         only for P(d) omega2 = 0
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
-   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160). v is momentum/mass, and
-   v' is its rate. */
+   The equations of motion are M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160),
+   with the outer force F and the outer moment M_S about the mass centre. v is momentum/mass, and v' is its rate. */
 typedef struct VM_TAG(vm_reactive) {
-    vm_vec3 force;           /* N */
-    vm_vec3 moment;          /* N m, about the mass centre */
-    vm_vec3 torque;          /* N m */
-    vm_vec3 drift;           /* m/s, velocity of the mass centre relative to the body's material */
-    vm_real mass_rate;       /* kg/s, sum of M' */
-    vm_inertia inertia_rate; /* kg m^2/s, body axes */
+    vm_vec3 force;           /* reactive force, N */
+    vm_vec3 moment;          /* reactive moment about the mass centre, N m */
+    vm_vec3 torque;          /* reactive torque, N m */
+    vm_vec3 drift;           /* velocity of the mass centre relative to the body's material, m/s */
+    vm_real mass_rate;       /* rate of the body's mass, the sum of M' over all streams, kg/s */
+    vm_inertia inertia_rate; /* rate of the body's inertia, kg m^2/s, body axes */
 } vm_reactive;
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
-/* The velocity u of a stream's mass is, for every known motion, the velocity of the body's point (or zero) plus the
-   velocity that the stream gives (or zero); its spin likewise. These two functions say which; nothing else decodes
-   VM_RELATIVE ... VM_AT_REST. */
+/* The velocity u of a stream's mass is, for every known motion, the sum of two terms: the velocity of the body's
+   point (or zero) and the velocity that the stream gives (or zero). Its spin is a sum of two such terms, too. The
+   next two functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* The velocity u of a stream's mass along a line: own is the body's velocity, given that of the stream */
+/* The velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` that of the stream. */
 VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
     vm_real u = 0;
@@ -88,7 +92,7 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* M' kappa */
+/* The product M' kappa of a stream's rate and a gyration */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -101,8 +105,9 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
     return i;
 }
 
-/* Momentum *p, and angular momentum *h about the mass centre, of the mass on the way between stores and points of
-   crossing. A straight flow of M' kg/s from s to d has the momentum M' (s - d), whatever its speed is. */
+/* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
+   stores and the surface. A stream of rate M' that flows in a straight line between its store at s and the surface at
+   d has the momentum M' (s - d), whatever its speed is. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -114,35 +119,36 @@ VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, 
     }
 }
 
-/* The motion of a body as its streams need it */
+/* The motion of a body, in the form that the sums over its streams need */
 typedef struct VM_TAG(vmi_stream_seen) {
-    const vmi_mat3 *turn; /* from body axes to inertial ones */
-    vm_vec3 v;            /* momentum/mass, inertial axes */
-    vm_vec3 slip;         /* velocity of the body's material at the mass centre, less v; body axes */
+    const vmi_mat3 *turn; /* the rotation from body axes to inertial ones */
+    vm_vec3 v;            /* velocity, which is momentum/mass, inertial axes */
+    vm_vec3 slip;         /* velocity of the body's material at the mass centre minus v, body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
     vm_vec3 centre;       /* mass centre from the reference point, body axes */
-    int energy;           /* 1 if the sums `brought` and `lost` are wanted */
+    int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum are wanted */
 } vmi_stream_seen;
 
-/* The sums over the streams of a moving body, in body axes except `absolute`. The velocity of mass that moves with
-   the body is kept relative to the body, and so these sums are exact for a body that moves fast. */
+/* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
+   are explained at vm_reactive. For mass that moves with the body the sums use its velocity relative to the body, so
+   that they lose no digits if the body is fast. */
 typedef struct VM_TAG(vmi_stream_sum) {
-    vm_real rate;       /* sum M' */
-    vm_real carried;    /* sum M' of the streams whose velocity is relative to the body */
-    vm_vec3 pushed;     /* sum M' (u - v) of these streams */
-    vm_vec3 absolute;   /* sum M' u of streams whose own velocity is absolute, inertial axes; 0 for mass at rest */
-    vm_vec3 moment;     /* sum d x M' (u - v) of all streams */
-    vm_vec3 own;        /* sum M' kappa omega2 */
-    vm_vec3 crossing;   /* sum M' d, d to the point of crossing */
-    vm_vec3 stored;     /* sum M' d_s, d_s to the store where there is one, else d */
-    vm_inertia inertia; /* I', rate of the inertia */
+    vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
+    vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
+    vm_vec3 pushed;     /* sum of M' (u - v) of the streams whose velocity is relative to the body */
+    vm_vec3 absolute;   /* sum of M' u of the streams whose velocity is absolute, inertial axes */
+    vm_vec3 moment;     /* sum of d x M' (u - v) of all streams */
+    vm_vec3 own;        /* sum of M' kappa omega2 */
+    vm_vec3 crossing;   /* sum of M' d, with d to the point at which the mass enters or leaves */
+    vm_vec3 stored;     /* sum of M' d_s, with d_s to the stream's store, or d_s = d without a store */
+    vm_inertia inertia; /* I', the rate of the inertia */
     vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
-    vm_real lost;       /* the same sum of velocities relative to the body: twice the power that mixing takes */
+    vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
 
-/* Takes up one stream whose `motion` exists: sets *push = M' (u - v), u the velocity of its mass, and *spin = omega2,
-   the angular velocity of its mass, and adds its part to the sums from which the force is made. `carried` is the
-   velocity of the body's point at which the mass crosses, minus v. All in body axes. */
+/* Adds one stream, whose `motion` is known, to the sums that make the force. Sets *push = M' (u - v), where M' is the
+   rate, u the velocity of the mass and v that of the body, and *spin to the angular velocity of the mass. `carried`
+   is the velocity of the body's point at which the mass enters or leaves, minus v. All vectors are in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -166,7 +172,8 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     }
 }
 
-/* Adds a stream's part to sum->brought and sum->lost; push and spin are those of vmi_stream_motion */
+/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and
+   carried is its argument. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
@@ -179,7 +186,7 @@ VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, c
     sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
 }
 
-/* The sums over n streams. Returns 0 where the motion of a stream does not exist, else 1. */
+/* Computes the sums over n streams. Returns 0 if the `motion` of a stream is unknown, else 1. */
 VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
     const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
@@ -202,15 +209,15 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
         sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        /* the whole term is added at once, so that the terms of opposite streams cancel exactly */
+        /* add the whole term at once, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;
 }
 
-/* VM_OK if the gyration is finite and has no negative moment. Only the body has to satisfy the triangle inequality:
-   for motion in a plane a tensor with zz alone is enough, as long as the body itself is not that flat. */
+/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality, such as zz <= xx + yy,
+   is required of the body only. Therefore a gyration may have zz alone, which is enough for motion in a plane. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -218,7 +225,7 @@ VM_API int vmi_check_gyration(const vm_inertia *i)
     return VM_OK;
 }
 
-/* VM_OK if the motion exists, all numbers are finite and the gyrations are possible */
+/* Returns VM_OK if `motion` is known, all numbers are finite and the gyrations are possible, else the first error. */
 VM_API int vmi_check_stream(const vm_stream *s)
 {
     int status;
@@ -232,7 +239,8 @@ VM_API int vmi_check_stream(const vm_stream *s)
     return vmi_first_error(status, vmi_check_gyration(&s->from->gyration));
 }
 
-/* The first error of n streams in the table's order, else VM_OK */
+/* Returns VM_OK if n streams are valid, else that one of their errors which comes first in the order of
+   vmi_first_error. */
 VM_API int vmi_check_streams(int n, const vm_stream *s)
 {
     int k, status = VM_OK;
@@ -248,9 +256,9 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
 }
 
 /* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
-   from its reference point, in body axes (m). The loads of the streams add; their formulas stand with vm_reactive.
-   VM_BAD_ARGUMENT (a null pointer, n < 0, a motion that does not exist), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_STORED_STREAM (a stream has a store: integrate vm_flow_rhs instead). */
+   from its reference point, in body axes (m). Each load is a sum over all streams; the formulas stand at vm_reactive.
+   Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
 {
@@ -285,7 +293,7 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     return VM_OK;
 }
 
-/* I^-1 (moment - omega x I omega), body axes: Euler's equations solved for the angular acceleration */
+/* Solves Euler's equations: the angular acceleration I^-1 (moment - omega x I omega) for the inertia I, in body axes */
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
@@ -293,10 +301,10 @@ VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *f
 }
 
 /* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
-   They are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the mass
-   centre (N m), inertial axes.
-   v' is the rate of momentum/mass in m/s^2, omega' is in rad/s^2. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA (a singular inertia, that of a rod or a point, included). */
+   All vectors are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the
+   mass centre (N m). *acceleration is v', the rate of momentum/mass (m/s^2), and *angular_acceleration is omega'
+   (rad/s^2). Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for the
+   singular inertia of a rod or a point, and VM_OK otherwise. */
 VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {
@@ -306,6 +314,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     int status;
     if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
+    if (!vmi_vec3_is_finite(force) || !vmi_vec3_is_finite(moment) || !vmi_vec3_is_finite(loads->force) ||
+        !vmi_vec3_is_finite(loads->moment) || !vmi_vec3_is_finite(loads->torque))
+        status = vmi_first_error(status, VM_NOT_FINITE);
     if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);

@@ -1,14 +1,16 @@
 /* mechanics/torque_free.h - exact rotation of a body on which no torque acts
-   A body that is free, as after a jump, turns in a way that has a closed form: omega by the Jacobi functions sn, cn,
-   dn of the time, the attitude by one theta function and a steady turn (Jacobi 1850). Nothing is integrated, so that
-   any time costs the same and errors do not grow with it. The mass centre moves on a straight line.
+   The rotation of a free body, for example after a jump, has a closed form: the angular velocity omega follows from
+   the Jacobi functions sn, cn, dn of the time, and the attitude follows from one theta function and a rotation at a
+   constant rate (Jacobi 1850). Nothing is integrated, so that an evaluation costs the same at any time and errors do
+   not grow with time. The mass centre moves on a straight line.
 
        vm_torque_free motion;
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   All bodies are served, triaxial, symmetric and spherical ones, rods and points (whose spin about a null axis
-   stays), and rotations about any axis, the middle one and the separatrix included, without a threshold to choose.
+   The functions serve all bodies: triaxial, symmetric and spherical ones, and rods and points, whose spin about an
+   axis without moment of inertia stays constant. They serve all rotations, also those about the middle axis, and
+   those on the separatrix, which tend to a rotation about the middle axis. No threshold has to be chosen.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
@@ -28,54 +30,56 @@
 #include "torque_free_axes.h"
 #include "vectors.h"
 
-/* A motion prepared by vm_torque_free_init. Plain data: it may be copied. The fields are for reading at most.
+/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
 
-   Accuracy, measured up to 1e6 turns, with the inputs taken as exact: attitude within 8 eps (rad), omega within 5
-   eps |omega|, also next to the separatrix (1 - m from 1e-2 to 1e-27) and for nearly equal moments. An error of eps
-   in an input changes the attitude by eps times the angle turned, and by more next to the separatrix, since every
-   turn-over then moves. If there are products of inertia, the principal moments are known to two words only: 5e-12
-   rad after 1e6 turns at 1 - m = 1e-16 (float: 4e-4 rad for needles, 8e-3 at 1e-6). Angular momentum stays within 10
-   eps tr(I) |omega|. Components of omega below 2^-505 (float 2^-57) of the largest count as 0.
-
-   Cost: a time takes about 20 times the C library's sin, preparing a motion 10 to 20 times that, and 40 times with
-   products of inertia. */
+   Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
+   |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
+   equal moments and with products of inertia. An error of eps in an input changes the attitude by eps times the angle
+   turned. Close to the separatrix it changes the attitude by more, because it changes the time of every flip of the
+   body. For tensors with products of inertia the principal moments are known to two words only, which limits the
+   accuracy after many turns close to the separatrix. Components of omega below 2^-505 (float 2^-57) times the largest
+   are taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
-    vm_body body;                /* at t0 */
-    vm_real t0;                  /* s */
+    vm_body body;                /* the body at the time t0 */
+    vm_real t0;                  /* the time at which the motion was given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
-    vm_quat start;               /* turns axes in which angular momentum is along 3, or -3, into inertial ones */
-    vm_real spin[3];             /* omega is spin[0] cn, spin[1] sn, spin[2] dn along 1, 2, 3, rad/s */
-    vm_real lean[3];             /* y, x, w - 1 of the quaternion M below are lean[0] cn, lean[1] sn, lean[2] dn */
-    vm_two phase;                /* u/(4K) at t0; u itself on the separatrix */
-    vm_two phase_rate;           /* its rate, per second */
+    vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum (or
+                                    opposite, s = -1) */
+    vm_real spin[3];             /* omega along axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
+    vm_real lean[3];             /* y, x, w - 1 of M = (w, x, y, 0)/sqrt(2 w): lean[0] cn, lean[1] sn, lean[2] dn */
+    vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
+    vm_two phase_rate;           /* rate of the phase, per second */
     vm_two K;                    /* quarter period of sn in u; 0 on the separatrix */
-    vm_two turn_rate;            /* kappa: mean rate of half the angle about the angular momentum, turns/s */
-    vm_real m1;                  /* 1 - m, m the parameter of sn, cn, dn */
-    vmi_theta_form far_form;     /* how they are computed far from 0 */
-    vmi_doubled_theta theta;     /* the theta function whose argument half that angle has beyond its mean */
+    vm_two turn_rate;            /* mean rate kappa of h in (B), half the angle about the angular momentum, turns/s */
+    vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
+    vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
+    vmi_doubled_theta theta;     /* the theta function of (B); arg theta is the deviation of h from its mean growth */
 } vm_torque_free;
 
-/* The solution. Along principal axes 1, 2, 3, where 2 has the middle moment and omega circles 3
-   (torque_free_axes.h), and with d12 = |I1 - I2| and so on, sigma = sign(I1 - I3), s = sign(w3),
+/* The solution. Let 1, 2, 3 be the principal axes, where axis 2 has the middle moment and omega moves around axis 3
+   (torque_free_axes.h), I1, I2, I3 the moments, T the kinetic energy and L the size of the angular momentum. Let
+   d12 = |I1 - I2|, d23 = |I2 - I3|, d13 = |I1 - I3|, sigma = sign(I1 - I3) and s = sign(w3). Then
+   omega = (w1, w2, w3) along these axes is
      w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u,  u = u0 + wp t,                                     (A)
      a1^2 = w1^2 + I2 d23/(I1 d13) w2^2,  a2^2 = a1^2 I1 d13/(I2 d23),  a3^2 = w3^2 + I2 d12/(I3 d13) w2^2,
      wp^2 = a3^2 d13 d23/(I1 I2),  m = I1 d12 a1^2/(I3 d23 a3^2),  1 - m = |2T I2 - L^2|/(I3 d23 a3^2),
-   where w1, w2, w3 on the right are those at t0. With L = |J omega| and l = J omega/L the attitude is
+   where w1, w2, w3 on the right-hand sides are the values at t0, and t is the time since t0. With the tensor of
+   inertia J, so that L = |J omega|, the unit vector l = J omega/L and the unit vector e3 of axis 3 the attitude is
      q(t) = start (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u),                                    (B)
-     M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)),
-   where M is the shortest rotation that takes l to s e3, kappa a constant that an integral of the third kind gives,
-   and theta a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) is Jacobi's; van Zon and Schofield, J.
-   Comput. Phys. 225 (2007), have a theta series for 2h.
+     M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)).
+   M is the shortest rotation that takes l to s e3, kappa is a constant that an integral of the third kind gives, and
+   theta is a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) was found by Jacobi; van Zon and Schofield,
+   J. Comput. Phys. 225 (2007), give a theta series for 2h.
 
-   The order of the steps: axes, squares of the amplitudes and parameter, kappa, phase and rates, theta function, and
-   start, which makes q(t0) the given one. They are taken in two words, since the rates wp/(4K) and kappa are
-   multiplied by long times. At a time only the products of rates and time are in two words. The units of moments and
-   omega are powers of two that make them about 1. */
+   The preparation computes in this order: the axes; the squares of the amplitudes, and m; kappa; the phase and the
+   rates; the theta function; and `start`, which makes q(t0) the given attitude. It computes in two words, because the
+   rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time has only the products of rates
+   and time in two words. Moments and omega are divided by powers of two, so that they are about 1. */
 
 /* ---- amplitudes and parameter ---- */
 
-/* Squares of a1, a2, a3, of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. No difference is
-   in them but S, which torque_free_axes.h has in three words. */
+/* The squares of a1, a2, a3 of (A), of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
+   subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -104,14 +108,15 @@ VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_
     return square;
 }
 
-/* Sets m1 = 1 - m, the parameter of sn, cn, dn */
+/* Stores m1 = 1 - m in the motion, with the parameter m of sn, cn, dn, and prepares these functions for it */
 VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
 {
     motion->m1 = m1.hi;
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the axes, and the amplitudes of omega and of the quaternion M. sign is that of cn on the separatrix, else 1 */
+/* Sets the axes, and the amplitudes of omega and of the quaternion M in (B). `sign` is the sign of cn on the
+   separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -133,9 +138,10 @@ VM_API vm_two vmi_torque_free_two_pi(void)
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* 2 kappa by Pi(-N | m) with N = I3 d12/(I1 d23), for m < 1 and I1 != I2; *mean becomes agm(1, k'):
+/* Returns 2 kappa by the integral Pi(-N | m) with N = I3 d12/(I1 d23), for m < 1 and I1 != I2. Sets *mean to the
+   arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those of (A), and c = I3 a3/L:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
-     2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if not;  c = I3 a3/L */
+     2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                             vm_two *mean)
 {
@@ -156,7 +162,7 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* kappa, the mean rate of h, and *mean = agm(1, k'), which is 0 on the separatrix */
+/* Returns kappa, the mean rate of h in (B). Sets *mean to agm(1, k') with k'^2 = 1 - m; it is 0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
@@ -166,15 +172,16 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
         *mean = vmi_two(1, 0);
         twice = vmi_two_times(vmi_two_root(square->a3), vmi_two_minus(axes->I1, axes->I3));
         twice = vmi_two_over(vmi_two_plus(L, twice), axes->I1);
-    } else if (square->m1.hi == 0) { /* it tends to the rotation about axis 2 */
+    } else if (square->m1.hi == 0) { /* the motion tends to the rotation about axis 2 */
         *mean = vmi_two(0, 0);
         twice = vmi_two_over(L, axes->I2);
     } else twice = vmi_torque_free_triaxial_rate(axes, square, mean);
     return vmi_two_shifted(twice, VM_C(0.5));
 }
 
-/* u at t0, over 4K where mean > 0, by sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2; *sign is that of cn on the separatrix,
-   which u cannot show, else 1 */
+/* Computes the argument u of (A) at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u on the
+   separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign; else
+   *sign is 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -186,13 +193,13 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     *sign = 1;
     if (mean.hi > 0) {
         F = vmi_two_over(vmi_two_times(F, mean), vmi_torque_free_two_pi());
-        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* 2K - F */
+        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* u/(4K) is 1/2 - F here */
     } else if (axes->w1.hi < 0) *sign = -1;
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K, the phase, and both rates, in the unit of the scaled omega. Returns the sign of cn on the separatrix, else
-   1 */
+/* Sets K, the phase, and phase_rate and turn_rate for the scaled omega. Returns the sign of cn on the separatrix, and
+   1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -214,8 +221,9 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
 
 /* ---- the theta function ---- */
 
-/* y of the theta function, cd(y | m1) = c = I3 a3/L, as an integral of the first kind:
-   R_F(N, N/c^2, N + 1) = y for N = I3 d12/(I1 d23) */
+/* Returns y of theta(u + i y) in (B), which solves cd(y | m1) = c with c = I3 a3/L. It is an elliptic integral of the
+   first kind, in Carlson's form with N = I3 d12/(I1 d23):
+   y = R_F(N, N/c^2, N + 1) */
 VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square)
 {
     const vm_two N = vmi_two_over(vmi_two_times(axes->I3, axes->d12), vmi_two_times(axes->I1, axes->d23));
@@ -223,8 +231,8 @@ VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const
     return vmi_carlson_rf(N, vmi_two_over(N, c_square), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* Sets the theta function, conjugated where sigma s < 0; for m = 0 it stays 1. It is summed directly for K <= 2K',
-   and by Jacobi's transformation for K > 2K'. */
+/* Sets the theta function of (B), conjugated if sigma s < 0. For m = 0 it stays 1. It is summed directly for
+   K <= 2K', and by Jacobi's transformation for K > 2K', where K' (Kc in the code) is K of the parameter 1 - m. */
 VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square)
 {
@@ -244,7 +252,7 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets a motion whose omega stays what it is: axis 3 is that of omega, and sn = 0 */
+/* Sets a motion with constant omega: axis 3 is the axis of omega, and sn = 0 */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -258,10 +266,10 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
 }
 
-/* Sets all but the unit of time and start */
+/* Sets all fields that do not depend on the unit of time, except `start` */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
-    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* its square, below eps^2 about a stable axis */
+    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of eps^2, a negligible nutation angle */
     const vmi_torque_free_axes axes = vmi_torque_free_order(b);
     vmi_torque_free_squares square;
     int constant = vmi_torque_free_is_constant(&axes);
@@ -280,8 +288,8 @@ VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_fre
 
 /* ---- at a time ---- */
 
-/* rate t less the nearest whole turn, |result| <= 1. It has no meaning beyond 2^(2p - 4) turns, where the type has p
-   digits */
+/* The product rate t, in turns, minus the nearest whole number of turns, |result| <= 1. Beyond 2^(2p - 4) turns the
+   result has no meaning; p is the number of binary digits of the type. */
 VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
@@ -290,15 +298,16 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* sn, cn, dn at the time t after t0. Returns u/(4K) without half turns, |..| <= 1/4, or u on the separatrix. */
+/* Computes sn, cn, dn at the time t after t0. Returns u/(4K) minus the nearest multiple of 1/2, or u on the
+   separatrix. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
-    const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* where sech is next to the smallest number */
+    const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* sech(longest) is close to the smallest number of the type */
     vmi_thetas theta;
     vm_real turns;
     int half_turns = 0, quarters = 0;
-    vm_two v; /* u without quarter periods */
+    vm_two v; /* u minus the nearest multiple of K */
     if (motion->K.hi > 0) {
         v = vmi_two_plus(vmi_torque_free_fraction(motion->phase_rate, t), motion->phase);
         half_turns = vmi_nearest(2 * v.hi);
@@ -312,24 +321,24 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
         turns = v.hi;
     }
     if (v.hi * v.hi > VMI_NEAR) theta = vmi_theta_far(&motion->far_form, 0, v);
-    else theta = vmi_theta_near(v.hi, motion->m1); /* NaN too */
+    else theta = vmi_theta_near(v.hi, motion->m1); /* NaN comes here, too */
     theta = vmi_theta_shift(theta, motion->far_form.kp, (vmi_bits)((quarters + 2 * half_turns) & 3));
     vmi_theta_ratios(theta, motion->far_form.kp, sn, cn, dn);
     return turns;
 }
 
-/* (A) and (B) at the time t after t0: omega in body axes, and the rotation (cos h + s e3 sin h) M */
+/* Evaluates (A) and (B) at the time t after t0: *omega in body axes, and the rotation *turn = (cos h + s e3 sin h) M */
 VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, w, x, y, over, c, s;
     const vm_real turns = vmi_torque_free_functions(motion, t, &sn, &cn, &dn);
     vmi_doubled_at(&motion->theta, turns, &re, &im);
     vmi_sincos_turns(vmi_torque_free_fraction(motion->turn_rate, t).hi + motion->theta.shift * turns, &sine, &cosine);
-    w = 1 + motion->lean[2] * dn; /* w, x, y: M but for its length sqrt(2 w) */
+    w = 1 + motion->lean[2] * dn; /* M is (w, x, y, 0)/sqrt(2 w) */
     x = motion->lean[1] * sn;
     y = motion->lean[0] * cn;
     over = 1 / VM_SQRT(2 * w * (re * re + im * im));
-    c = over * (cosine * re - sine * im); /* cos h and sin h over that length */
+    c = over * (cosine * re - sine * im); /* cos h and sin h, divided by sqrt(2 w) */
     s = over * (sine * re + cosine * im);
     *turn = vmi_quat(c * w, vmi_times(&motion->axes, vmi_vec3(c * x - s * y, c * y + s * x, s * w)));
     *omega = vmi_times(&motion->axes, vmi_vec3(motion->spin[0] * cn, motion->spin[1] * sn, motion->spin[2] * dn));
@@ -337,13 +346,14 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 
 /* ---- setting up ---- */
 
-/* Sets all that vm_torque_free_at needs, from moments, axes, and omega over a power of two */
+/* Prepares all that vm_torque_free_at needs. *b has the moments, the axes, and omega divided by `power`, a power of
+   two. */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
     vm_quat q = motion->body.q, turn;
     vm_vec3 omega;
     int k;
-    vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0: sn = 0, cn = dn = 1 */
+    vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0 and u = 0: sn = 0, cn = dn = 1 */
     motion->theta.re[0] = 1;
     motion->lean[2] = 1;
     vmi_torque_free_prepare(motion, b);
@@ -356,13 +366,15 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
 }
 
-/* x, or 0 where its square would underflow: for 2^-505 (float 2^-57) and less, the largest being about 1 */
+/* Returns x, a component of the scaled omega, or 0 if its square would underflow, which is for |x| < 2^-505 (float
+   2^-57). */
 VM_API vm_two vmi_torque_free_squarable(vm_two x)
 {
     return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
 }
 
-/* Prepares the motion of a body whose omega is along its own axes (along_body = 1) or along the inertial ones (0) */
+/* Prepares the motion of a body whose omega is given in body axes (along_body = 1) or in inertial axes
+   (along_body = 0) */
 VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, int along_body, vm_real t0)
 {
     const vm_real power = vmi_power_of_two(vmi_norm_max(body->omega));
@@ -386,9 +398,9 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     return VM_OK;
 }
 
-/* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; afterwards
-   vm_torque_free_at gives it at any time. Accuracy and cost are those at vm_torque_free. VM_BAD_ARGUMENT: a null
-   pointer. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA; then *motion stays as it was. */
+/* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; vm_torque_free_at
+   then gives it at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
+   null pointer, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. After an error *motion is unchanged. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
     if (!motion || !body) return VM_BAD_ARGUMENT;
@@ -396,8 +408,8 @@ VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_r
 }
 
 /* Preparation of the exact torque-free motion from principal moments (kg m^2). The body's axes are the principal
-   ones, and omega (rad/s) is along them, not along the inertial axes; q is the attitude at t0 (s). The body has mass
-   1 and rests at the origin. Statuses as those of vm_torque_free_init. */
+   axes, and omega (rad/s) is along them, not along the inertial axes. q is the attitude at t0 (s). The body has mass
+   1 and rests at the origin. The statuses are those of vm_torque_free_init. */
 VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega,
                                          vm_real t0)
 {
@@ -413,11 +425,11 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
     return vmi_torque_free_start(motion, &body, 1, t0);
 }
 
-/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later than t0 or earlier. *omega
-   is along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1, if it was all zero).
-   VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE: t or the result is not finite, or t or the turns are beyond 1e290
-   (float 1e30); then *q and *omega stay as they were. Beyond 1/eps^2 turns the result is finite and has the right
-   angular momentum, but no phase. */
+/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega is
+   along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1 if it was all zero). Returns
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
+   is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
+   the result is finite and has the right angular momentum, but its phase has no meaning. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     const vm_real largest_factor = VM_MAX / VM_SPLIT; /* products in two words split their factors */
@@ -437,9 +449,9 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     return VM_OK;
 }
 
-/* A torque-free body at the time t (s), later than t0 or earlier. Attitude and omega are those of
-   vm_torque_free_attitude, but omega is along inertial axes; the mass centre is on its straight line. Statuses as
-   those of vm_torque_free_attitude; where it fails *body stays as it was. */
+/* A torque-free body at the time t (s). t may be later or earlier than t0. Attitude and omega are those of
+   vm_torque_free_attitude, but omega is along inertial axes. The mass centre is on its straight line. The statuses
+   are those of vm_torque_free_attitude; after an error *body is unchanged. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -457,8 +469,8 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     return VM_OK;
 }
 
-/* A torque-free body a time t (s) later, in one call: vm_torque_free_init, then vm_torque_free_at, with their
-   statuses. later may be body. */
+/* A torque-free body a time t (s) later, in one call. It calls vm_torque_free_init, then vm_torque_free_at, and has
+   their statuses. The pointers later and body may be equal. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;

@@ -1,14 +1,17 @@
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
-   The first step of exact torque-free rotation. It finds principal moments J, principal axes and omega along them,
-   all in two words, since the rates that follow are multiplied by long times. Then it names the axes 1, 2, 3: axis 2
-   has the middle moment, and omega circles axis 3. Which of the outer axes is 3 depends on the sign of
-     2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,  J_a >= J_b >= J_c,
-   with T the kinetic energy and L the size of the angular momentum: it is c, the axis of the smallest moment, where
-   this is positive (or 0, the separatrix), else a. Everything here is internal:
+   This is the first step of exact torque-free rotation. It finds the principal moments J_a >= J_b >= J_c, the
+   principal axes a, b, c and the components w_a, w_b, w_c of omega. All are in two words, because the rates that
+   follow from them are multiplied by long times.
+   Then it names the axes 1, 2, 3. Axis 2 has the middle moment, and omega moves around axis 3. Axis 3 is a or c; this
+   depends on the sign of
+     2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
+   where T is the kinetic energy and L the size of the angular momentum. If this number is positive, or 0 (on the
+   separatrix), axis 3 is c, the axis of the smallest moment; else axis 3 is a. All functions of this chapter are
+   internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
-       vmi_torque_free_principal(&whole.inertia, &b); // b.moment, b.axis; b.omega is to be set
+       vmi_torque_free_principal(&whole.inertia, &b); // sets b.moment and b.axis; set b.omega, too
        axes = vmi_torque_free_order(&b);
 
    Tests: tests/test_torque_free.c. */
@@ -30,14 +33,14 @@ typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
 
-/* The power of two p with p <= x < 2p; VM_MIN for an x that is 0 or subnormal */
+/* The largest power of two that is at most x, or VM_MIN if x is 0 or subnormal */
 VM_API vm_real vmi_power_of_two(vm_real x)
 {
     const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
     return x < VM_MIN ? VM_MIN : vmi_from_bits(vmi_to_bits(x) & ~mantissa);
 }
 
-/* a/power; exact, if power is a power of two */
+/* The vector a/power in two words, which is exact if power is a power of two */
 VM_API vmi_vec3_two vmi_vec3_two_over(vm_vec3 a, vm_real power)
 {
     vmi_vec3_two v;
@@ -66,8 +69,8 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
     return c;
 }
 
-/* The vector that the rotation of q turns into a: a + 2 (v x (v x a) - w v x a)/|q|^2, where q = (w, v) has any
-   length but 0 */
+/* The vector that the rotation by q turns into a. It is a + 2 (v x (v x a) - w v x a)/|q|^2 for q = (w, v) of any
+   length except 0. */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 xyz = vmi_quat_vector(q);
@@ -89,14 +92,14 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 
 /* ---- principal moments and axes ---- */
 
-/* A body by its principal moments, over a power of two; its axes, in body axes; and omega along them, over another
-   power of two */
+/* The rotation of a body in its principal axes: the principal moments divided by a power of two, the principal axes
+   in body axes, and the components of omega along them, divided by another power of two */
 typedef struct VM_TAG(vmi_torque_free_body) {
     vm_two moment[3];
     vmi_vec3_two axis[3], omega;
 } vmi_torque_free_body;
 
-/* Turns the pair *x, *y by the angle with cosine c and sine s */
+/* Turns the pair *x, *y by the angle with the cosine c and the sine s */
 VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
 {
     const vm_two x0 = *x, y0 = *y;
@@ -104,8 +107,8 @@ VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
     *y = vmi_two_plus(vmi_two_times(s, x0), vmi_two_times(c, y0));
 }
 
-/* vmi_jacobi_rotation in two words, for a tensor a that is scaled to about 1: a[p][q] becomes 0, and the axes p and
-   q turn. An entry below eps^3 just becomes 0. */
+/* Makes one rotation of Jacobi's eigenvalue method in two words: turns the axes p and q so that a[p][q] becomes 0.
+   The tensor a is scaled to about 1. An entry below eps^3 is set to 0 without a rotation. */
 VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, int p, int q)
 {
     const vm_two one = vmi_two(1, 0), entry = a[p][q];
@@ -129,11 +132,11 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
     for (k = 0; k < 3; k++) vmi_two_turn(c, s, &axis[p].x[k], &axis[q].x[k]);
 }
 
-/* Principal moments, over the power of two of the trace, and axes; omega is 0. Those of a tensor without products of
-   inertia are its entries and the body axes, exactly. */
+/* Computes the principal axes, and the principal moments divided by vmi_power_of_two(trace). Sets omega to 0. For a
+   tensor without products of inertia the moments are its entries and the axes are the body axes, exactly. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
-    const int most_sweeps = 12; /* a bound that is not reached: the rotations converge quadratically */
+    const int most_sweeps = 12; /* more than enough, since the rotations converge quadratically */
     const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
     vm_two a[3][3];
     int sweep, p, q, k;
@@ -153,8 +156,8 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
     for (k = 0; k < 3; k++) b->moment[k] = a[k][k];
 }
 
-/* A moment that is lost in the rounding errors of the tensor i makes the body a rod: it becomes 0, and the others
-   become equal */
+/* Sets a moment to 0 if it is lost in the rounding errors of the tensor i. The body is then a rod, and the other two
+   moments become equal. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -171,28 +174,28 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 
 /* ---- the order of the axes ---- */
 
-/* 1 if two moments differ by no more than two words that come from a tensor can tell. Moments that are stored
-   numbers differ by more, or are equal. */
+/* Returns 1 if the difference of two moments is within the errors of their computation from a tensor in two words.
+   Moments that were given as numbers are equal or differ by more. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
     return VM_FABS(vmi_two_minus(a, b).hi) <= few * (a.hi + b.hi);
 }
 
-/* The body in its axes 1, 2, 3, which are right-handed */
+/* A body in its axes 1, 2, 3, which are right-handed */
 typedef struct VM_TAG(vmi_torque_free_axes) {
-    vm_two I1, I2, I3;    /* the moments */
-    vm_two d12, d23, d13; /* their differences |I1 - I2|, |I2 - I3|, |I1 - I3| */
-    vm_two w1, w2, w3;    /* omega */
-    vm_two S;             /* |2T I2 - L^2|, which is 0 on the separatrix */
+    vm_two I1, I2, I3;    /* the principal moments */
+    vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
+    vm_two w1, w2, w3;    /* the components of omega */
+    vm_two S;             /* |2T I2 - L^2|, T kinetic energy, L angular momentum; 0 on the separatrix */
     vm_real sigma;        /* the sign of I1 - I3 */
     vm_real s;            /* the sign of w3 */
     int symmetric;        /* 1 if I1 = I2 */
     vmi_mat3 matrix;      /* columns: the axes 1, 2, 3 in body axes */
 } vmi_torque_free_axes;
 
-/* J d w^2 in three words: the digits that stored numbers have are all there when a difference of two such products
-   cancels */
+/* The product J d w^2 of a moment J, a difference d of moments and the square of a component w of omega. It is in
+   three words, so that the difference of two such products is right even if they cancel. */
 VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
 {
     const vmi_three J3 = vmi_three_words(J.hi, J.lo, 0), d3 = vmi_three_words(d.hi, d.lo, 0);
@@ -200,7 +203,8 @@ VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
     return vmi_three_times(vmi_three_times(J3, d3), vmi_three_times(w3, w3));
 }
 
-/* J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2, for the axes a, b, c by falling moments */
+/* The value J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2, whose sign decides which axis is axis 3.
+   The axes a, b, c are order[0], order[1], order[2], by falling moments. */
 VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, const int *order)
 {
     const int a = order[0], b = order[1], c = order[2];
@@ -208,7 +212,8 @@ VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, co
     return vmi_three_plus(of_smallest, vmi_torque_free_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
 }
 
-/* Sets order[] to the axes by falling moments; returns 1 if it is an even permutation of 0, 1, 2, else 0 */
+/* Sets order[] to the indices of the axes by falling moments. Returns 1 if order[] is an even permutation of 0, 1, 2,
+   else 0. */
 VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
 {
     int k, even = 1;
@@ -223,8 +228,8 @@ VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
     return even;
 }
 
-/* 1 if axis 3 is the last of order, that of the smallest moment, 0 if it is the first. If two moments are equal, it
-   is the axis of the third one. */
+/* Returns 1 if axis 3 is order[2], the axis of the smallest moment, and 0 if it is order[0], the axis of the largest.
+   If two moments are equal, axis 3 is the axis of the third moment. */
 VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, vmi_three separation)
 {
     if (vmi_torque_free_are_equal(J[order[0]], J[order[1]])) return 1;
@@ -232,7 +237,7 @@ VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, 
     return separation.hi >= 0;
 }
 
-/* The body in its axes 1, 2, 3. Axis 3 is reversed if the axes would be left-handed. */
+/* Expresses the body in its axes 1, 2, 3. Axis 3 is reversed if the axes would be left-handed. */
 VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
 {
     const vm_two *J = b->moment, *w = b->omega.x;
@@ -271,8 +276,8 @@ VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
     return axes;
 }
 
-/* 1 if omega stays what it is: a sphere or a point, or a rotation about a principal axis or in the equator of a
-   symmetric body */
+/* Returns 1 if omega stays constant: for a sphere or a point, a rotation about a principal axis, and a rotation about
+   an axis in the equatorial plane of a symmetric body. */
 VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 {
     const int no1 = axes->w1.hi == 0, no2 = axes->w2.hi == 0, no3 = axes->w3.hi == 0;

@@ -1,12 +1,12 @@
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
-   The two types are plain data. A quaternion turns body axes into inertial ones; it may have any length, and all
-   zero stands for the identity.
+   The two types, vm_vec3 and vm_quat, are plain data. A quaternion turns body axes into inertial ones. Its length does
+   not matter, and a quaternion of four zeros stands for the identity.
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions are internal: sums and products of vectors, norms, rotation matrices, and three or four numbers of a
-   state read as a vector or quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
+   The functions are internal: sums and products of vectors, norms, rotation matrices, and functions that read three
+   or four numbers of a state as a vector or a quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
    tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
@@ -24,7 +24,7 @@ typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
 
-/* A matrix by its columns. Those of a rotation are the images of the axes. */
+/* A 3 by 3 matrix by its columns. The columns of a rotation matrix are the images of the axes x, y, z. */
 typedef struct VM_TAG(vmi_mat3) {
     vm_vec3 x, y, z;
 } vmi_mat3;
@@ -43,7 +43,7 @@ VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - 
 VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
 VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/* a/c, each component rounded once */
+/* The vector a/c, with each component rounded once */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
 VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
@@ -53,13 +53,13 @@ VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 
 VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
 
-/* |x| + |y| + |z| */
+/* The sum |x| + |y| + |z| of the sizes of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length. It does not overflow where its square does. */
+/* The length of a. It does not overflow where only its square overflows. */
 VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
-/* The largest of |x|, |y| and |z| */
+/* The largest of the sizes |x|, |y| and |z| of a's components */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
 {
     const vm_vec3 b = vmi_abs(a);
@@ -69,13 +69,13 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
 
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
-/* m a */
+/* The product m a of the matrix m and the vector a */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-/* m^T a, which turns back what the rotation m has turned */
+/* The product of the transposed matrix m^T and the vector a. For a rotation matrix m it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
@@ -91,18 +91,18 @@ VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
     return q;
 }
 
-/* x, y, z of q */
+/* The vector of the components x, y, z of q */
 VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
 
-/* 1 if all four numbers are 0, which stands for the identity */
+/* Returns 1 if all four numbers of q are 0. Such a quaternion stands for the identity. */
 VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
 
 /* The square of the length of q */
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
-/* The product p q: the rotation of q, followed by that of p */
+/* The product p q, which is the rotation by q followed by the rotation by p */
 VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
@@ -122,7 +122,8 @@ VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
     return q;
 }
 
-/* q over the size of its largest component, so that squares neither over- nor underflow; the identity for all zero */
+/* Divides q by the size of its largest component, so that the square of its length neither overflows nor
+   underflows. Four zeros become the identity. */
 VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
     vm_real largest = VM_FABS(q.w);
@@ -136,14 +137,14 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
     return vmi_quat_over(q, largest);
 }
 
-/* The quaternion of length 1 for the same rotation; the identity for all zero */
+/* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
 VM_API vm_quat vmi_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of a quaternion whose length has the given square, which must be a normal number */
+/* The rotation matrix of q. `square` is the square of q's length: a normal number, not 0, subnormal or infinite. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -156,14 +157,15 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* The rotation matrix of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
+/* The rotation matrix of a quaternion of any length. It is exactly the identity for (w, 0, 0, 0) and for four
+   zeros. */
 VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
 
-/* Three numbers of a state as a vector, and back */
+/* Reads three numbers of a state as a vector. vmi_set3 writes a vector to a state. */
 VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 
 VM_API void vmi_set3(vm_real *y, vm_vec3 a)
@@ -173,7 +175,7 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Four numbers w, x, y, z of a state as a quaternion */
+/* Reads the four numbers w, x, y, z of a quaternion from a state */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
 #endif

@@ -1,12 +1,14 @@
 /* oscillators/averaging.h - averaged equations of an oscillator with a force, and what averaging leaves out
 
    With a force F(t, x, x') the amplitude A and the phase obey averaged equations, whose right-hand sides are means
-   over a period: vm_osc_averaged computes them for each of the three waves, (314), (315), (337)-(339), (380)-(382).
+   over a period: vm_osc_averaged computes them for each of the three waves of oscillators/waves.h, (314), (315),
+   (337)-(339), (380)-(382).
        vm_osc_plan plan;
        vm_real A_rate, theta_rate, psi_rate;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem; t = 10 s, A = 0.1 m
        if (!status) status = vm_osc_averaged(&plan, VM_ROUTE_ATEB, 10, VM_C(0.1), &A_rate, &theta_rate, &psi_rate);
-   vmi_osc_averaging_error estimates how far their solution is from the motion.
+   vmi_osc_averaging_error estimates how far the solution of the averaged equations is from the motion.
+   Symbols: psi Ateb phase, Om its rate, theta the slow part of a wave's own angle (oscillators/waves.h).
    Tests: tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_AVERAGING_H
 #define VARMASS_OSCILLATORS_AVERAGING_H
@@ -24,10 +26,10 @@
 
 /* -- Averaged equations with a force -- */
 
-/* Means over a period of F s and F c at amplitude A and V = speed vmax. Every quarter of the period is cut in two. Up
-   to the cut, where for large alpha the velocity goes like tanh psi, Gauss' rule takes 20 points in psi. From there
-   to x = 0 it takes 20 points in the root of the distance from x = 0, since F may hold fractional powers of that
-   distance. */
+/* Writes the means of F s and F c over a period, where the wave moves as x = A c, x' = -V s. Each quarter of the period
+   is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large alpha the velocity varies like
+   tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the distance of psi from its value
+   at x = 0, because F may contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -53,7 +55,8 @@ VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t
     }
 }
 
-/* (ln A)', and theta' in the wave's own angle, at amplitude A where Om is the rate of the Ateb phase */
+/* The averaged rates (ln A)' and theta' at the amplitude A, where Om is the rate of the Ateb phase. theta is the slow
+   part of the wave's own angle. */
 VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, const vmi_osc_rates *now, vm_real t,
                                    vm_real A, vm_real Om, vm_real *ln_A_rate, vm_real *theta_rate)
 {
@@ -64,21 +67,22 @@ VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, 
     *theta_rate = -w->gain_theta * Fc / (now->m * V);
 }
 
-/* Om/Om0 at A/A0 = e^a and these m and k */
+/* Om/Om0, the rate of the Ateb phase over its value at t = 0, where A/A0 = e^a, for the mass and stiffness in `now` */
 VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, vm_real a)
 {
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
 }
 
 /* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force.
-   At time t (s) and amplitude A (m), in m/s and 1/s. psi is the route's own angle and theta its slow part: the Ateb
-   phase for VM_ROUTE_ATEB, (314), (315) averaged, with the term of omega' that they lack; radians for
-   VM_ROUTE_TRIG, (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339); the argument of cn for
-   VM_ROUTE_JACOBI, (380)-(382) with theta' in the second of (382). The means come from Gauss' rule on each quarter
-   of the period, so that F may jump where x or x' is 0: to 1e-10 for cubic F and alpha <= 30 (float: to rounding
-   errors). Cost: 160 calls of F. VM_BAD_ARGUMENT for null pointers or another route, VM_NOT_FINITE, VM_BAD_MASS and
-   VM_BAD_STIFFNESS for a law that is not positive at t, VM_DOMAIN for A <= 0, t outside a table, or where the function
-   of a law fails; then the results are untouched. */
+   They are taken at time t (s) and amplitude A (m), in m/s and 1/s. psi is the angle of the route's wave, theta its
+   slow part. For VM_ROUTE_ATEB psi is the Ateb phase: (314), (315) averaged, with the term of omega' that they lack.
+   For VM_ROUTE_TRIG it is in radians: (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339). For
+   VM_ROUTE_JACOBI it is the argument of cn: (380)-(382) with theta' in the second equation of (382). Gauss' rule
+   takes the means on each quarter of the period, so F may jump where x or x' is 0. For alpha up to 30, and F linear
+   or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float 2e-6). Returns VM_BAD_ARGUMENT for
+   a null pointer or another route, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
+   VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, t outside a table, or a user's
+   function of a law that fails. An error leaves the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -104,28 +108,29 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
 
 /* -- What averaging leaves out -- */
 
-/* Points of a period at which the rates are compared */
+/* Number of phases in a period at which the exact rates of ln A and psi are compared with their means */
 enum { VMI_AVERAGING_POINTS = 64 };
 
-/* A time t on the way from 0 to t_end, and the motion there */
+/* A time t between 0 and t_end, and the motion at t */
 typedef struct VM_TAG(vmi_osc_moment) {
     const vm_osc_plan *plan;
-    vmi_osc_rates now;  /* the rates just before t */
-    vm_real t, t_end;   /* s */
-    vm_real A, psi, Om; /* amplitude, m, Ateb phase and its rate, 1/s */
+    vmi_osc_rates now;  /* mass, stiffness and rates just before t */
+    vm_real t, t_end;   /* this time and the last time, s */
+    vm_real A, psi, Om; /* amplitude, m, Ateb phase, and rate of this phase, 1/s */
 } vmi_osc_moment;
 
-/* What averaging leaves out at a moment, all in ln A or in radians of the Ateb phase */
+/* What averaging leaves out at one moment, as errors of ln A and of the Ateb phase psi */
 typedef struct VM_TAG(vmi_osc_averaging) {
-    vm_real Om;                 /* of the moment, 1/s */
-    vm_real start_A, start_psi; /* the ripple at the moment's phase */
-    vm_real ripple;             /* the largest ripple of ln A plus the largest of psi */
-    vm_real rate_A, rate_psi;   /* errors of the mean rates, 1/s */
+    vm_real Om;                 /* rate of the Ateb phase at this moment, 1/s */
+    vm_real start_A, start_psi; /* ripples of ln A and psi at the phase of this moment */
+    vm_real ripple;             /* the largest ripple of ln A plus the largest ripple of psi */
+    vm_real rate_A, rate_psi;   /* errors of the mean rates of ln A and psi, 1/s */
     vm_real growth;             /* rate, 1/s, at which a small change of ln A grows */
 } vmi_osc_averaging;
 
-/* The rates of ln A and psi over the period before t (over the first period, if t is not yet so far): with the force as
-   it is at t if `frozen`, otherwise with the force as time goes on */
+/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first
+   period if less than a period has passed. If `frozen` is 1 the force is that at the time t, otherwise the force
+   varies with time. */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
@@ -136,7 +141,7 @@ VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) {
         const vm_real way = 2 * p->ripple.pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
         vm_real ca, sa, F, time = at->t + side * (way - 2 * p->ripple.pi) / at->Om;
-        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* before the start: the first period instead */
+        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* there is no force before the start */
         if (VM_FABS(time) > VM_FABS(at->t_end)) time = at->t_end;
         if (frozen) time = at->t;
         vmi_osc_wave_at(&w, at->psi + way, &ca, &sa);
@@ -146,7 +151,7 @@ VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *
     }
 }
 
-/* Takes the mean off values over a period, and returns it */
+/* Subtracts the mean from values over a period, and returns the mean */
 VM_API vm_real vmi_osc_take_mean(vm_real *values)
 {
     vm_real mean = 0;
@@ -156,7 +161,7 @@ VM_API vm_real vmi_osc_take_mean(vm_real *values)
     return mean;
 }
 
-/* The integral over the phase, in steps of width, of values without mean; the integral is without mean, too */
+/* Integrates values whose mean is 0 over a period, in steps of `width`, and subtracts the mean of the integral */
 VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_real *ripple)
 {
     int i;
@@ -166,7 +171,7 @@ VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_re
     vmi_osc_take_mean(ripple);
 }
 
-/* The largest size of values over a period */
+/* The largest absolute value over a period */
 VM_API vm_real vmi_osc_largest(const vm_real *values)
 {
     vm_real largest = 0;
@@ -175,11 +180,12 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
     return largest;
 }
 
-/* Adds to the errors of the rates that of a wave which is not ca, and finds the growth of a small change of ln A */
+/* Adds the error of a wave that is not ca to the errors of the rates, and finds the rate at which a small change of
+   ln A grows */
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
-    const vm_real change = VM_C(0.02); /* of ln A */
+    const vm_real change = VM_C(0.02); /* the change of ln A that is tried */
     const vm_real A = at->A * (1 + change), Om = at->Om * (1 + (w->alpha - 1) / 2 * change);
     const vmi_osc_wave exact = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     vm_real own_A, own_psi, exact_A, exact_psi, more_A, more_psi;
@@ -191,7 +197,8 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
     a->growth = (more_A - own_A) / change;
 }
 
-/* The ripples of ln A and psi, from their rates over a period without the means. A ripple of ln A changes Om. */
+/* The ripples of ln A and psi within a period, from their rates without the means. The ripple of ln A changes Om,
+   which adds to the rate of psi. */
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
@@ -208,11 +215,12 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
     a->ripple = vmi_osc_largest(ripple_A) + vmi_osc_largest(ripple_psi);
 }
 
-/* What averaging leaves out at time t of the way to t_end, where the motion has amplitude A and phase psi */
+/* Finds what averaging leaves out at the time t between 0 and t_end, where the motion has the amplitude A and the
+   Ateb phase psi */
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* of rate times ripple: 1.6 times what Duffing's equation has */
+    const vm_real second_order = VM_C(0.25); /* factor of rate times ripple; for Duffing's equation it is 0.156 */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -241,20 +249,22 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* Times at which motions by integration are compared: the last 8 of 11 equal parts of the way to t */
+/* Number of times at which motions by integration are compared: the ends of the last 8 of 11 equal parts of the
+   interval from 0 to t */
 enum { VMI_OSC_CHECKS = 8 };
 
+/* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
 VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 {
     if (i == VMI_OSC_CHECKS - 1) return t;
     return t * (vm_real)(4 + i) / (vm_real)(3 + VMI_OSC_CHECKS);
 }
 
-/* Estimates the error of the averaged equations with a force at t, from the amplitudes at the times of
-   vmi_osc_check_time. Errors arise from the ripple at the start, which is taken for a part of the mean, and from the
-   errors of the rates. They grow as small changes of the motion do, and an error of the amplitude adds one of the
-   phase. The ripple at t, the wave that is not ca and sa, and what is too fast in the laws of mass and stiffness
-   are added at the end. */
+/* Estimates the error at t of the averaged equations with a force, from the motions at the times of
+   vmi_osc_check_time. Errors arise from the ripple at the start, which the equations take for a part of the mean, and
+   from errors of the mean rates. These errors grow as small changes of the motion do, and an error of the
+   amplitude adds an error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not
+   ca, and the effect of fast changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
                                    const vm_osc_motion *motion, vm_real *error)
 {
@@ -281,7 +291,7 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
         time = next;
     }
     *error = error_A + error_psi + after.ripple + vmi_osc_wave_error(w, p->ripple.mean2) + vmi_osc_way_error(p, &mean);
-    if (!(*error >= 0)) *error = VM_INFINITY; /* amplitude 0, or out of range: nothing is known */
+    if (!(*error >= 0)) *error = VM_INFINITY; /* the amplitude is 0 or an overflow left NaN */
     return VM_OK;
 }
 

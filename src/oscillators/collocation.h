@@ -1,13 +1,14 @@
-/* oscillators/collocation.h - integration of an oscillator from zero to zero of x, to a tolerance
+/* oscillators/collocation.h - integration of an oscillator from each zero of x to the next, to a tolerance
 
-   The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F,
+   The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F, are
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
-   E = (p^2 - a p - p')/W^2, f = F/(m V), V = 2 A W/(alpha+1), are solved with psi as the independent variable: ln A and
-   t are integrated from one zero of x to the next. There |x|^(alpha-1) x has no derivatives for most alpha; since the
-   steps end there, no order is lost. In a step the method is Gauss' collocation of n points, with the values of the
-   last steps extrapolated as a start of its iteration. p' is the derivative of the polynomial through p at these
-   points, so that laws have to give f and f' only. Two runs with different n go side by side; by how much they differ
-   gives the error.
+     with E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
+   They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
+   At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
+
+   A step uses Gauss' collocation of n points. Its equations are solved by iteration, which starts from values that are
+   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points,
+   so that laws have to give only f and f'. Two runs with different n go side by side; their difference gives the error.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
@@ -31,18 +32,18 @@
 
 /* -- Gauss' rule of n points on [0, 1] -- */
 
-/* Most points, numbers that are integrated (ln A, t), steps whose values are extrapolated */
-enum { VMI_NODES = VMI_GAUSS, VMI_COLLOCATED = 2, VMI_HISTORY = 6 };
-enum { VMI_COLLOCATED_LN_A = 0, VMI_COLLOCATED_T = 1 };
+/* The largest n, and from how many earlier steps a step is extrapolated */
+enum { VMI_NODES = VMI_GAUSS, VMI_HISTORY = 6 };
 
+/* Gauss' rule, and two matrices for polynomials of degree n - 1: polynomial j is 1 at node j, 0 at all other nodes */
 typedef struct VM_TAG(vmi_gauss_rule) {
-    int n;
+    int n; /* number of nodes */
     vm_real node[VMI_NODES], weight[VMI_NODES];
-    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral from 0 to node i of the polynomial that is 1 at node j */
-    vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of this polynomial at node i */
+    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral of polynomial j from 0 to node i */
+    vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
 } vmi_gauss_rule;
 
-/* Legendre's P_n(x), and its derivative in *slope */
+/* Returns Legendre's polynomial P_n(x), and writes its derivative to *slope. */
 VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
 {
     vm_real before = 0, now = 1;
@@ -56,7 +57,7 @@ VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
     return now;
 }
 
-/* Nodes and weights by Newton's method, from the nodes of Chebyshev's polynomial */
+/* Computes nodes and weights: zeros of Legendre's polynomial by Newton's method, from an approximation by cosines. */
 VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
 {
     const int rounds = 6;
@@ -74,8 +75,8 @@ VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
     }
 }
 
-/* Adds to the matrices what Legendre's polynomial of degree k, with values at the nodes, its integrals from 0 and its
-   derivatives by the node, contributes to the polynomial that is 1 at one node */
+/* Adds the part of Legendre's polynomial P_k to both matrices. values, integrals and derivatives are those of P_k at
+   the nodes, with integrals from 0 and derivatives by the variable of the nodes. */
 VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
                                const vm_real *derivatives)
 {
@@ -89,7 +90,7 @@ VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *value
     }
 }
 
-/* The rule of n points, 2 <= n <= VMI_NODES */
+/* Computes the rule of n points, 2 <= n <= VMI_NODES. */
 VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
 {
     vm_real before[VMI_NODES], now[VMI_NODES], slope_before[VMI_NODES], slope[VMI_NODES];
@@ -107,7 +108,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
             rule->derivative[i][j] = 0;
         }
     }
-    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals by the node are half of those by x, derivatives double */
+    for (k = 0; k < n; k++) { /* with x = 2 node - 1: node integrals are half of those over x, derivatives double */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
@@ -132,34 +133,36 @@ typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
 } vmi_step_waves;
 
-/* Derivatives of ln A and t by the phase at the nodes of a step */
+/* Rates: derivatives of ln A and t by the phase psi, at the nodes of a step */
 typedef struct VM_TAG(vmi_step_rates) {
-    vm_real by_psi[VMI_COLLOCATED][VMI_NODES];
+    vm_real ln_A[VMI_NODES], t[VMI_NODES];
 } vmi_step_rates;
 
-/* A run from 0 to t. A half period is one step, or two steps with a stop where x' = 0. */
+/* A run from 0 to t. A half period, from one zero of ca to the next, is one part, or it is two parts that meet where
+   sa = 0. Each step covers one part, unless it starts or ends inside a part. */
 typedef struct VM_TAG(vmi_osc_course) {
     const vm_osc_plan *plan;
     vmi_osc_wave wave;
     vmi_gauss_rule rule;
     int side;              /* 1 forward, -1 backward in time */
-    int parts;             /* steps of a half period, 1 or 2 */
-    vm_real stop;          /* laws are not asked beyond this time, s: a point of a table or the end */
+    int parts;             /* number of parts of a half period, 1 or 2 */
+    vm_real stop;          /* time, s, at which a step must end: a point of a table or the end. Laws are not
+                              evaluated beyond it */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* the iteration of a step ends where the phase changes by less than this */
+    vm_real sweep_limit;   /* the iteration of a step ends when a round changes the phase by less than this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
-    vm_real t_low;         /* what t as one number loses, s */
-    vm_real contraction;   /* by this factor each round of the iteration reduces its error */
-    vm_real left;          /* sum over the steps of the square of what the iteration leaves of the phase */
-    vm_real rate;          /* of the phase at the end of the last step, 1/s */
-    vmi_step_waves waves[2];                        /* of the parts of a half period that starts at psi = -Pi/2 */
-    vmi_step_rates history[2][VMI_HISTORY];         /* of the last whole steps, by parts, the last one first */
-    int known[2];                                   /* how many of them there are */
+    vm_real t_low;         /* the exact time is t + t_low, s */
+    vm_real left;          /* sum over the steps of the change of phase that their iterations leave out */
+    vm_real contraction;   /* factor by which a round of the iteration reduces its error */
+    vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
+    vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
+    vmi_step_rates history[2][VMI_HISTORY];         /* rates of earlier whole steps over each part, the latest first */
+    int known[2];                                   /* number of earlier steps over each part that history holds */
     int status;
-    long evals;
+    long evals;            /* evaluations of the rates */
 } vmi_osc_course;
 
-/* sa and ca at the nodes between two phases */
+/* Writes sa and ca at the nodes of a step that starts at the phase `from`. */
 VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
 {
     int i;
@@ -167,30 +170,43 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
         vmi_osc_wave_at(&c->wave, from + length * c->rule.node[i], &w->ca[i], &w->sa[i]);
 }
 
-/* A step that is being made: from the state of the course over a length of phase */
+/* A step that is being computed; it starts at the present state of the course */
 typedef struct VM_TAG(vmi_osc_step) {
-    vm_real length;
-    vm_real sign;          /* factor of the waves: -1 in every second half period, where both have the other sign */
-    const vmi_step_waves *waves;
-    vmi_step_rates rates;
+    vm_real length;              /* length in phase */
+    vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
+    const vmi_step_waves *waves; /* sa and ca at the nodes, without the factor sign */
+    vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
 } vmi_osc_step;
 
-/* The change of ln A or t over the whole step */
-VM_API vm_real vmi_osc_step_whole(const vmi_osc_course *c, const vmi_osc_step *s, int which)
+/* Changes of ln A and of t, s, over a step or a part of it */
+typedef struct VM_TAG(vmi_osc_change) {
+    vm_real ln_A, t;
+} vmi_osc_change;
+
+/* The changes of ln A and t over the whole step */
+VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_osc_step *s)
 {
-    vm_real sum = 0;
+    vmi_osc_change sum;
     int j;
-    for (j = 0; j < c->rule.n; j++) sum += c->rule.weight[j] * s->rates.by_psi[which][j];
-    return s->length * sum;
+    sum.ln_A = 0;
+    sum.t = 0;
+    for (j = 0; j < c->rule.n; j++) {
+        sum.ln_A += c->rule.weight[j] * s->rates.ln_A[j];
+        sum.t += c->rule.weight[j] * s->rates.t[j];
+    }
+    sum.ln_A *= s->length;
+    sum.t *= s->length;
+    return sum;
 }
 
-/* The rates by the phase at node i, where the laws say *now and p' = p_rate, at ln(A/A0) = ln_A and time t */
+/* Writes the rates of ln A and t by the phase at node i, where ln(A/A0) is ln_A and the time is t. *now holds mass,
+   stiffness and their rates at t, and p_rate is p'. */
 VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_osc_rates *now,
                                 vm_real p_rate, vm_real ln_A, vm_real t, vm_real *ln_A_by_psi, vm_real *t_by_psi)
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
-    const vm_real least_rate = VM_C(0.1); /* of the phase by W: below it this is no vibration */
+    const vm_real least_rate = VM_C(0.1); /* below this ratio of the phase's rate to W there is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
     const vm_real W = plan->Om * vmi_osc_Om_ratio(plan, now, ln_A);
     const vm_real E = (now->p * (now->p - now->a) - p_rate) / (W * W);
@@ -207,33 +223,43 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
     return VM_OK;
 }
 
-/* The integral of rates by psi from the start of the step to node i */
-VM_API vm_real vmi_osc_integral_to(const vmi_osc_course *c, const vmi_osc_step *s, const vm_real *rates, int i)
+/* The changes of ln A and t from the start of the step to node i, by integration of these rates */
+VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_step_rates *rates,
+                                        int i)
 {
-    vm_real sum = 0;
+    const vm_real *weight = c->rule.integral[i];
+    vmi_osc_change sum;
     int j;
-    for (j = 0; j < c->rule.n; j++) sum += c->rule.integral[i][j] * rates[j];
-    return s->length * sum;
+    sum.ln_A = 0;
+    sum.t = 0;
+    for (j = 0; j < c->rule.n; j++) {
+        sum.ln_A += weight[j] * rates->ln_A[j];
+        sum.t += weight[j] * rates->t[j];
+    }
+    sum.ln_A *= s->length;
+    sum.t *= s->length;
+    return sum;
 }
 
-/* The rates of a step go on by what a round found to be missing, and by what that changes in turn: `missing` moves ln A
-   and t, which moves the rates, mostly by the change of W with both. now: the laws at about the middle of the step */
+/* Adds to the rates of a step what a round found to be missing, and an estimate of what this changes in turn: `missing`
+   shifts ln A and t at the nodes, and these shift the rates, mostly because W depends on both. *now holds mass,
+   stiffness and rates at about the middle of the step. */
 VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_osc_rates *now,
                             const vmi_step_rates *missing, vmi_step_rates *rates)
 {
     const vm_real alpha = c->plan->problem.alpha;
-    const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2; /* of ln(dt/dpsi) */
+    /* derivatives of ln(dt/dpsi) by t and by ln A */
+    const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2;
     int i;
     for (i = 0; i < c->rule.n; i++) {
-        const vm_real ln_A = vmi_osc_integral_to(c, s, missing->by_psi[VMI_COLLOCATED_LN_A], i);
-        const vm_real t = vmi_osc_integral_to(c, s, missing->by_psi[VMI_COLLOCATED_T], i);
-        const vm_real change = rates->by_psi[VMI_COLLOCATED_T][i] * (by_t * t + by_ln_A * ln_A);
-        rates->by_psi[VMI_COLLOCATED_T][i] += missing->by_psi[VMI_COLLOCATED_T][i] + change;
-        rates->by_psi[VMI_COLLOCATED_LN_A][i] += missing->by_psi[VMI_COLLOCATED_LN_A][i] - now->p * change;
+        const vmi_osc_change moved = vmi_osc_change_to(c, s, missing, i);
+        const vm_real change = rates->t[i] * (by_t * moved.t + by_ln_A * moved.ln_A);
+        rates->t[i] += missing->t[i] + change;
+        rates->ln_A[i] += missing->ln_A[i] - now->p * change;
     }
 }
 
-/* One round of the iteration. *change: largest change of the phase over the step that it finds */
+/* Makes one round of the iteration. *change becomes the largest change of the rates, times the length of the step. */
 VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 {
     const int n = c->rule.n;
@@ -242,22 +268,23 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
     int i, j, status;
     for (i = 0; i < n; i++) {
-        ln_A[i] = c->ln_A + vmi_osc_integral_to(c, s, s->rates.by_psi[VMI_COLLOCATED_LN_A], i);
-        t[i] = c->t + (c->t_low + vmi_osc_integral_to(c, s, s->rates.by_psi[VMI_COLLOCATED_T], i));
+        const vmi_osc_change moved = vmi_osc_change_to(c, s, &s->rates, i);
+        ln_A[i] = c->ln_A + moved.ln_A;
+        t[i] = c->t + (c->t_low + moved.t);
         if ((vm_real)c->side * (t[i] - c->stop) > 0) t[i] = c->stop;
         status = vmi_osc_rates_at(&c->plan->problem, t[i], t[i] == c->stop ? -c->side : c->side, &now[i]);
         if (status) return status;
     }
     *change = 0;
     for (i = 0; i < n; i++) {
-        const vm_real old_ln_A = s->rates.by_psi[VMI_COLLOCATED_LN_A][i], old_t = s->rates.by_psi[VMI_COLLOCATED_T][i];
+        const vm_real old_ln_A = s->rates.ln_A[i], old_t = s->rates.t[i];
         vm_real p_rate = 0, new_ln_A, new_t;
         for (j = 0; j < n; j++) p_rate += c->rule.derivative[i][j] * now[j].p;
         p_rate /= s->length * old_t;
         status = vmi_osc_course_rates(c, s, i, &now[i], p_rate, ln_A[i], t[i], &new_ln_A, &new_t);
         if (status) return status;
-        missing.by_psi[VMI_COLLOCATED_LN_A][i] = new_ln_A - old_ln_A;
-        missing.by_psi[VMI_COLLOCATED_T][i] = new_t - old_t;
+        missing.ln_A[i] = new_ln_A - old_ln_A;
+        missing.t[i] = new_t - old_t;
         *change = vmi_larger((VM_FABS(new_t / old_t - 1) + VM_FABS(new_ln_A - old_ln_A)) * VM_FABS(s->length), *change);
     }
     vmi_osc_correct(c, s, &now[n / 2], &missing, &s->rates);
@@ -265,78 +292,74 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Rounds until the rates do not change any more, from the rates in s->rates */
+/* Makes rounds of the iteration, from the rates in s->rates, until the change of phase that they leave out is below the
+   limit of the course. A round leaves out the part `contraction` of the change that it makes. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.02);
+    const vm_real least_contraction = VM_C(0.02); /* in case the next steps are harder than this one */
+    const vm_real rounding = 1024 * VM_EPSILON;   /* no round can make the change smaller than some part of this */
     const int most_rounds = 40;
     vm_real change, before = 0;
     int round, status;
     for (round = 0; round < most_rounds; round++) {
         status = vmi_osc_sweep(c, s, &change);
         if (status) return status;
-        if (round > 0 && before > 0) c->contraction = vmi_larger(change / before, least_contraction);
-        if (change * c->contraction <= c->sweep_limit) {
-            const vm_real left = change * c->contraction;
-            c->left += left * left;
-            return VM_OK;
-        }
+        if (before > 0) c->contraction = vmi_smaller(vmi_larger(change / before, least_contraction), 1);
+        if (change * c->contraction <= c->sweep_limit) break;
         if (round > 2 && !(change < before)) break;
         before = change;
     }
-    return change <= 64 * VM_EPSILON ? VM_OK : VM_NOT_INTEGRATED;
+    c->left += change * c->contraction;
+    return change * c->contraction <= c->sweep_limit || change <= rounding ? VM_OK : VM_NOT_INTEGRATED;
 }
 
-/* The next value after n at equal distances, the last one first, by the polynomial through them; destroys the values */
-VM_API vm_real vmi_extrapolate(int n, vm_real *values)
-{
-    vm_real sum = 0;
-    int i, k;
-    for (k = n; k > 0; k--) { /* adds the last differences of order 0, 1, 2 ... */
-        sum += values[0];
-        for (i = 0; i < k - 1; i++) values[i] -= values[i + 1];
-    }
-    return sum;
-}
-
-/* Start values of a step: extrapolated from whole steps of the same part, or else the rates at the start */
+/* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps of the same
+   part of a half period; if there are none, all are the rates at the start of the step, without the terms of
+   E and F. */
 VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 {
-    const vmi_step_rates *h = c->history[part];
     vmi_osc_rates now;
-    vm_real rate;
-    int i, j, k, status;
+    vm_real rate, factor = -1;
+    int i, k, status;
     if (c->known[part] == 0) {
         status = vmi_osc_rates_at(&c->plan->problem, c->t, c->side, &now);
         if (status) return status;
         rate = 1 / (c->plan->Om * vmi_osc_Om_ratio(c->plan, &now, c->ln_A));
         for (i = 0; i < c->rule.n; i++) {
-            s->rates.by_psi[VMI_COLLOCATED_LN_A][i] = -now.p * rate;
-            s->rates.by_psi[VMI_COLLOCATED_T][i] = rate;
+            s->rates.ln_A[i] = -now.p * rate;
+            s->rates.t[i] = rate;
         }
         return VM_OK;
     }
-    for (j = 0; j < VMI_COLLOCATED; j++)
+    for (i = 0; i < c->rule.n; i++) {
+        s->rates.ln_A[i] = 0;
+        s->rates.t[i] = 0;
+    }
+    for (k = 0; k < c->known[part]; k++) { /* extrapolation of n values: factors n, -n (n-1)/2, ... */
+        const vmi_step_rates *last = &c->history[part][k];
+        factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
         for (i = 0; i < c->rule.n; i++) {
-            vm_real values[VMI_HISTORY];
-            for (k = 0; k < c->known[part]; k++) values[k] = h[k].by_psi[j][i];
-            s->rates.by_psi[j][i] = vmi_extrapolate(c->known[part], values);
+            s->rates.ln_A[i] -= factor * last->ln_A[i];
+            s->rates.t[i] -= factor * last->t[i];
         }
+        factor = -factor;
+    }
     return VM_OK;
 }
 
-/* The state of the course goes on by the step */
+/* Advances the state of the course by the step. */
 VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
 {
-    const vm_real change = c->t_low + vmi_osc_step_whole(c, s, VMI_COLLOCATED_T), t = c->t + change;
+    const vmi_osc_change moved = vmi_osc_whole_change(c, s);
+    const vm_real change = c->t_low + moved.t, t = c->t + change;
     c->t_low = change - (t - c->t);
     c->t = t;
-    c->ln_A += vmi_osc_step_whole(c, s, VMI_COLLOCATED_LN_A);
+    c->ln_A += moved.ln_A;
     c->psi += s->length;
-    c->rate = 1 / s->rates.by_psi[VMI_COLLOCATED_T][c->rule.n - 1];
+    c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
-/* Keeps the rates of a whole step for the next ones of the same part */
+/* Stores the rates of a whole step, from which later steps of the same part are extrapolated. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
     int i;
@@ -347,7 +370,8 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
 
 /* -- Landing on a time -- */
 
-/* The part of the step at which t is reached, by the polynomial of the step */
+/* Returns at which fraction of the step the time t is reached, by Newton's method for the polynomial of the step.
+   Writes the Legendre series of dt/dpsi to series. */
 VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
 {
     const int rounds = 8;
@@ -359,7 +383,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
         vm_real before = 0, now = 1;
         for (k = 0; k < c->rule.n; k++) {
             const vm_real next = vmi_legendre_next(k, 2 * c->rule.node[i] - 1, now, before);
-            series[k] += (vm_real)(2 * k + 1) * c->rule.weight[i] * now * s->rates.by_psi[VMI_COLLOCATED_T][i];
+            series[k] += (vm_real)(2 * k + 1) * c->rule.weight[i] * now * s->rates.t[i];
             before = now;
             now = next;
         }
@@ -373,9 +397,9 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return part;
 }
 
-/* Makes a shorter step than the one that would go beyond c->stop, so that it ends there. certain: 0 where the longer step
-   is a prediction only; if it turns out that it does not reach c->stop, the course stays where it is. No step may cross a
-   zero of x. */
+/* Makes a step that ends at c->stop, in place of `beyond`, the longer step that would go past this time. certain: 0 where
+   `beyond` is only predicted. If it turns out that it does not reach c->stop, the course stays where it is, since no step
+   may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
@@ -388,20 +412,21 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
     s.waves = &waves;
     s.length = part * beyond->length;
     for (i = 0; i < c->rule.n; i++) {
-        s.rates.by_psi[VMI_COLLOCATED_T][i] = vmi_legendre_at(series, 2 * part * c->rule.node[i] - 1);
-        s.rates.by_psi[VMI_COLLOCATED_LN_A][i] = beyond->rates.by_psi[VMI_COLLOCATED_LN_A][i];
+        s.rates.t[i] = vmi_legendre_at(series, 2 * part * c->rule.node[i] - 1);
+        s.rates.ln_A[i] = beyond->rates.ln_A[i];
     }
     for (round = 0; round < rounds; round++) {
         vm_real missing;
         vmi_osc_course_waves(c, c->psi, s.length, &waves);
         status = vmi_osc_iterate(c, &s);
         if (status) return status;
-        missing = (way - vmi_osc_step_whole(c, &s, VMI_COLLOCATED_T)) /
-                  s.rates.by_psi[VMI_COLLOCATED_T][c->rule.n - 1];
-        if (VM_FABS(missing) <= c->sweep_limit / 4) break;
+        missing = (way - vmi_osc_whole_change(c, &s).t) /
+                  s.rates.t[c->rule.n - 1];
+        if (VM_FABS(missing) <= c->sweep_limit) break;
         s.length += missing;
     }
     if (!certain && VM_FABS(s.length) > VM_FABS(beyond->length)) return VM_OK;
+    c->left += c->sweep_limit;
     vmi_osc_take(c, &s);
     c->t = c->stop;
     c->t_low = 0;
@@ -412,14 +437,15 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
 
 /* -- Steps -- */
 
-/* The phase at which the next step ends: a multiple of Pi/2, that for one part is a zero of ca; *part: which part of a
-   half period the step is, -1 where it starts inside */
+/* Returns the phase at which the next step ends: a zero of ca, or with two parts a zero of ca or sa. *part becomes the
+   number of the part that the step covers, or -1 where the step starts inside a part; *sign becomes the factor of its
+   waves. */
 VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *sign)
 {
     const vm_real half = c->plan->ripple.pi, close = 64 * VM_EPSILON * (1 + VM_FABS(c->psi) / half);
     const vm_real per_step = (vm_real)c->parts / half, side = (vm_real)c->side;
-    const vm_real at = (c->psi + half / 2) * per_step; /* whole numbers are ends of steps */
-    const vm_real nearest = VM_FLOOR(at + VM_C(0.5)), next = VM_FLOOR(side * at + close) + 1; /* along the way */
+    const vm_real at = (c->psi + half / 2) * per_step; /* the phase, counted in steps; `next` is the end of the step */
+    const vm_real nearest = VM_FLOOR(at + VM_C(0.5)), next = VM_FLOOR(side * at + close) + 1;
     const vm_real cell = side > 0 ? side * next - 1 : side * next; /* the step lies between cell and cell + 1 */
     const vm_real turn = VM_FLOOR(cell / (vm_real)c->parts);
     *part = VM_FABS(at - nearest) <= close ? (int)(cell - turn * (vm_real)c->parts) : -1;
@@ -427,13 +453,13 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
     return side * next / per_step - half / 2;
 }
 
-/* Whether the step, as its rates are now, ends at or beyond c->stop */
+/* Whether the step, by its present rates, ends at or beyond c->stop */
 VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
 {
-    return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_step_whole(c, s, VMI_COLLOCATED_T))) >= 0;
+    return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
 }
 
-/* One step towards c->stop, which ends there at the latest */
+/* Makes one step. If it would go beyond c->stop, it is shortened to end there. */
 VM_API int vmi_osc_course_step(vmi_osc_course *c)
 {
     vmi_step_waves inside;
@@ -443,7 +469,7 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     s.length = vmi_osc_next_phase(c, &part, &s.sign) - c->psi;
     status = vmi_osc_predict(c, part < 0 ? 0 : part, &s);
     if (status) return status;
-    share = c->longest / VM_FABS(vmi_osc_step_whole(c, &s, VMI_COLLOCATED_T));
+    share = c->longest / VM_FABS(vmi_osc_whole_change(c, &s).t);
     if (share < 1) {
         s.length *= share;
         part = -1;
@@ -466,7 +492,8 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     return VM_OK;
 }
 
-/* A course of n points at t = 0 */
+/* Starts a course at t = 0 from the amplitude and phase in *start, with n points a step and `parts` parts a half
+   period. */
 VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
                                  int n, int parts, vm_real sweep_limit)
 {
@@ -485,8 +512,8 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->ln_A = vmi_log(start->A / plan->A).hi;
     c->t = 0;
     c->t_low = 0;
-    c->contraction = VM_C(0.1);
     c->left = 0;
+    c->contraction = VM_C(0.1);
     c->rate = 0;
     for (part = 0; part < parts; part++) {
         from = half * ((vm_real)part / (vm_real)parts - VM_C(0.5));
@@ -500,17 +527,17 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
 
 /* -- Two runs side by side -- */
 
-/* The next point of a table on the way to t, or t */
+/* The next point of a table after `from` on the way to t, or t if there is none */
 VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
 {
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
-/* Both courses go on to t, a point of a table or the end. *difference becomes the largest difference of ln A and of the
-   phase on the way, if that is larger. */
+/* Advances both courses to t, a point of a table or the end. Raises *difference to the largest difference of ln A and
+   phase between the two courses on the way. */
 VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real *difference)
 {
-    const vm_real most_steps = VM_C(16777216.); /* 2^24: in float more hold no phase, in double they take minutes */
+    const vm_real most_steps = VM_C(16777216.); /* 2^24: with more, float has no digits for the phase */
     vm_real steps = 0;
     int status = VM_OK;
     loose->stop = t;
@@ -530,7 +557,7 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
     return status;
 }
 
-/* Runs of two numbers of points */
+/* Numbers of points a step of the loose and of the strict run, and parts of a half period in both runs */
 typedef struct VM_TAG(vmi_osc_points) {
     int loose, strict, parts;
 } vmi_osc_points;
@@ -544,9 +571,10 @@ VM_API vmi_osc_points vmi_osc_points_of(int loose, int strict, int parts)
     return points;
 }
 
-/* The pairs that are tried, one after the other; the last one is number VMI_OSC_PAIRS - 1 */
+/* The number of pairs of runs that are tried one after the other */
 enum { VMI_OSC_PAIRS = 5 };
 
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1; the last pair is the most accurate. */
 VM_API vmi_osc_points vmi_osc_pair(int i)
 {
     switch (i) {
@@ -558,13 +586,22 @@ VM_API vmi_osc_points vmi_osc_pair(int i)
     }
 }
 
-/* One pair of runs from 0 to t: the state at t in *strict, the estimate of its error in *error */
+/* The number of the pair that is tried first. With a force the rates may have kinks where x' = 0; pairs with two parts
+   a half period end steps near there. */
+VM_API int vmi_osc_first_pair(const vm_osc_plan *plan, vm_real tolerance)
+{
+    if (plan->problem.force) return 3;
+    if (tolerance >= VM_C(1e-8)) return 0;
+    return tolerance >= VM_C(1e-10) ? 1 : 2;
+}
+
+/* Makes one pair of runs from 0 to t. *strict becomes the strict run at t, *error the estimate of its error. */
 VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vm_real longest,
                                   vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
 {
     const int side = vmi_time_side(t);
-    const vm_real factor = VM_C(0.25); /* the error of the strict run is taken for this part of the difference */
-    const vm_real looser = 16;         /* so that errors of the iteration, too, make a difference */
+    const vm_real factor = VM_C(0.25); /* estimated error of the strict run over the difference of the two runs */
+    const vm_real looser = 16;         /* ratio of their sweep_limits, so that errors of the iteration differ, too */
     vmi_osc_rates now;
     vmi_osc_slow start;
     vmi_osc_reduced state;
@@ -583,17 +620,21 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     while (!status && strict->t != t)
         status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
     strict->evals += loose.evals;
-    *error = factor * difference + 2 * VM_SQRT(strict->left) + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
+    *error = factor * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
     return status;
 }
 
-/* The motion at t by collocation. VM_TOLERANCE_MISSED: the motion is there, but the estimate of the error is larger than
-   the tolerance. VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, since mass, stiffness or force
-   change as fast as the phase, or after 2^23 periods; the statuses of the laws. */
+/* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
+   error is larger than the tolerance. Returns VM_NOT_INTEGRATED after 2^24 steps, and where amplitude and phase do not
+   describe the motion, because mass, stiffness or force change as fast as the phase. Also returns the statuses of the
+   laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real sweep_limit = vmi_larger(tolerance / 16, 4 * VM_EPSILON);
-    const int first = plan->problem.force ? 3 : 0;
+    const vm_real knots = (vm_real)(plan->problem.mass.n + plan->problem.stiffness.n);
+    const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
+    const vm_real share = 4 * steps; /* the iterations of all steps may take a quarter of the tolerance */
+    const vm_real sweep_limit = vmi_larger(tolerance / share, VM_EPSILON);
+    const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
     vmi_osc_course c;
     vmi_osc_reduced state;

@@ -1,13 +1,13 @@
 /* oscillators/constant_mass.h - the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
 
    A mass m on a spring of force -k x|x|^(alpha-1), omega0 = sqrt(k/m), with any real alpha >= 0: 1 is the linear
-   spring, 3 the cubic one. Period (262), largest velocity (267), energy (259); the exact motion by the Ateb functions
-   (282), (283) from rest or from any state; the approximations by the cosine (291)-(296) and by Jacobi's cn
-   (297)-(307), and how far they are from the motion (268). The shortest useful calls:
+   spring, 3 the cubic one. Here are its period (262), largest velocity (267) and energy (259); the exact motion by the
+   Ateb functions (282), (283) from rest or from any state; and the approximations by the cosine (291)-(296) and by
+   Jacobi's cn (297)-(307) with their errors (268). The shortest useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
-   The functions return or write NaN outside alpha >= 0 and for infinite arguments. The unit of omega0 is
-   m^((1-alpha)/2)/s. Those with outputs write nothing where an output is null.
+   The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
+   where an output is null. The unit of omega0 is m^((1-alpha)/2)/s. Symbols: A amplitude, psi Ateb phase, Om its rate.
    Tests: tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_CONSTANT_MASS_H
 #define VARMASS_OSCILLATORS_CONSTANT_MASS_H
@@ -18,20 +18,23 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../jacobi/modulus.h"
+#include "force_terms.h"
 #include "waves.h"
 
 /* -- Period, velocity, energy -- */
 VM_API int vmi_osc_alpha_is_valid(vm_real alpha) { return alpha >= 0 && VM_IS_FINITE(alpha); }
 
-/* Om = dpsi/dt of the Ateb phase, sqrt((alpha+1)/2) omega0 |x0|^((alpha-1)/2); NaN outside the domain */
+/* Om, the rate of the Ateb phase psi at the amplitude |x0|: sqrt((alpha+1)/2) omega0 |x0|^((alpha-1)/2), 1/s. Returns
+   NaN outside the domain. */
 VM_API vm_real vmi_osc_rate(vm_real x0, vm_real omega0, vm_real alpha)
 {
     if (!vmi_osc_alpha_is_valid(alpha) || !VM_IS_FINITE(x0) || !VM_IS_FINITE(omega0)) return VM_NAN;
-    if (omega0 == 0) return 0; /* where the power may be infinite */
+    if (omega0 == 0) return 0; /* the power may be infinite */
     return VM_SQRT((alpha + 1) / 2) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha - 1) / 2);
 }
 
-/* Om of a motion that starts at rest at x0; 0 at x0 = 0, where the power may be infinite */
+/* Om, the rate of the Ateb phase, of a motion that starts at rest at x0. Returns 0 at x0 = 0, where the power may be
+   infinite. */
 VM_API vm_real vmi_osc_rate_from_rest(vm_real x0, vm_real omega0, vm_real alpha)
 {
     const vm_real rate = vmi_osc_rate(x0, omega0, alpha);
@@ -53,12 +56,12 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
     return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha + 1) / 2);
 }
 
-/* x|x|^(alpha-1), of which the elastic force is a multiple */
+/* x|x|^(alpha-1): the elastic force is this times -k */
 VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
     if (alpha == 3) return x * x * x;
-    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+    return vmi_elastic_power(x, alpha);
 }
 
 /* Energy per unit mass (259), v^2/2 + omega0^2 |x|^(alpha+1)/(alpha+1), m^2/s^2. */
@@ -71,7 +74,7 @@ VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha
 
 /* -- Exact motion -- */
 
-/* x and v at amplitude A, of either sign, and Ateb phase psi */
+/* Writes position x and velocity v at the Ateb phase psi of a motion with the amplitude A, of either sign. */
 VM_API void vmi_osc_at_phase(vm_real A, vm_real psi, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
     vm_real sa, ca;
@@ -87,7 +90,7 @@ VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, v
     vmi_osc_at_phase(x0, vmi_osc_rate_from_rest(x0, omega0, alpha) * t, omega0, alpha, x, v);
 }
 
-/* (a^n + b^n)^(1/n) for a, b >= 0, scaled so that no power overflows where the result does not */
+/* (a^n + b^n)^(1/n) for a, b >= 0, scaled so that no power overflows unless the result does */
 VM_API vm_real vmi_osc_power_norm(vm_real a, vm_real b, vm_real n)
 {
     const vm_real larger = vmi_larger(a, b), smaller = vmi_smaller(b, a);
@@ -95,9 +98,9 @@ VM_API vm_real vmi_osc_power_norm(vm_real a, vm_real b, vm_real n)
     return larger * vmi_pow_checked(1 + vmi_pow_checked(smaller / larger, n), 1 / n);
 }
 
-/* Amplitude A >= 0 (m) and phase psi in (-Pi, Pi] of the state x (m), v (m/s).
-   x = A ca(psi), v = -vmax(A) sa(psi). The velocity alone would give an amplitude B with vmax(B) = |v|; by energy
-   A^(alpha+1) = |x|^(alpha+1) + B^(alpha+1). */
+/* Amplitude A >= 0 (m) and Ateb phase psi in (-Pi, Pi] of the state x (m), v (m/s). They satisfy x = A ca(psi), v =
+   -vmax(A) sa(psi), where Pi = Pi_alpha and vmax is vm_osc_vmax. Method: from rest, the velocity v belongs to an
+   amplitude B with vmax(B) = |v|; by energy A^(alpha+1) = |x|^(alpha+1) + B^(alpha+1). */
 VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A, vm_real *psi)
 {
     if (!A || !psi) return;
@@ -107,7 +110,7 @@ VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real
     if (!vmi_osc_alpha_is_valid(alpha)) return;
     if (!VM_IS_FINITE(x) || !VM_IS_FINITE(s) || !VM_IS_FINITE(omega0)) return;
     *A = vmi_osc_power_norm(VM_FABS(x), vmi_pow_checked(VM_FABS(s), 2 / n), n);
-    *psi = ateb_phase(0 - s, x, alpha); /* s = 0 gives 0, not -0 */
+    *psi = ateb_phase(0 - s, x, alpha); /* 0 - s is 0 and not -0 where s is 0 */
 }
 
 /* Exact motion x(t), x'(t) from any state x(0) = x0 (m), x'(0) = v0 (m/s). */
@@ -121,8 +124,9 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
     vmi_osc_at_phase(A, psi + rate * t, omega0, alpha, x, v);
 }
 
-/* The mean over a period of |ca|^power, B((power+1)/(alpha+1), 1/2)/Pi_alpha, with pi = Pi_alpha. B(q, 1/2) is Pi of
-   alpha = 1/q - 1 for q <= 1, and follows from there upward by its recurrence. */
+/* The mean over a period of |ca|^power, which is B((power+1)/(alpha+1), 1/2)/Pi_alpha, where pi is Pi_alpha and B is
+   Euler's beta function. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the recurrence of
+   B. */
 VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi)
 {
     vm_real q = (power + 1) / (alpha + 1), factor = 1;
@@ -132,7 +136,7 @@ VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi)
 
 /* -- Approximations by cos and cn, with the exact amplitude and period -- */
 
-/* x and v of a motion from rest at x0 with this wave */
+/* Writes position x and velocity v at time t, by the wave w, of a motion that starts at rest at x0. */
 VM_API void vmi_osc_by_wave(const vmi_osc_wave *w, vm_real t, vm_real x0, vm_real omega0, vm_real *x, vm_real *v)
 {
     vm_real c, s;
@@ -141,12 +145,12 @@ VM_API void vmi_osc_by_wave(const vmi_osc_wave *w, vm_real t, vm_real x0, vm_rea
     *v = -VM_COPYSIGN(w->speed * vm_osc_vmax(x0, omega0, w->alpha), x0) * s;
 }
 
-/* Frequency Omega_alpha (293) of the cosine with the exact period, a pure number.
-   It is for x0 = omega0 = 1; else the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
+/* Frequency Omega_alpha (293) of the cosine with the exact period, a pure number. It is valid for x0 = omega0 = 1; in
+   general the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
 
-/* Approximation x0 cos(Omega t) (291) and its velocity (295), from rest at x0.
-   Amplitude and period are exact; Omega as in vm_osc_omega_trig. */
+/* Approximation x0 cos(Omega t) (291) and its velocity (295), from rest at x0. Amplitude and period are exact. The
+   frequency Omega is that of vm_osc_omega_trig. */
 VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
@@ -157,16 +161,16 @@ VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm
 /* Parameter m = k^2 (307) of the cn with the exact period; -1.8079 < m < 0.8062. */
 VM_API vm_real vm_osc_jacobi_parameter(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
 
-/* Frequency Omega_1* (300) of the cn with the exact period, a pure number.
-   It is for x0 = omega0 = 1; else the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. Computed as (300) with
-   K = Pi_alpha/((alpha+1) k') from (307). */
+/* Frequency Omega_1* (300) of the cn with the exact period, a pure number. It is valid for x0 = omega0 = 1; in
+   general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. It is computed by (300) with K =
+   Pi_alpha/((alpha+1) k') from (307). */
 VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 {
     return VM_SQRT(2 / ((alpha + 1) * jacobi_solve_kpK_m1(ateb_pi(alpha) / (alpha + 1))));
 }
 
-/* Approximation x0 cn(Omega_1 t | m) (297) and its velocity (302), from rest at x0.
-   Amplitude, period and the velocity at x = 0 are exact; Omega_1 as in vm_osc_omega_jacobi, m by
+/* Approximation x0 cn(Omega_1 t | m) (297) and its velocity (302), from rest at x0. Amplitude, period and the
+   velocity at x = 0 are exact. The frequency Omega_1 is that of vm_osc_omega_jacobi, the parameter m that of
    vm_osc_jacobi_parameter. */
 VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
@@ -175,17 +179,17 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* What vm_osc_approximation_errors finds: criterion (268) and the largest errors in a period. Pure numbers. */
+/* The result of vm_osc_approximation_errors: the criterion (268) and the largest errors in a period, pure numbers */
 typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax;          /* largest velocity of the cosine (296) over the exact one (267) */
-    vm_real jacobi_vmax;        /* that of cn; for m > 1/2 it is Omega_1/(2k) next to x = 0, not the k' Omega_1 of (306)
-                                   at x = 0 */
-    vm_real trig_x, trig_v;     /* largest error of x over x0, and of v over vmax, of the cosine */
-    vm_real jacobi_x, jacobi_v; /* of cn */
+    vm_real jacobi_vmax;        /* largest velocity of cn over the exact one; for m > 1/2 cn is fastest near x = 0, with
+                                   Omega_1/(2k), and not at x = 0, with the k' Omega_1 of (306) */
+    vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
+    vm_real jacobi_x, jacobi_v; /* largest errors of cn, relative to x0 and vmax */
 } vm_osc_errors;
 
-/* Errors of the approximations by cos and cn, as the fields of vm_osc_errors.
-   They depend on alpha alone. The errors in a period are the largest at 257 points. */
+/* Errors of the approximations by cos and cn, as the fields of vm_osc_errors. They depend on alpha alone. Errors in a
+   period are compared at 257 points. */
 VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 {
     const vm_real pi = ateb_pi(alpha);

@@ -1,7 +1,7 @@
 /* oscillators/diagnostics.h - turning points and zero crossings of any trajectory, envelopes, adiabaticity
 
-   The motion may come from a route, a closed form or an integrator's dense output. Its turning points are what
-   amplitude laws predict, its zero crossings give the largest velocities and the periods.
+   The motion may come from a route, a closed form or an integrator's dense output. At its turning points one compares
+   it with laws of the amplitude; its zero crossings give the largest velocities and the periods.
 
        vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
        long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
@@ -19,7 +19,7 @@
 #include "problem.h"
 #include "slow.h"
 
-/* A trajectory: writes position x and velocity v at time t. ctx is the user's. */
+/* A user's trajectory: writes position x and velocity v at time t. ctx is the user's pointer. */
 typedef void (*vm_motion_function)(vm_real t, vm_real *x, vm_real *v, void *ctx);
 
 /* A trajectory at one time: time, position and velocity, in the units of the trajectory */
@@ -27,13 +27,19 @@ typedef struct VM_TAG(vm_sample) {
     vm_real t, x, v;
 } vm_sample;
 
-/* Where samples are taken */
+/* The kinds of points at which samples are taken */
 enum {
-    VM_TURNING_POINTS = 0, /* x' = 0 */
-    VM_ZERO_CROSSINGS = 1  /* x = 0 */
+    VM_TURNING_POINTS = 0, /* where the velocity x' is 0 */
+    VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* A search along a trajectory */
+/* Whether the kind of sample exists and `room` is not negative; for room > 0 samples must not be null. */
+VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
+{
+    return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
+}
+
+/* A search for turning points or zero crossings along a trajectory */
 typedef struct VM_TAG(vmi_sample_search) {
     vm_motion_function motion;
     void *ctx;
@@ -41,7 +47,7 @@ typedef struct VM_TAG(vmi_sample_search) {
     vm_real x, v; /* position and velocity at the time of the last evaluation */
 } vmi_sample_search;
 
-/* x at zero crossings, v at turning points: the function of t whose zeros are sought */
+/* The function of t whose zeros are sought: the position x for zero crossings, the velocity v for turning points */
 VM_API vm_real vmi_sample_function(vm_real t, void *search)
 {
     vmi_sample_search *s = (vmi_sample_search *)search;
@@ -51,11 +57,12 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
 }
 
 /* Turning points or zero crossings of a trajectory in (t0, t1]. kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The
-   trajectory is evaluated every `step`, or a little less, and each change of sign located to an eps of t. step should
-   be a small part of a period; it is negative where t1 < t0. The first `room` of them are written to samples, in the
-   order of time. Returns the number of all, which may be larger than room, or a negative status: VM_BAD_ARGUMENT for
-   null pointers or an unknown kind, VM_NOT_FINITE for a step of 0 or of the wrong sign, for more than 2e9 steps, or
-   where the trajectory is not finite; what was found until then stands in samples. */
+   trajectory is evaluated at equal intervals of at most |step|, and each change of sign is located within 4 eps of
+   its time. step should be a small part of a period; it is negative where t1 < t0. The first `room` samples are
+   written to samples, in the order in which they are met. Returns how many samples there are, which may be more than
+   room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an unknown kind or a negative room, VM_NOT_FINITE for
+   a step of 0, of the wrong sign or infinite, for more than 2e9 steps, or where the trajectory is not finite. Samples
+   found before the error stay in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -63,8 +70,8 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     vmi_sample_search s;
     vm_real t = t0, here, intervals;
     long found = 0, i, last;
-    if (!motion || (room > 0 && !samples) || (kind != VM_TURNING_POINTS && kind != VM_ZERO_CROSSINGS))
-        return VM_BAD_ARGUMENT;
+    if (!motion || !vmi_samples_are_possible(kind, room, samples)) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(step)) return VM_NOT_FINITE;
     intervals = -VM_FLOOR(-(t1 - t0) / step);
     if (!(intervals >= 0) || !(intervals < most_steps)) return VM_NOT_FINITE;
     last = (long)intervals;
@@ -88,14 +95,14 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     return found;
 }
 
-/* Two components of an integrator's state as a trajectory */
+/* Two components of an integrator's state, seen as a trajectory */
 typedef struct VM_TAG(vmi_step_motion) {
     rk45 *s;
     int x, v;
     vm_real *buffer;
 } vmi_step_motion;
 
-/* The trajectory within the last step; NaN where the dense output fails */
+/* The trajectory within the integrator's last step; writes NaN where the dense output fails */
 VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
 {
     const vmi_step_motion *m = (const vmi_step_motion *)step;
@@ -109,13 +116,14 @@ VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
 
 /* Turning points or zero crossings in the last step of an rk45 or rk87. Call it after every step. x and v are the
    indices of position and velocity in the state; buffer has room for a state. kind, room, samples and the result are
-   those of vm_find_samples. VM_BAD_ARGUMENT also for indices outside the state; 0 before the first step. */
+   those of vm_find_samples. Returns VM_BAD_ARGUMENT also for indices outside the state, and 0 before the first step. */
 VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *samples)
 {
-    const vm_real parts = 4; /* of the step, each of which is searched for a change of sign */
+    const vm_real parts = 4; /* a change of sign is looked for in each of 4 equal parts of the step */
     vmi_step_motion m;
     vm_real length;
     if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;
+    if (!vmi_samples_are_possible(kind, room, samples)) return VM_BAD_ARGUMENT;
     length = s->t - s->t_old;
     if (length == 0) return 0;
     m.s = s;
@@ -126,29 +134,31 @@ VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *bu
 }
 
 /* Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples.
-   Observed is |x| for VM_TURNING_POINTS, |v| for VM_ZERO_CROSSINGS. law returns the amplitude or the largest velocity
-   at time t; ctx is handed to it. 0 for n = 0; NaN for null pointers, n < 0, or where law or a sample is NaN. */
+   The observed value is |x| for VM_TURNING_POINTS and |v| for VM_ZERO_CROSSINGS. law returns the amplitude or the
+   largest velocity at time t, and gets ctx. Returns 0 for n = 0, and NaN for null pointers, for an unknown kind, for
+   n < 0, or where law is NaN or a sample is infinite or NaN. */
 VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
-    if (!samples || !law || n < 0) return VM_NAN;
+    if (!samples || !law || !vmi_samples_are_possible(kind, n, samples)) return VM_NAN;
     vm_real worst = 0;
     long i;
     for (i = 0; i < n; i++) {
         vm_real observed = VM_FABS(samples[i].v), error;
         if (kind == VM_TURNING_POINTS) observed = VM_FABS(samples[i].x);
         error = VM_FABS(law(samples[i].t, ctx) / observed - 1);
-        if (error != error) return VM_NAN;
+        if (error != error || !VM_IS_FINITE(observed)) return VM_NAN;
         worst = vmi_larger(worst, error);
     }
     return worst;
 }
 
-/* Adiabaticity q/Om of an oscillator at time t and amplitude A: the parameter that averaging takes for small.
-   q = ((2r-1) m' + 2 b)/m + k'/k is the rate of the slow change, Om the rate of the Ateb phase at the amplitude A, m.
-   Of the problem only alpha, mass, stiffness, reactive and damping are used. Amplitude laws err by about (q/Om)^2,
-   waveforms by q/Om over times of 1/q. Within some eps. NaN for a null pointer, where A, mass or stiffness is not
-   positive, where alpha is negative, and for infinite numbers. */
+/* Adiabaticity q/Om of an oscillator at time t and amplitude A, the small parameter of averaging.
+   q = ((2r-1) m' + 2 b)/m + k'/k is the rate of the slow change, with r = reactive, b = damping, mass m and stiffness
+   k. Om is the rate of the Ateb phase at the amplitude A, in m. The function uses only alpha, mass, stiffness,
+   reactive and damping of the problem. For a motion that starts at rest, errors of amplitude laws are of order
+   (q/Om)^2, and errors of waveforms of order q/Om up to t = 1/q. The result is within 4 eps. Returns NaN for a null
+   pointer, where A, mass or stiffness is not positive, where alpha is negative, and for infinite numbers. */
 VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 {
     if (!o) return VM_NAN;

@@ -1,18 +1,20 @@
-/* oscillators/expansion.h - the law of order five: what lies between the motion of an oscillator and its mean motion
+/* oscillators/expansion.h - the law of order five: from the motion of an oscillator to its mean motion and back
 
-   The oscillator d(mu x')/dt + kappa x|x|^(alpha-1) = 0 has slow mu(t) and kappa(t): mu'/mu = a is what mass, reactive
-   force and damping make of the momentum, and kappa/mu = k/m. With
-     p = (ln mu kappa)'/(alpha+3),   V = x' + p x,   x = A ca(psi),   V = -(2/(alpha+1)) W A sa(psi)
-   amplitude A and phase psi obey, without any approximation,
-     A'/A = -p + (G0/W) sa ca,   psi' = W + (alpha+1)/2 (G0/W) ca^2,   G0 = p^2 - a p - p',
-   where W is the rate of the phase at amplitude A. So the mean motion is disturbed by G0/W^2 alone, which is of second
-   order in the small rate epsilon at which mass and stiffness change within a radian. A canonical transformation in
-   powers of E_k = G_k/W^(k+2), of order epsilon^(k+2), with G_(k+1) = G_k' - (k+2) (2p - a) G_k, leads to mean
-   values: of the action J, which is constant, and of the phase. This file has that transformation, there and back.
-   Errors of order N are O(epsilon^N) over times of 1/epsilon. It is new; docs/law.md derives it.
-   The functions C, S, S2, S3, Q of the phase are those of oscillators/ripple.h. The weight of a term is the power of
+   With slow mass and stiffness, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
+     A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
+   where W is the rate of the phase at the amplitude A. The slow motion A'/A = -p, psi' = W is disturbed by G_0/W^2
+   only. This number is of second order in epsilon, the relative change of mass and stiffness within a radian.
+
+   A canonical transformation leads from A and psi to mean values without ripple: a mean action, which is constant, and
+   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa). The transformation is a
+   series in powers of the numbers E_k of order epsilon^(k+2), k = 0, 1 ...
+     E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
+   This file has the transformation in both directions, and the mean rate of the phase. Cut off after order N, it gives
+   the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md derives it.
+
+   C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
-       dJ = vmi_expansion_J(&ripple, 5, &f, E); // ln of the mean action less ln of the action, at the phase of f
+       dJ = vmi_expansion_J(&ripple, 5, &f, E); // ln(mean action/action), where f holds C, S ... at the phase
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H
@@ -20,12 +22,12 @@
 #include "../base/real.h"
 #include "ripple.h"
 
-/* The numbers E_0 ... E_3 that order five needs at the start */
+/* How many E_k order five needs at the start of a motion: E_0 ... E_3 */
 enum { VMI_EXPANSION_E = 4 };
 
 /* -- From the motion to the mean motion -- */
 
-/* ln of the mean action less ln of the action J, at the motion's phase, with all terms up to weight `order` */
+/* Returns ln(mean action/action) with all terms up to weight `order`. f holds C, S ... at the phase psi. */
 VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -42,7 +44,7 @@ VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_
     return sum;
 }
 
-/* The mean phase less the phase psi, at the motion's phase, with all terms up to weight order - 1 */
+/* Returns the mean phase minus the phase psi, with all terms up to weight order - 1. f holds C, S ... at psi. */
 VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -59,7 +61,8 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 
 /* -- From the mean motion to the motion -- */
 
-/* The phase less the mean phase, at the mean phase, with all terms up to weight order - 1 */
+/* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
+   phase. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -74,7 +77,7 @@ VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_
     return sum;
 }
 
-/* ln of the action less ln of the mean action, at the mean phase, with all terms up to weight order - 1 */
+/* Returns ln(action/mean action) with all terms up to weight order - 1. f holds C, S ... at the mean phase. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -91,10 +94,11 @@ VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ri
 
 /* -- The mean rate of the phase -- */
 
-/* The mean rate of the phase is W (1 + first E0 + second E0^2), with W at the mean action. The factor `first` is used
-   from order 2 on, `second` from order 4 on. */
+/* The factor `first` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), where W belongs to the mean
+   action. Laws of all orders from 2 on need it. */
 VM_API vm_real vmi_expansion_first(const vmi_ripple *r) { return (r->alpha + 1) / 2 * r->mean2; }
 
+/* The factor `second` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), which orders 4 and 5 need */
 VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 {
     return -r->scale * r->scale / 8 * r->variance * (2 - 3 * r->gamma) * (1 - 3 * r->gamma);

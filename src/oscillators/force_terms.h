@@ -1,19 +1,27 @@
-/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
+/* oscillators/force_terms.h - terms of forces that both oscillators and scenes use
 
    Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
        vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
-   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c. */
+   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c, tests/test_forces.c. */
 #ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
 #define VARMASS_OSCILLATORS_FORCE_TERMS_H
 
 #include "../base/real.h"
+#include "../base/scalars.h"
 
-/* Van der Pol's term (404): the force over the velocity at position x, feed - c x^2, N s/m. feed > 0 (N s/m) feeds the
-   vibration, c > 0 (N s/m^3) limits it. */
+/* x|x|^(alpha-1), alpha >= 0, by the power function: the force of a spring divided by -k. Callers treat x = 0 and
+   exponents that need no power function themselves. */
+VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
+{
+    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
+}
+
+/* Van der Pol's term (404), feed - c x^2, N s/m: the force over the velocity at position x. feed > 0 (N s/m) feeds
+   the vibration, and c > 0 (N s/m^3) limits it. */
 VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
 
-/* The gyroscopic force over the velocity, 2 gyro, kg/s: the force is this times the velocity, turned by +90 degrees.
-   gyro is g of the remark after (516), kg/s. */
+/* The gyroscopic coupling 2 gyro, kg/s: the gyroscopic force is this times the velocity, turned by +90 degrees. gyro
+   is g of the remark after (516), kg/s. */
 VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
 
 #endif

@@ -1,7 +1,7 @@
 /* oscillators/forced.h - harmonic excitation of a strongly nonlinear oscillator
 
-   What chapter 8 of the dissertation leaves to the future. Mass m, stiffness k, the frequency nu and the amplitude F
-   of the force may vary slowly; b is the damping:
+   Chapter 8 of the dissertation leaves this problem to the future. Mass m, stiffness k, and the frequency nu and
+   amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
    Here are the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the main
    resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
@@ -14,8 +14,9 @@
        f.force = vm_law_linear(VM_C(0.1), 0);
        int status = vm_forced_init(&f); // then vm_forced_rhs integrates x, x', theta
 
-   Symbols: A amplitude, psi Ateb phase, Om its rate, Pi half its period; w(A) the natural frequency, phi = pi psi/Pi
-   the phase in radians, delta = phi - theta. Tests: tests/test_forced.c. */
+   Symbols: A amplitude, psi Ateb phase, Om its rate, Pi half its period; w(A) frequency of the free vibration of
+   amplitude A, phi = pi psi/Pi phase of the vibration in radians, theta phase of the force, delta = phi - theta.
+   Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_FORCED_H
 #define VARMASS_OSCILLATORS_FORCED_H
 
@@ -30,64 +31,59 @@
 #include "laws.h"
 #include "slow.h"
 
-/* Number of harmonics of ca and sa: the orders 1, 3, 5, 7, 9 */
+/* Number of harmonics of the Ateb functions ca and sa, of the orders 1, 3, 5, 7 and 9 */
 enum { VMI_FORCED_HARMONICS = 5 };
 
-/* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again where
-   alpha has changed. The other fields may change without a new call. Constructors make the laws;
-   a constant is vm_law_linear(value, 0). */
+/* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again after a
+   change of alpha. The other fields may change without a new call. Constructors make the laws; vm_law_linear(value,
+   0) is a constant. */
 typedef struct VM_TAG(vm_forced) {
     vm_real alpha;     /* exponent of the spring, >= 0 */
-    vm_real damping;   /* b, kg/s; > 0 takes energy out */
+    vm_real damping;   /* damping b, kg/s; a positive b takes energy out */
     vm_real reactive;  /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
-    vm_law mass;       /* m, kg, > 0 */
-    vm_law stiffness;  /* k, N/m^alpha, > 0 */
-    vm_law frequency;  /* nu, of the force, rad/s, > 0 */
-    vm_law force;      /* F, amplitude of the force, N, of either sign */
-    vm_real pi;        /* Pi_alpha; vm_forced_init writes this and what follows */
-    vm_real Om1;       /* w = Om1 sqrt(k/m) A^((alpha-1)/2) */
+    vm_law mass;       /* mass m, kg, > 0 */
+    vm_law stiffness;  /* stiffness k, N/m^alpha, > 0 */
+    vm_law frequency;  /* frequency nu of the force, rad/s, > 0 */
+    vm_law force;      /* amplitude F of the force, N, of either sign */
+    vm_real pi;        /* Pi_alpha; vm_forced_init writes this field and those below */
+    vm_real Om1;       /* the constant of the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
     vm_real G;         /* share of the force that acts on the mean motion */
-    vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS]; /* ca = sum of c[j] cos((2j+1) phi), sa of s[j] sin */
+    /* Fourier coefficients: ca is the sum of c[j] cos((2j+1) phi), sa the sum of s[j] sin((2j+1) phi). */
+    vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS];
 } vm_forced;
 
-/* What may vary, at one time, with the rates per second */
+/* The parameters that may vary, at one time; rates are per second */
 typedef struct VM_TAG(vmi_forced_parameters) {
-    vm_real mass, mass_rate; /* kg */
-    vm_real k, k_rate;       /* N/m^alpha */
-    vm_real nu, nu_rate;     /* rad/s */
-    vm_real force;           /* N */
+    vm_real mass, mass_rate; /* mass, kg, and its rate */
+    vm_real k, k_rate;       /* stiffness, N/m^alpha, and its rate */
+    vm_real nu, nu_rate;     /* frequency of the force, rad/s, and its rate */
+    vm_real force;           /* amplitude of the force, N */
 } vmi_forced_parameters;
 
-/* The parameters at time t, and whether the fields that do not vary are in their domains. Of several statuses the first
-   in the order of base/status.h. */
+/* Writes the parameters at time t, and checks them and the fields that do not vary. Of several errors it returns the
+   first in the order of base/status.h. */
 VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n)
 {
+    const vm_real numbers[3] = {f->alpha, f->damping, f->reactive};
     vm_real force_rate;
-    const int mass = vmi_law_at(&f->mass, VM_BAD_MASS, t, &n->mass, &n->mass_rate);
-    const int stiffness = vmi_law_at(&f->stiffness, VM_BAD_STIFFNESS, t, &n->k, &n->k_rate);
-    const int frequency = vmi_law_at(&f->frequency, VM_DOMAIN, t, &n->nu, &n->nu_rate);
-    const int force = vmi_law_at(&f->force, VM_OK, t, &n->force, &force_rate);
-    if (mass == VM_BAD_ARGUMENT || stiffness == VM_BAD_ARGUMENT || frequency == VM_BAD_ARGUMENT ||
-        force == VM_BAD_ARGUMENT)
-        return VM_BAD_ARGUMENT;
-    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE ||
-        !VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive))
-        return VM_NOT_FINITE;
-    if (mass) return mass;
-    if (stiffness) return stiffness;
-    if (frequency) return frequency;
-    if (!(f->alpha >= 0)) return VM_DOMAIN;
-    return force;
+    int status = vmi_law_at(&f->mass, VM_BAD_MASS, t, &n->mass, &n->mass_rate);
+    status = vmi_first_error(status, vmi_law_at(&f->stiffness, VM_BAD_STIFFNESS, t, &n->k, &n->k_rate));
+    status = vmi_first_error(status, vmi_law_at(&f->frequency, VM_DOMAIN, t, &n->nu, &n->nu_rate));
+    status = vmi_first_error(status, vmi_law_at(&f->force, VM_OK, t, &n->force, &force_rate));
+    if (!vmi_all_finite(3, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (f->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
+    return status;
 }
 
-/* The Fourier coefficients of ca and sa, within 8 eps. Those of ca are
+/* Computes the Fourier coefficients of ca, within 8 eps, and from them those of sa. The coefficients of ca are
      c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
-   by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), since ca is not analytic at u = 1 and, for large alpha, bends
-   sharply at u = 0. cos((2j+1) x) follows from its two predecessors by the recurrence with 2 cos(2x). */
+   computed by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), because ca is not analytic at u = 1 and, for large
+   alpha, bends sharply at u = 0. cos((2j+1) x) follows from the two cosines before it by the recurrence with 2
+   cos(2x). */
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
-    const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* points of the rule in a unit of t */
-    const int n = 13 * steps / 4;                /* |t| <= 3.25: the rest of the integral is below eps */
+    const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* number of points of the rule in an interval of t of length 1 */
+    const int n = 13 * steps / 4;                /* |t| is at most 3.25; the rest of the integral is below eps */
     vm_real sum[VMI_FORCED_HARMONICS] = {0, 0, 0, 0, 0}, total = 0;
     int i, j;
     for (i = -n; i <= n; i++) {
@@ -113,10 +109,10 @@ VM_API void vmi_forced_fourier(vm_forced *f)
     }
 }
 
-/* Prepare an excited oscillator: checks its fields at t = 0, writes pi, Om1, G, c and s. All other functions need it.
-   VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
-   VM_DOMAIN where alpha < 0 or the frequency is not positive; then f is left as it was. Time: some 105 Ateb functions
-   (float 53). */
+/* Prepare an excited oscillator: check its fields at t = 0, and write pi, Om1, G, c and s. All other functions need
+   this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a number
+   that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, VM_DOMAIN for alpha < 0 or a
+   frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -131,22 +127,23 @@ VM_API int vm_forced_init(vm_forced *f)
     return VM_OK;
 }
 
-/* q, the rate at which mass, damping and stiffness change the vibration */
+/* q = ((2r - 1) m' + 2 b)/m + k'/k, 1/s: the rate at which mass, damping and stiffness change the vibration */
 VM_API vm_real vmi_forced_q(const vm_forced *f, const vmi_forced_parameters *n)
 {
     return vmi_slow_q(vmi_slow_drag(f->reactive, n->mass_rate, f->damping), n->mass, n->k, n->k_rate);
 }
 
-/* w(A), the frequency of the free vibration of amplitude A, rad/s */
+/* The natural frequency w(A), rad/s: the frequency of the free vibration of amplitude A */
 VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameters *n, vm_real A)
 {
     return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_pow_checked(VM_FABS(A), (f->alpha - 1) / 2);
 }
 
-/* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
-   vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0, the frequency is not positive or t is outside a table;
-   these statuses stop the run. */
+/* Equation of motion of an excited oscillator, for rk45 or rk87.
+   y = (x, x', theta) is in m, m/s and rad; forced points to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null
+   pointer or a law that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
+   VM_BAD_STIFFNESS for one that is not positive, and VM_DOMAIN for alpha < 0, a frequency that is not positive or t
+   outside a table. These statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -164,8 +161,9 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
     return VM_OK;
 }
 
-/* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87. y = (A, psi, theta) with x = A
-   ca(psi); singular at A = 0. Nothing is neglected. The argument forced and the statuses are those of vm_forced_rhs. */
+/* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
+   The state is y = (A, psi, theta), where x = A ca(psi). The equations neglect nothing, but are singular at A = 0.
+   The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -185,11 +183,11 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87. The main resonance is nu =
-   w(A). y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force;
-   start and end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over
-   times of their inverses, larger away from the resonance. The argument forced and the statuses are those of
-   vm_forced_rhs. */
+/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87.
+   The main resonance is nu = w(A). The state is y = (A, delta, theta), where A is the mean amplitude and
+   delta = phi - theta the phase by which the vibration leads the force. Start with vm_forced_to_averaged, and end
+   with vm_forced_from_averaged. The error is of the order of b, m' and F up to times of their inverses, and larger
+   away from the resonance. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -207,9 +205,9 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
     return VM_OK;
 }
 
-/* The first ripple of the exact amplitude about its mean A, m: exact = A + ripple to first order. It is
-     q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1)),
-   n = 2j + 1, without the second term for n = 1, which does not vary at the resonance. */
+/* The ripple of the exact amplitude about its mean A, m, to first order: exact amplitude = A + ripple. It is
+     q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
+   with n = 2j + 1. For n = 1 the last term is left out, since it does not vary at the resonance. */
 VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                  vm_real theta)
 {
@@ -228,43 +226,42 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta). The ripple of the amplitude within a
-   period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The statuses are
-   those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
+/* Motion (x, x', theta) of an excited oscillator to the mean y = (A, delta, theta).
+   The ripple of the amplitude within a period is taken out; otherwise averaged motions would have errors of order 1
+   where alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is smaller than
+   its ripple. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
     vmi_forced_parameters n;
-    const int status = vmi_forced_at(f, t, &n);
+    int status = vmi_forced_at(f, t, &n);
     const vm_real theta = motion[2];
     vm_real exact, A, phi;
     int i;
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!vmi_all_finite(3, motion)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
     phi *= VM_PI / f->pi;
     A = exact;
     for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
+    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* then the motion is smaller than its ripple */
     y[0] = A;
     y[1] = phi - theta;
     y[2] = theta;
     return VM_OK;
 }
 
-/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta). The inverse of
-   vm_forced_to_averaged: the ripple is put back. The statuses are the same, VM_DOMAIN also for A <= 0. motion may be
-   y. */
+/* Motion (x, x', theta) of an excited oscillator from the mean y = (A, delta, theta).
+   The inverse of vm_forced_to_averaged: it puts the ripple back. The statuses are those of vm_forced_rhs; VM_DOMAIN
+   also means that A <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
     vmi_forced_parameters n;
-    const int status = vmi_forced_at(f, t, &n);
+    int status = vmi_forced_at(f, t, &n);
     const vm_real theta = y[2], phi = y[1] + theta;
     vm_real A, r[3];
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!vmi_all_finite(3, y)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(3, y)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     A = y[0] + vmi_forced_ripple(f, &n, y[0], phi, theta);
     if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;

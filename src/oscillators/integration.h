@@ -1,10 +1,10 @@
 /* oscillators/integration.h - integration of an oscillator to a tolerance, with an estimate of its error
 
-   Three systems of two equations describe the same oscillator: averaged, exact in amplitude and phase ((314), (315)
-   with the term of omega' that they lack), and the equation of motion itself. A vmi_osc_method is one of them with a
-   pair of Runge and Kutta (rk45 or rk87) and the numbers that suit this pair; oscillators/routes.h lists those that
-   are used. vmi_osc_integrate runs a method twice, the second time more strictly, and estimates the error by the
-   difference, until that is within the tolerance.
+   Two systems of two equations describe the oscillator: the averaged equations of amplitude and phase, and the equation
+   of motion. A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the numbers that suit
+   this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a method twice, the second time
+   with a stricter tolerance, and estimates the error from the difference of the two runs. It repeats both runs with
+   stricter tolerances until the estimated error is within the tolerance of the motion.
        vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
        vm_osc_motion motion;
        int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
@@ -17,8 +17,9 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
-#include "../integrators/adaptive.h"
 #include "../integrators/ode.h"
+#include "../integrators/rk45.h"
+#include "../integrators/rk87.h"
 #include "../integrators/runs.h"
 #include "averaging.h"
 #include "constant_mass.h"
@@ -30,29 +31,29 @@
 
 /* -- Methods and runs -- */
 
-/* Numbers that suit a pair of Runge and Kutta */
+/* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
-    vm_real least;     /* least tolerance of a step, that rounding errors within the step allow */
-    vm_real ratio;     /* tolerance of the loose run over that of the strict one */
-    vm_real factor;    /* the error of the strict run is taken for this part of the difference of the two */
-    vm_real by_chance; /* an error less than this part of the step's tolerance is chance */
+    vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
+    vm_real ratio;     /* tolerance of the loose run over that of the strict run */
+    vm_real factor;    /* estimated error of the strict run over the difference of the two runs */
+    vm_real by_chance; /* least ratio of estimated error to tolerance of the steps; less is taken for chance */
 } vmi_osc_tuning;
 
 /* How a route integrates */
 typedef struct VM_TAG(vmi_osc_method) {
-    ode_rhs rhs;  /* vmi_osc_averaged_rhs, vmi_osc_variation_rhs or vmi_osc_direct_rhs; null: it does not */
-    int averaged; /* rhs is averaged, which adds an error of its own */
-    int direct;   /* rhs is of position and velocity, not of amplitude and phase */
+    ode_rhs rhs;  /* the right-hand side: vmi_osc_averaged_rhs or vmi_osc_direct_rhs */
+    int averaged; /* 1 where rhs is averaged, so that an error of averaging is added; else 0 */
+    int direct;   /* 1 where the state of rhs is position and velocity, 0 where it is amplitude and phase */
     int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                 const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
     int (*solve)(rk45 *s, vm_real t_end);                            /* rk45_solve or rk87_solve */
-    vmi_osc_tuning tuning;                                           /* for this pair */
+    vmi_osc_tuning tuning;                                           /* numbers for this pair */
 } vmi_osc_method;
 
-/* A method with rk45. The strict run is so much stricter that the control of its steps, which keeps a step while its
-   error is within a factor of 3, makes other steps than the loose run. factor leaves room for errors that are not
-   proportional to the tolerance. Two runs may agree well by chance, since mostly their errors are far below the
-   tolerance of their steps: hence by_chance. */
+/* A method with rk45. rk45 does not change the length of its steps while their error stays within a factor of 3.
+   `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves room for errors that
+   are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree
+   well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -68,7 +69,7 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
     return method;
 }
 
-/* A method with rk87, whose control keeps a step while its error is within a factor of 7.5 */
+/* A method with rk87, which does not change the length of its steps while their error stays within a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -81,7 +82,8 @@ VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
     return method;
 }
 
-/* The two numbers that are integrated, for the direct equations and for the others */
+/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the averaged
+   equations */
 enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_STATES = 2 };
 
 /* The longest step of the first loose run, in periods */
@@ -91,21 +93,22 @@ enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_
 typedef struct VM_TAG(vmi_osc_run) {
     const vm_osc_plan *plan;
     const vmi_osc_method *method;
-    int route;        /* VM_ROUTE_... of the method */
+    int route;        /* the method's route, VM_ROUTE_... */
     vmi_osc_wave wave;
     int side;         /* 1 forward, -1 backward in time */
-    int status;       /* of a law of m or k that stopped the run, else VM_OK */
+    int status;       /* status of a law of m or k that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
-    vm_real share;    /* longest step, as a part of the way to the next stop */
-    vm_real law_step; /* longest step, s, in which no law of a function changes unseen, for VMI_OSC_LONGEST */
-    long evals;       /* of right-hand sides, of all runs so far */
+    vm_real share;    /* longest step, as a part of the interval up to the next stop */
+    vm_real law_step; /* longest step, s, that skips no change of a user's law; it is reduced as `longest` is */
+    long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
 } vmi_osc_run;
 
 /* -- Right-hand sides -- */
 
-/* Averaged: y = ln(A/A0), Ateb phase */
+/* Right-hand side of the averaged equations. The state y is ln(A/A0), with A0 the amplitude at t = 0, and the Ateb
+   phase. */
 VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run)
 {
     vmi_osc_run *c = (vmi_osc_run *)run;
@@ -121,7 +124,7 @@ VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return 0;
 }
 
-/* (m/m0)^reactive: what the reactive force makes of the velocity */
+/* (m/m0)^reactive: a body on which only the reactive force acts has a velocity proportional to the inverse of this. */
 VM_API vm_real vmi_osc_reactive_weight(const vm_osc_problem *o, vm_real mass_ratio)
 {
     if (o->reactive == 1) return mass_ratio;
@@ -129,14 +132,15 @@ VM_API vm_real vmi_osc_reactive_weight(const vm_osc_problem *o, vm_real mass_rat
     return vmi_pow_checked(mass_ratio, o->reactive);
 }
 
-/* Direct: y = x/A0, (m/m0)^reactive x'/vmax. What the reactive force makes of the velocity is taken out, so that y
-   keeps its size. */
+/* Right-hand side of the equation of motion. The state y is x/A0 and (m/m0)^reactive x'/vmax, with the amplitude A0
+   and the largest velocity vmax at t = 0. The factor of x' compensates for the reactive force, so that y keeps its
+   size. */
 VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run)
 {
     vmi_osc_run *c = (vmi_osc_run *)run;
     const vm_osc_plan *p = c->plan;
     const vm_osc_problem *o = &p->problem;
-    const vm_real speed = 2 * p->Om / (o->alpha + 1); /* vmax/A0 */
+    const vm_real speed = 2 * p->Om / (o->alpha + 1); /* vmax/A0 at t = 0 */
     vmi_osc_rates now;
     vm_real m, weight;
     c->status = vmi_osc_rates_at(&p->problem, t, c->side, &now);
@@ -154,8 +158,8 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
 
 /* -- One run -- */
 
-/* The period at the run's time, s, by the amplitude in y, or for the direct equations by the adiabatic law without
-   damping; NaN where a law of m or k fails */
+/* The period at the run's time, s: from the amplitude in y, or for the equation of motion from the adiabatic law
+   without damping. Returns NaN where a law of m or k fails. */
 VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 {
     const vm_osc_plan *p = c->plan;
@@ -167,7 +171,7 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
     return 2 * p->ripple.pi / (p->Om * vmi_exp(ln_Om, 0));
 }
 
-/* Where the run stops next on its way to t: at a point of a table, or after 64 periods */
+/* The time at which the run stops next on its way to t: the next point of a table, but at most 64 periods later */
 VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period)
 {
     const vm_osc_problem *o = &c->plan->problem;
@@ -178,12 +182,13 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
     return stop;
 }
 
-/* Bounds of the steps to the next stop, on the way to t. No step is longer than a part of the period (of a bounce, for
-   large alpha): a pair that steps over them does not know its error. */
+/* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than
+   a part of the period or, for a large Pi_alpha, of the 10/Pi_alpha periods in which the velocity reverses, since the
+   pair does not notice the error of a step across that time. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
-    const vm_real most_steps = 8192; /* a period; 2600 were the most, by rk45 to 16 eps, alpha from 0 to 20 */
-    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* Pi_alpha from which a bounce is 10/Pi periods */
+    const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */
+    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* Pi_alpha counts as large from 10 on */
     const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
     vm_real longest = period * c->longest, steps;
@@ -194,10 +199,11 @@ VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real
     c->s.options.max_steps = steps < largest_long ? (long)steps : 1000000000L;
 }
 
-/* On to t. At every stop whole turns are taken off the phase and the bounds of the steps are set anew. */
+/* Integrates to the time t. At every stop, subtracts whole turns from the phase and sets the bounds of the steps
+   anew. */
 VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
 {
-    const vm_real most_periods = VM_C(8388608.); /* 2^23: in float more hold no phase, in double they take minutes */
+    const vm_real most_periods = VM_C(8388608.); /* 2^23: after more periods a float has no digits for the phase */
     const vm_real turn = 2 * c->plan->ripple.pi;
     int status = VM_OK;
     while (status >= 0 && c->s.t != t) {
@@ -218,7 +224,7 @@ VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
     return VM_OK;
 }
 
-/* The motion at the run's time, without error and evals */
+/* Writes the motion at the run's time, but not its error and evals. */
 VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
 {
     const vm_osc_plan *p = c->plan;
@@ -241,7 +247,7 @@ VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
     return VM_IS_FINITE(motion->amplitude) ? VM_OK : VM_NOT_FINITE;
 }
 
-/* The motion at the VMI_OSC_CHECKS times of vmi_osc_check_time(t, .), by one run */
+/* Makes one run from 0 to t, and writes the motions at the VMI_OSC_CHECKS times of vmi_osc_check_time. */
 VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_plan *p = c->plan;
@@ -274,8 +280,9 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
 
 /* -- Two runs -- */
 
-/* The largest difference of x by A and of v by vmax, over all times of vmi_osc_check_time: at one time two runs may
-   agree by chance. Infinite where it is not known. */
+/* The largest difference of two runs, of x relative to the amplitude and of v relative to vmax, over all times of
+   vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity where the difference is
+   unknown. */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
     vm_real largest = 0;
@@ -292,8 +299,9 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
     return largest;
 }
 
-/* The longest step, s, in which no law that is a function changes unseen: a part of the shortest panel in the walk
-   along the laws. A jump of the law would make it 0, so it is at least a fixed part of the run. */
+/* Computes the longest step, s, that skips no change of a law by a user's function: a quarter of the shortest panel
+   in the walk along the laws. Because a jump of a law would make it 0, it is at least |t|/8192, or the law's
+   change_time if that is shorter. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -314,7 +322,8 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     return VM_OK;
 }
 
-/* A loose run and a strict one, with half the longest step. Where a law of m or k stopped one, c->status says so. */
+/* Makes a loose run, and a strict run with half the longest step. If a law of mass or stiffness stopped one of the
+   runs, c->status is the law's status. */
 VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, vm_real longest, vm_osc_motion *loose,
                             vm_osc_motion *strict)
 {
@@ -328,7 +337,7 @@ VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, v
     return vmi_osc_run_once(c, t, step_tolerance, strict);
 }
 
-/* Estimate of the strict run's error, with what the roundings of the phase add */
+/* Estimate of the strict run's error, including the rounding errors of the phase */
 VM_API vm_real vmi_osc_pair_error(const vmi_osc_run *c, vm_real t, vm_real step_tolerance, const vm_osc_motion *loose,
                                   const vm_osc_motion *strict)
 {
@@ -338,16 +347,16 @@ VM_API vm_real vmi_osc_pair_error(const vmi_osc_run *c, vm_real t, vm_real step_
     return vmi_larger(tuning->by_chance * step_tolerance, error);
 }
 
-/* The first tolerance of the steps: below that of the motion, since errors of steps add up, and never so large that
-   the integrator loses the motion */
+/* The tolerance of the steps in the first pair of runs. It is less than the tolerance of the motion, since errors of
+   steps add up, and at most 1e-3, since with larger steps the integrator may diverge from the motion. */
 VM_API vm_real vmi_osc_first_tolerance(vm_real tolerance)
 {
     const vm_real part = 8, largest = VM_C(1e-3);
     return vmi_smaller(tolerance / part, largest);
 }
 
-/* The next tolerance of the steps, where the error was too large: by the ratio of tolerance and error with a reserve
-   of 4, but not less than 2e-5 of the last at once */
+/* The next tolerance of the steps, after an error that was too large. It shrinks by the ratio of tolerance to error
+   and by a further factor of 4, but to no less than 2e-5 of its last value. */
 VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance, vm_real error)
 {
     const vm_real ratio = tolerance / error, reserve = 4;
@@ -355,9 +364,9 @@ VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance,
     return step_tolerance * VM_C(2e-5);
 }
 
-/* Pairs of runs until the error is within the tolerance; the last strict run is in strict[], its error in the last
-   element. Ends early where stricter runs are no better: rounding errors, chance, or the longest step, which is halved
-   then, are what counts. */
+/* Makes pairs of runs until the error is within the tolerance. strict[] receives the last strict run, with the error
+   in its last element. The loop ends early where stricter runs are not better. Then rounding errors, chance or the
+   longest step dominate the error; therefore each pair that is not better halves the longest step. */
 VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *strict)
 {
     const int most_attempts = 6, most_stalled = 3;
@@ -370,7 +379,7 @@ VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_m
         if (step_tolerance < tuning->least) step_tolerance = tuning->least;
         status = vmi_osc_try_pair(c, t, step_tolerance, longest, loose, strict);
         if (status == VM_NOT_INTEGRATED && c->status == VM_OK && step_tolerance > tuning->least) {
-            step_tolerance /= 2 * tuning->ratio; /* a loose run may leave the motion for good */
+            step_tolerance /= 2 * tuning->ratio; /* the loose run may have diverged */
             continue;
         }
         if (status) return status;
@@ -387,8 +396,8 @@ VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_m
     return status;
 }
 
-/* The motion at t by a method of integration. VM_TOLERANCE_MISSED where the error of integration is larger than the
-   tolerance; an error of averaging is only added to motion->error. */
+/* The motion at t by a method of integration. Returns VM_TOLERANCE_MISSED where the error of integration is larger
+   than the tolerance. An error of averaging is added to motion->error, but does not change the status. */
 VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_method *method, vm_real t,
                              vm_real tolerance, vm_osc_motion *motion)
 {

@@ -1,7 +1,9 @@
 /* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
 
-   A disc of mass m(t) in the middle of a shaft without mass. z = x + i y is the disc's centre (451), F_e(rho) the
-   shaft's elastic force at the deflection rho = |z|, g the gyroscopic constant of the remark after (516):
+   A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), F_e(rho) the
+   shaft's elastic force at the deflection rho = |z|, and F_e'(rho) is short for F_e(rho)/rho, as in [1]. g is the
+   gyroscopic constant of the remark after (516). r is the share of the reactive force of mass that joins or leaves with
+   the velocity u, and F_z an external force:
        m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
    Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
    nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
@@ -20,6 +22,7 @@
 #define VARMASS_OSCILLATORS_JEFFCOTT_H
 
 #include "../ateb/phase.h"
+#include "../base/arrays.h"
 #include "../base/complex.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
@@ -30,53 +33,57 @@
 #include "laws.h"
 #include "slow.h"
 
-/* Stiffness of the shaft: returns F_e(rho)/rho, N/m, which [1] calls F_e', at the deflection rho >= 0, m, and writes
-   its derivative by rho, N/m^2, to *slope. ctx is the user's. vm_jeffcott_power is one. */
+/* Stiffness of the shaft, a user's function: returns F_e' = F_e(rho)/rho, N/m, at the deflection rho >= 0, m, and
+   writes its derivative by rho, N/m^2, to *slope. ctx is the user's pointer. vm_jeffcott_power is such a function. */
 typedef vm_real (*vm_jeffcott_stiffness)(vm_real rho, vm_real *slope, void *ctx);
 
-/* External force F_z, N, as F_x + i F_y, at time t, position z and velocity v of the disc. ctx is the user's. */
+/* External force, a user's function: returns F_z = F_x + i F_y, N, at time t, position z and velocity v of the disc.
+   ctx is the user's pointer. */
 typedef vm_complex (*vm_jeffcott_force)(vm_real t, vm_complex z, vm_complex v, void *ctx);
 
-/* The elastic force k rho^alpha: k in N/m^alpha; a pure number alpha */
+/* The elastic force k rho^alpha of a power law: k in N/m^alpha, and the pure number alpha */
 typedef struct VM_TAG(vm_power_force) {
     vm_real k, alpha;
 } vm_power_force;
 
-/* A rotor. mass and stiffness must be there; any other field may be zero. */
+/* A rotor. The fields mass and stiffness must be set; any other field may be zero. */
 typedef struct VM_TAG(vm_jeffcott) {
-    vm_law mass;                     /* kg, > 0 */
-    vm_jeffcott_stiffness stiffness; /* of the shaft */
-    void *stiffness_ctx;     /* handed to stiffness */
-    vm_jeffcott_force force; /* F_z; null for none; small where equations are averaged */
-    void *force_ctx;         /* handed to force */
+    vm_law mass;                     /* mass m of the disc, kg, > 0 */
+    vm_jeffcott_stiffness stiffness; /* stiffness of the shaft */
+    void *stiffness_ctx;     /* the user's pointer, handed to stiffness */
+    vm_jeffcott_force force; /* external force F_z, or null; it must be small where equations are averaged */
+    void *force_ctx;         /* the user's pointer, handed to force */
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
-    vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where with the disc's own velocity */
+    vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
-    int nodes;               /* phases in the mean over a period; 0 means 32, exact for polynomials of degree 15 */
+    int nodes;               /* number of phases in a mean over a period; 0 means 32 */
 } vm_jeffcott;
 
 /* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
 enum {
     VMI_JEFFCOTT_P = 0,   /* slots 0 and 1: forward whirl P, a complex number */
     VMI_JEFFCOTT_N = 2,   /* slots 2 and 3: backward whirl N, a complex number */
-    VMI_JEFFCOTT_PHI = 4, /* fast phase */
+    VMI_JEFFCOTT_PHI = 4, /* slot 4: fast phase phi */
     VMI_JEFFCOTT_SIZE = 5
 };
 
-/* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness.
-   power_force points to a vm_power_force. Returns N/m, writes the derivative, N/m^2. Within some eps. NaN for null
-   pointers and rho < 0. */
+/* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to a
+   vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
+   pointers, for rho < 0, and for an alpha that is negative or infinite. k may have any sign; the functions of the rotor
+   check the stiffness. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
 {
     if (!slope || !power_force) return VM_NAN;
     const vm_power_force *p = (const vm_power_force *)power_force;
+    *slope = VM_NAN;
+    if (!(p->alpha >= 0) || !VM_IS_FINITE(p->alpha)) return VM_NAN;
     *slope = 0;
     if (p->alpha != 1) *slope = p->k * (p->alpha - 1) * vmi_pow_checked(rho, p->alpha - 2);
     return p->k * vmi_pow_checked(rho, p->alpha - 1);
 }
 
-/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in (-pi, pi].
-   Within 4 eps. Null pointers: nothing is done. */
+/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in (-pi, pi]. rho is within 2 eps,
+   phi within 4 eps. If a pointer is null, nothing is done. */
 VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
 {
     if (!rho || !phi) return;
@@ -85,15 +92,15 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
 }
 
 /* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s.
-   It is Im(conj z m z') - g |z|^2, which stays constant where r = 1, u = 0 and F_z = 0. v is z'. NaN for a null
-   pointer. */
+   It is Im(conj z m z') - g |z|^2, and stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns
+   NaN for a null pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
     return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
 }
 
-/* F_e(rho)/rho and its derivative; NaN where the rotor has no stiffness */
+/* F_e(rho)/rho and its derivative; both are NaN where the rotor has no stiffness */
 VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real *slope)
 {
     *slope = VM_NAN;
@@ -101,7 +108,16 @@ VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real
     return r->stiffness(rho, slope, r->stiffness_ctx);
 }
 
-/* F_z + r m' u: the loads that do not depend on the disc's velocity through g or r */
+/* The mass and its rate at time t. Returns VM_BAD_ARGUMENT where the rotor has no stiffness, else the status of the
+   law. */
+VM_API int vmi_jeffcott_mass_at(const vm_jeffcott *r, vm_real t, vm_real *mass, vm_real *rate)
+{
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    return vmi_law_at(&r->mass, VM_BAD_MASS, t, mass, rate);
+}
+
+/* F_z + r m' u: the loads without the gyroscopic force and without the part of the reactive force that depends on z'.
+   `rate` is m'. */
 VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     const vm_complex thrust = vmi_c_scale(r->reactive * rate, r->u);
@@ -109,15 +125,16 @@ VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real ra
     return vmi_c_add(r->force(t, z, v, r->force_ctx), thrust);
 }
 
-/* F_z + r m' u + 2 i g z' */
+/* F_z + r m' u + 2 i g z', where `rate` is m' and v is z' */
 VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
 }
 
-/* Equation of motion (449), (450) of a rotor, for rk45 or rk87. y = (x, y, x', y'), m and m/s; rotor points to a
-   vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_DOMAIN for t outside a table of the mass; these statuses stop the run. */
+/* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
+   y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and
+   for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass
+   that is not positive, and VM_DOMAIN for t outside a table of the mass. These statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -125,8 +142,7 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
     const vm_complex z = vmi_complex(y[0], y[1]), v = vmi_complex(y[2], y[3]);
     vm_real mass, rate, stiffness, slope;
     vm_complex force;
-    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    const int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
     force = vmi_jeffcott_loads(r, t, rate, z, v);
@@ -139,35 +155,37 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
 
 /* -- Weak nonlinearity: forward and backward whirl together -- */
 
-/* A rotor at one time: mass, kg, its rate, kg/s, and the frequency of small vibrations sqrt(F_e'(0)/m), rad/s */
+/* A rotor at one time: mass m, kg, its rate m', kg/s, and the frequency of small vibrations omega = sqrt(F_e'(0)/m),
+   rad/s */
 typedef struct VM_TAG(vmi_jeffcott_state) {
     vm_real mass, rate, omega;
 } vmi_jeffcott_state;
 
-/* The rotor at time t. VM_BAD_STIFFNESS where small vibrations have no frequency, as for F_e = rho^3; VM_BAD_ARGUMENT
-   where there is no stiffness, VM_BAD_MASS, VM_NOT_FINITE. */
+/* Finds the rotor's mass and frequency at time t. Returns VM_BAD_STIFFNESS where small vibrations have no frequency,
+   as for F_e = rho^3, VM_BAD_ARGUMENT for a rotor without mass or stiffness, VM_BAD_MASS for a mass that is not
+   positive, and VM_NOT_FINITE for a number that is infinite or NaN. */
 VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
     vm_real stiffness, slope;
-    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &now->mass, &now->rate);
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    const int status = vmi_jeffcott_mass_at(r, t, &now->mass, &now->rate);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, 0, &slope);
     if (stiffness <= 0) return VM_BAD_STIFFNESS;
     now->omega = VM_SQRT(stiffness / now->mass);
     if (!VM_IS_FINITE(now->omega)) return VM_NOT_FINITE;
-    if (!(now->omega > 0)) return VM_DOMAIN; /* underflow */
+    if (!(now->omega > 0)) return VM_DOMAIN; /* the frequency underflows */
     return VM_OK;
 }
 
-/* Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461).
-   The whirls P and N are circular motions of the frequency omega = sqrt(F_e'(0)/m),
+/* Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461). The complex numbers P and N are
+   circular motions, forward and backward, of the frequency omega = sqrt(F_e'(0)/m):
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
-   phi is the fast phase to start with, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
-   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where
-   A1 or A2 is 0. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS where F_e'(0) is not positive. y may be motion. */
+   phi is the fast phase at the start, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
+   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1
+   or A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for
+   a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS where F_e'(0)
+   is not positive. y and motion may be the same array. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
@@ -175,7 +193,8 @@ VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_rea
     vmi_jeffcott_state now;
     vm_complex turned, P, N;
     vm_real found[VMI_JEFFCOTT_SIZE];
-    const int status = vmi_jeffcott_now(r, t, &now);
+    int status = vmi_jeffcott_now(r, t, &now);
+    if (!VM_IS_FINITE(phi) || !vmi_all_finite(4, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
@@ -188,7 +207,7 @@ VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_rea
     return vmi_copy_if_finite(VMI_JEFFCOTT_SIZE, found, y);
 }
 
-/* z and z' from the whirls in y, where turn = e^(i phi) */
+/* Writes z and v = z' from the whirls in y, where turn = e^(i phi). */
 VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
 {
     const vm_complex P = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_P], y[VMI_JEFFCOTT_P + 1]), turn);
@@ -197,15 +216,16 @@ VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Motion (x, y, x', y') of a rotor from forward and backward whirl. The inverse of vm_jeffcott_to_averaged: y = (Re
-   P, Im P, Re N, Im N, phi). The statuses are the same. motion may be y. */
+/* Motion (x, y, x', y') of a rotor from forward and backward whirl. The inverse of vm_jeffcott_to_averaged, with its
+   statuses; y = (Re P, Im P, Re N, Im N, phi). motion and y may be the same array. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!r || !y || !motion) return VM_BAD_ARGUMENT;
     vmi_jeffcott_state now;
     vm_complex z, v;
     vm_real joined[4];
-    const int status = vmi_jeffcott_now(r, t, &now);
+    int status = vmi_jeffcott_now(r, t, &now);
+    if (!vmi_all_finite(VMI_JEFFCOTT_SIZE, y)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_JEFFCOTT_PHI]), now.omega, &z, &v);
     joined[0] = z.re;
@@ -215,10 +235,10 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     return vmi_copy_if_finite(4, joined, motion);
 }
 
-/* P' and N' (470)-(473) at the fast phase phi:
+/* Computes the exact rates P' and N' (470)-(473) of the whirls at the fast phase phi:
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
      m f = F_z + r m' u + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
-   r - 1/2 stands in place of r because the change of omega contributes m' z'/2. */
+   The last term has r - 1/2 in place of r, because the change of omega contributes m' z'/2. */
 VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffcott_state *now, const vm_real *y,
                                vm_real phi, vm_complex *dP, vm_complex *dN)
 {
@@ -234,15 +254,15 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
     *dN = vmi_c_times_i(push, vmi_c_times(f, turn));
 }
 
-/* How many phases of a period enter a mean value */
+/* Number of phases of a period that enter a mean value */
 VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
-    const int usual = 32; /* the mean is exact for polynomials of degree 15 in z and z' */
+    const int usual = 32; /* exact means for forces that are polynomials in z and z' of degree <= 15 */
     if (r->nodes > 0) return r->nodes;
     return usual;
 }
 
-/* The mean of P' and N' over `nodes` phases of a period, evenly spaced, the first of them the phase in y */
+/* Writes the means of P' and N' over `nodes` evenly spaced phases of a period, beginning with the phase in y. */
 VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int nodes)
 {
     const vm_real share = 1 / (vm_real)nodes;
@@ -264,31 +284,34 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
     return VM_OK;
 }
 
-/* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87.
-   y = (Re P, Im P, Re N, Im N, phi), see vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. They hold for any
-   force, but are of use where F_z, u, g and F_e'(rho) - F_e'(0) are small. VM_BAD_ARGUMENT for null pointers or where
-   there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where F_e'(0) is not positive. */
+/* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
+   vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
+   F_z, u, g and F_e'(rho) - F_e'(0) are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass
+   or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and
+   VM_BAD_STIFFNESS where F_e'(0) is not positive. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_mean(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations of forward and backward whirl, for rk45 or rk87.
-   vm_jeffcott_exact_rhs, averaged over the fast phase phi while P and N stay. The average over psi1 and psi2
-   separately, (474)-(477), is wrong unless the force turns with z, since forward and backward whirl are in 1:1
-   resonance. The error is of the order of the perturbation (F_z, u, g, F_e'(rho) - F_e'(0), m') over times of its
-   inverse. State and statuses are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
+/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs,
+   averaged over the fast phase phi while P and N stay constant. Averaging over psi1 and psi2 separately, (474)-(477),
+   is wrong unless the force turns with z, since forward and backward whirl are in 1:1 resonance. The error is of the
+   order of the perturbations F_z, u, g, F_e'(rho) - F_e'(0) and m', up to times of their inverse. State and statuses
+   are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_jeffcott *r = (const vm_jeffcott *)rotor;
+    if (r->nodes < 0) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_nodes(r));
 }
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
-/* W = (g +- S)/m with S^2 = g^2 + m F_e', + for forward whirl; written so that no close numbers are subtracted */
+/* The frequency of circular whirl W = (g +- S)/m with S^2 = g^2 + m F_e', where + is for forward whirl (sense >= 0);
+   the formula subtracts no nearly equal numbers */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);
@@ -300,10 +323,11 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
     return direction * speed;
 }
 
-/* Frequency of circular whirl of radius A, rad/s: the solution W of m W^2 - 2 g W = F_e(A)/A. Forward whirl, W > 0,
-   for sense >= 0, backward whirl, W < 0, for sense < 0. A >= 0 in m, mass > 0 in kg. Within some 8 eps and the error
-   of the stiffness. NaN for null pointers, a rotor without stiffness, and arguments outside the domain. The remark
-   after (516), corrected. */
+/* Frequency W of circular whirl of radius A, rad/s.
+   By the corrected remark after (516), W solves m W^2 - 2 g W = F_e(A)/A. Forward whirl has W > 0; sense >= 0 asks
+   for it. Backward whirl has W < 0; sense < 0 asks for it. A >= 0 is in m, mass > 0 in kg. The result is within 8 eps
+   and the error of the stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments
+   outside the domain. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -312,8 +336,9 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
     return vmi_jeffcott_root(r->gyro, mass, vmi_jeffcott_stiffness(r, A, &slope), sense);
 }
 
-/* D e^(-i psi), averaged over the angle psi of a circle of radius A at frequency W, with D = F_z + r m' u. The real
-   part is the mean radial load, the imaginary part the mean tangential load, N. */
+/* The mean load D e^(-i psi), N, averaged over the angle psi of a circle of radius A that turns at the frequency W,
+   with D = F_z + r m' u. Its real part is the mean radial load, its imaginary part the mean tangential load. `rate`
+   is m'. */
 VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
                                          vm_real W)
 {
@@ -329,15 +354,18 @@ VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_rea
     return vmi_c_scale(1 / (vm_real)nodes, sum);
 }
 
-/* (504), (505) averaged, y = (A, psi). W is the frequency of circular whirl of radius A, L the mean load, and
-   S = m W - g = +-sqrt(g^2 + m F_e'), + for forward whirl.
-     along the circle: (A^2 S)' = (1 - r) m' A^2 W + A Im L,   across it: psi' = W - Re L/(2 A S) */
+/* Writes the averaged rates (504), (505) of the state y = (A, psi), the radius and the angle of a circular whirl. W
+   is the whirl's frequency, L the mean load, and S = m W - g = +-sqrt(g^2 + m F_e'), where + is for forward whirl.
+   The equations are
+     along the circle: (A^2 S)' = (1 - r) m' A^2 W + A Im L,
+     across the circle: psi' = W - Re L/(2 A S) */
 VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
 {
     vm_real mass, rate, stiffness, slope, W, S, growth;
     vm_complex load;
-    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
+    int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
+    if (r->nodes < 0) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(r->gyro) || y[0] != y[0]) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, y[0], &slope);
     W = vmi_jeffcott_root(r->gyro, mass, stiffness, sense);
@@ -351,37 +379,41 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
     return VM_OK;
 }
 
-/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
-   nearly circular: z = A e^(i psi), z' = i W z with W = vm_jeffcott_frequency. y = (A, psi), m and rad; rotor points
-   to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase accumulates
-   this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of order 1 for
-   others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the circle.
-   VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Time: `nodes` forces. */
+/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87.
+   The nonlinearity may be strong. The motion is nearly circular: z = A e^(i psi), z' = i W z with the frequency W of
+   vm_jeffcott_frequency. y = (A, psi) is in m and rad; rotor points to a vm_jeffcott. The error of A is of the order
+   of the loads (F_z, u, m') up to times of their inverse. Where F_e' is not constant, the phase accumulates this
+   error: up to such times tests bound the error of psi by 0.015 for loads that turn with z (their angle to z is
+   fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads that do not
+   turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor
+   without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
+   positive, and VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Each call evaluates the force at `nodes`
+   phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87.
-   As vm_jeffcott_forward_whirl_rhs, with W < 0. */
+/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87. State, error and statuses are as in
+   vm_jeffcott_forward_whirl_rhs, except that the whirl's frequency W is negative. */
 VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* What the search for the radius A of circular whirl needs, when the mass is now another than at first: the invariant
-   A^4 (g^2 + m F_e'(A)) keeps its value */
+/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m F_e'(A)) is an invariant: it
+   keeps its value during the change. */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
-    vm_real first_A; /* radius, m, of the mass at first */
-    vm_real mass;    /* kg, now */
-    vm_real first;   /* g^2 + m F_e' at first */
+    vm_real first_A; /* radius A before the change, m */
+    vm_real mass;    /* mass after the change, kg */
+    vm_real first;   /* g^2 + m F_e'(A) before the change */
 } vmi_jeffcott_orbit;
 
-/* ln of the invariant over its first value, at the radius first_A e^x; NaN where F_e' is no number or too negative */
+/* ln of the invariant over its value before the change, at the radius first_A e^x; NaN where F_e' is not a number or
+   so negative that the invariant is not positive */
 VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
@@ -392,16 +424,18 @@ VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
     return 4 * x + vmi_log(ratio).hi;
 }
 
-/* An interval of x = ln(A/first_A) at whose ends a and b the invariant's signs differ, with the values there */
+/* An interval [a, b] of x = ln(A/first_A), with the values of vmi_jeffcott_invariant at its ends, which have opposite
+   signs */
 typedef struct VM_TAG(vmi_jeffcott_bracket) {
     vm_real a, b, at_a, at_b;
 } vmi_jeffcott_bracket;
 
-/* From x = 0, where the invariant is b->at_a, walk to where its sign changes, with steps that double. A step to where
-   the invariant is NaN is halved, and steps double no more. 0 where the walk ends at such a place. */
+/* Searches from x = 0, where vmi_jeffcott_invariant is b->at_a, until the sign of this function changes, with steps
+   that double. A step to an x where the function is NaN is halved, and from then on steps no longer double. Returns 1
+   where a change of sign is found, and 0 where halved steps still lead to NaN. */
 VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
 {
-    vm_real step = VM_C(0.0625); /* a radius that changes by 6 % */
+    vm_real step = VM_C(0.0625); /* changes the radius by 6 % */
     int bounded = 0;
     if (b->at_a > 0) step = -step;
     b->a = 0;
@@ -422,13 +456,14 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
     }
 }
 
-/* Radius of circular whirl, m, after the mass has changed slowly. The radius was first_A when the mass was mass0; the
-   mass is now `mass`. Without F_z and u. What stays constant (509) is
-     A^4 (g^2 + m F_e'(A)) for r = 1, the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
-   For F_e = k rho^alpha and g = 0 the radius changes as vm_osc_amplitude_law says, with mass/mass0 and decay 0.
-   Within some 12 eps. NaN for g != 0 with r != 1, where the whole course of the mass matters; where no radius is
-   found on the way from first_A; for null pointers, a rotor without stiffness, and a radius or masses that are not
-   positive and finite. Time: some 10 evaluations of the stiffness. */
+/* Radius of circular whirl, m, after the mass has changed slowly.
+   The radius was first_A when the mass was mass0; `mass` is the mass after the change. F_z and u must be 0. These
+   products stay constant (509):
+     A^4 (g^2 + m F_e'(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
+   For F_e = k rho^alpha and g = 0 the radius changes by vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
+   error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, since the radius then depends on all
+   masses in between; where no radius is found on the way from first_A; for null pointers, for a rotor without
+   stiffness, and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -441,7 +476,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
     o.r = r;
     o.first_A = first_A;
     o.mass = mass;
-    if (r->gyro == 0) { /* m^(2r-1) takes the place of m */
+    if (r->gyro == 0) { /* for g = 0, m^(2r-1) replaces m in the invariant */
         o.mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
         first_mass = 1;
     }

@@ -1,4 +1,4 @@
-/* oscillators/laws.h - laws of mass, stiffness and the like: numbers that depend on time
+/* oscillators/laws.h - laws of time for mass, stiffness and other numbers
 
    A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
    and the size (N) of a force on it (oscillators/forced.h). A constructor makes it: linear f0 + f1 t (346), quadratic,
@@ -6,9 +6,9 @@
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
-   Every kind of law has a section below: the functions that work for this kind alone, and the constructor that
-   puts them into the vm_law. Nothing outside the section knows of the kind. The integral of 1/f from 0 to t is
-   vm_law_inverse_integral (oscillators/panels.h).
+   Each kind of law has a section below, with its own functions and the constructor that makes a vm_law point to them.
+   No code outside the section depends on the kind. vm_law_inverse_integral (oscillators/panels.h) integrates 1/f from
+   0 to t.
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
 #define VARMASS_OSCILLATORS_LAWS_H
@@ -21,45 +21,46 @@
 #include "../base/status.h"
 #include "legendre.h"
 
-/* A user's law: writes f(t) and its rate df/dt, returns 0, or another number where it fails. f must be smooth. */
+/* A user's law: writes f(t) and its rate df/dt, and returns 0, or another number where it fails. f must be smooth. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
-/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it; only
-   change_time may be set by hand. The law keeps pointers to the arrays of a table and to the function of a user, which
-   must outlive it. It also points to functions: on a GPU call the constructor on the GPU. */
+/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it;
+   only change_time may be set by hand. The law points to the arrays of its table and to the user's function and ctx,
+   which must outlive it. It also points to functions of this header, so on a GPU the constructor must be called on
+   the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
     vm_real f0, f1, f2;       /* arguments of the constructor, in its order; 0 for tables and functions */
     int n;                    /* number of points of a table; 0 for the other laws */
     const vm_real *time;      /* n times of a table, s, rising; else null */
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
-    vm_law_function function; /* of vm_law_user; else null */
-    void *ctx;                /* last argument of function */
-    vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0: unknown */
-    /* What the kind of law does; its constructor sets these. */
-    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null: no law */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t is enough */
-    int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null: it has none */
-    vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null: there is no closed form */
+    vm_law_function function; /* the user's function for vm_law_user; else null */
+    void *ctx;                /* the user's pointer, last argument of function */
+    vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0 if it is unknown */
+    /* Functions that depend on the kind of law; its constructor sets them. */
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null if this is no law */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f(0), f(t) are enough */
+    int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
+    vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
 
 /* -- What every kind of law shares -- */
 
-/* The direction of time over a length, or from 0 to a time: 1 forward, -1 backward */
+/* The direction of an interval of time of this length: 1 forward, -1 backward */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
-/* Numbers that the function `derivatives` of a law writes: f and its first six derivatives, the index is the order */
+/* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
-/* The value of a law that a constructor made, and its derivatives at t, in f[0], f[1], ...
-   side: where a derivative jumps at t, 1 asks for its value after t, -1 for that before t.
-   length: 0 asks for f and f' only. A positive length, s, asks for all six derivatives; those of a function of the user
-   are then found from its values between t and t + side length.
-   if_not_positive: the status where f <= 0, VM_BAD_MASS for a mass; VM_OK for numbers that may have any sign. */
+/* Writes the value of a law at t and its derivatives to f[0], f[1] ... A constructor must have made the law. Where a
+   derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only
+   f and f' are written. A positive length, s, asks for all six derivatives; those of a user's function are then found
+   from its rates between t and t + side length. if_not_positive is the status for f <= 0, for example VM_BAD_MASS for
+   a mass; it is VM_OK for numbers of any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
     int i, status;
-    vm_real sum = 0; /* of differences that are 0 or NaN */
+    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
     if (length > 0)
         for (i = 2; i < VMI_LAW_ORDERS; i++) f[i] = 0;
     status = law->derivatives(law, t, side, length, f);
@@ -71,28 +72,30 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return VM_OK;
 }
 
-/* Whether a constructor made the law, and it is finite and positive (with if_not_positive = VM_OK: of any sign) between
-   0 and t, as far as can be told without going there. A table is looked at as a whole. */
+/* Checks that a constructor made the law, and that the law is finite and positive between 0 and t, as far as this can
+   be told without a walk from 0 to t. With if_not_positive = VM_OK it may have any sign. A table is checked as a
+   whole. */
 VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS];
     int status;
     if (!law->derivatives) return VM_BAD_ARGUMENT;
     status = vmi_law_derivatives(law, if_not_positive, 0, 1, 0, f);
-    if (!status) status = vmi_law_derivatives(law, if_not_positive, t, 1, 0, f);
-    if (!status && law->validate) status = law->validate(law, if_not_positive, t);
+    status = vmi_first_error(status, vmi_law_derivatives(law, if_not_positive, t, 1, 0, f));
+    if (law->validate) status = vmi_first_error(status, law->validate(law, if_not_positive, t));
     return status;
 }
 
-/* 1, base and rate where the law is f0 exp(rate u) with u = ln(1 + base t)/base (u = t for base = 0), else 0.
-   Integrals of products of such laws with one base are closed forms. A constant has rate 0. */
+/* Returns 1 and writes base and rate if the law is f0 exp(rate u) with u = ln(1 + base t)/base (u = t for base = 0);
+   returns 0 otherwise. Integrals of products of such laws with the same base have closed forms. A constant has rate
+   0. */
 VM_API int vmi_law_exponential_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = *rate = 0;
     return law->exponential_form && law->exponential_form(law, base, rate);
 }
 
-/* The integral of dt/f from 0 to t of a law with an exponential form */
+/* The integral of dt/f from 0 to t for a law f with an exponential form */
 VM_API vm_real vmi_law_exponential_inverse_integral(const vm_law *law, vm_real t)
 {
     vm_real base, rate, u;
@@ -101,7 +104,7 @@ VM_API vm_real vmi_law_exponential_inverse_integral(const vm_law *law, vm_real t
     return u / law->f0 * vmi_exp_ratio((base - rate) * u);
 }
 
-/* f and df/dt at t of any law, with all arguments checked; both are NaN where the status is not VM_OK */
+/* Writes f and df/dt of any law at t, after a check of all arguments. Both are NaN if the status is not VM_OK. */
 VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real values[VMI_LAW_ORDERS];
@@ -116,23 +119,24 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
     return VM_OK;
 }
 
-/* Value f and rate df/dt of a law at time t (s), which may be negative.
-   Within some 8 ulp. VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for t or
-   a result that is infinite or NaN, VM_BAD_MASS where f <= 0 at t, VM_DOMAIN for t outside a table or where the
-   function fails. Then f and rate are untouched. */
+/* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps.
+   f may have any sign, since a law does not know whether it is the law of a mass. Returns VM_BAD_ARGUMENT for null
+   pointers and for a law that no constructor made, VM_NOT_FINITE where t or a result is infinite or NaN, and VM_DOMAIN
+   where the law has no value: for t outside a table, for a power law where 1 + f1 t <= 0, and where the user's function
+   fails. An error leaves *f and *rate untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
     int status;
     if (!f || !rate) return VM_BAD_ARGUMENT;
-    status = vmi_law_at(law, VM_BAD_MASS, t, &value, &slope);
+    status = vmi_law_at(law, VM_OK, t, &value, &slope);
     if (status) return status;
     *f = value;
     *rate = slope;
     return VM_OK;
 }
 
-/* A law without a kind, which the constructors complete */
+/* A law with these numbers, but without the functions of its kind, which the constructors below add */
 VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law;
@@ -153,6 +157,8 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Linear laws -- */
+
+/* f and f' of a linear law; its higher derivatives are 0. */
 VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -162,7 +168,7 @@ VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm
     return VM_OK;
 }
 
-/* f0 (1 + base t) = f0 exp(base u) */
+/* The exponential form of a linear law: f0 (1 + base t) = f0 exp(base u) */
 VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = law->f1 / law->f0;
@@ -170,8 +176,8 @@ VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
     return 1;
 }
 
-/* Linear law f = f0 + f1 t (346); a constant where f1 = 0.
-   f0 is the value at t = 0, f1 the rate per second, such as kg and kg/s. */
+/* Linear law f = f0 + f1 t (346); a constant where f1 = 0. f0 is the value at t = 0, f1 the rate per second, for
+   example in kg and kg/s. */
 VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 {
     vm_law law = vmi_law_of(f0, f1, 0);
@@ -182,6 +188,8 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 }
 
 /* -- Quadratic laws -- */
+
+/* f, f' and f'' of a quadratic law; its higher derivatives are 0. */
 VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -191,7 +199,7 @@ VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side,
     return VM_OK;
 }
 
-/* f must be positive where it is lowest, if that is between 0 and t. */
+/* Checks that f is positive at its minimum, if the minimum is between 0 and t. */
 VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS], lowest;
@@ -201,7 +209,7 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
-/* f0 (1 + base t)^2 = f0 exp(2 base u), where f is a square within rounding */
+/* The exponential form of a quadratic law: f0 (1 + base t)^2 = f0 exp(2 base u), if f is a square within rounding */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -210,8 +218,8 @@ VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rat
     return VM_FABS(rest) <= 4 * VM_EPSILON * square;
 }
 
-/* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t: (2/y) atanh(y t/x) or (2/y) atan(y t/x) with
-   x = 2 f0 + f1 t and y^2 = |f1^2 - 4 f0 f2| */
+/* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t. With x = 2 f0 + f1 t, D = f1^2 - 4 f0 f2 and d = sqrt|D| it is
+   (2/d) atan(d t/x) for D < 0, and (2/d) atanh(d t/x) otherwise. */
 VM_API vm_real vmi_law_quadratic_inverse_integral(const vm_law *law, vm_real t)
 {
     const vm_real D = law->f1 * law->f1 - 4 * law->f0 * law->f2, x = 2 * law->f0 + law->f1 * t;
@@ -220,8 +228,8 @@ VM_API vm_real vmi_law_quadratic_inverse_integral(const vm_law *law, vm_real t)
     return 2 * t / x * vmi_log_ratio(2 * s / (1 - s)) / (1 - s);
 }
 
-/* Quadratic law f = f0 + f1 t + f2 t^2.
-   Units are those of f, of f per second and of f per second squared. */
+/* Quadratic law f = f0 + f1 t + f2 t^2. f0 has the unit of f, f1 this unit per second, f2 this unit per second
+   squared. */
 VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law = vmi_law_of(f0, f1, f2);
@@ -233,6 +241,8 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 }
 
 /* -- Exponential laws -- */
+
+/* f and its derivatives, each f1 times the one before */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -243,6 +253,7 @@ VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int sid
     return VM_OK;
 }
 
+/* The exponential form of an exponential law, with base = 0, so that u = t */
 VM_API int vmi_law_exponential_own_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = 0;
@@ -250,8 +261,7 @@ VM_API int vmi_law_exponential_own_form(const vm_law *law, vm_real *base, vm_rea
     return 1;
 }
 
-/* Exponential law f = f0 exp(f1 t).
-   f0 is the value at t = 0, f1 the relative rate, 1/s. */
+/* Exponential law f = f0 exp(f1 t). f0 is the value at t = 0, f1 the relative rate, 1/s. */
 VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 {
     vm_law law = vmi_law_of(f0, f1, 0);
@@ -263,20 +273,21 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* VM_BAD_MASS where 1 + f1 t is not positive; for other numbers than masses vmi_law_derivatives changes the status */
+/* f and its derivatives. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers than masses
+   vmi_law_derivatives changes this status. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
     int i;
     (void)side;
-    if (!(base > 0)) return VM_BAD_MASS;
+    if (base <= 0) return VM_BAD_MASS;
     f[0] = law->f0 * vmi_pow_checked(base, law->f2);
     for (i = 1; i < orders; i++) f[i] = (law->f2 - (vm_real)(i - 1)) * relative_rate * f[i - 1];
     return VM_OK;
 }
 
-/* f0 (1 + f1 t)^f2 = f0 exp(f2 f1 u) with base = f1 */
+/* The exponential form of a power law: f0 (1 + f1 t)^f2 = f0 exp(f2 f1 u) with base = f1 */
 VM_API int vmi_law_power_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = law->f1;
@@ -284,8 +295,8 @@ VM_API int vmi_law_power_form(const vm_law *law, vm_real *base, vm_real *rate)
     return 1;
 }
 
-/* Power law f = f0 (1 + f1 t)^f2, as long as 1 + f1 t > 0.
-   f0 is the value at t = 0, f1 a rate, 1/s, f2 a pure number of either sign. */
+/* Power law f = f0 (1 + f1 t)^f2, for 1 + f1 t > 0. f0 is the value at t = 0, f1 a rate, 1/s, and f2 a pure number of
+   either sign. */
 VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law = vmi_law_of(f0, f1, f2);
@@ -297,8 +308,9 @@ VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Tables -- */
 
-/* Slope at an end of a table: that of the parabola through its last three points, limited so that the cubic stays
-   monotone. h_end, d_end: length and slope of the chord at the end; h_next, d_next: of the chord next to it. */
+/* Slope at an end of a table: the slope of the parabola through the last three points, limited so that the cubic
+   stays monotone. h_end and d_end are the length and the slope of the chord at the end, h_next and d_next those of
+   the chord next to it. */
 VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, vm_real d_next)
 {
     const vm_real slope = ((2 * h_end + h_next) * d_end - h_end * d_next) / (h_end + h_next);
@@ -307,8 +319,8 @@ VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, v
     return slope;
 }
 
-/* Slope at point i of a table: inside, the weighted harmonic mean of the chords' slopes on both sides, 0 at an
-   extremum (Fritsch and Butland) */
+/* Slope at point i of a table. At inner points it is the weighted harmonic mean of the slopes of the chords on both
+   sides, and 0 at an extremum (Fritsch and Butland). */
 VM_API vm_real vmi_law_slope(const vm_law *law, int i)
 {
     const vm_real *t = law->time, *f = law->value;
@@ -328,7 +340,8 @@ VM_API vm_real vmi_law_slope(const vm_law *law, int i)
     return 3 * (h0 + h1) / ((2 * h1 + h0) / d0 + (h1 + 2 * h0) / d1);
 }
 
-/* The index i with time[i] <= t <= time[i+1]; where t is a point of the table, of the interval on that side of it */
+/* The index i with time[i] <= t <= time[i+1]. If t is a point of the table, side tells on which side of t the
+   interval lies. */
 VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
 {
     int low = 0, high = law->n - 1;
@@ -340,13 +353,14 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
     return low;
 }
 
-/* The cubic of the interval with t, which has the values and the slopes of its two points */
+/* Writes f and its derivatives, for the cubic on the interval of the table that contains t. The cubic has the values
+   and slopes of the interval's two points. */
 VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     vm_real chord_time, u, chord, slope0, slope1, b, c;
     int i;
-    if (law->n < 2 || !law->time || !law->value) return VM_BAD_ARGUMENT;
-    if (!(t >= law->time[0] && t <= law->time[law->n - 1])) return VM_DOMAIN;
+    if (!(t >= law->time[0] && t <= law->time[law->n - 1]))
+        return vmi_all_finite(law->n, law->time) ? VM_DOMAIN : VM_NOT_FINITE;
     i = vmi_law_interval(law, t, side);
     chord_time = law->time[i + 1] - law->time[i];
     u = t - law->time[i];
@@ -364,7 +378,7 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     return VM_OK;
 }
 
-/* The whole table, whatever t is: values finite and positive, times rising */
+/* Checks the whole table, whatever t is: its values must be finite and positive, its times must rise. */
 VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     int i;
@@ -377,21 +391,22 @@ VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_rea
     return VM_OK;
 }
 
-/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics.
-   Times (s) rise; a call's t must lie between the first and the last. Between its points a cubic with the slopes of
-   Fritsch and Butland neither overshoots nor rings; its second derivative jumps at the points. */
+/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. A table of fewer points, or with a null
+   pointer, is no law: all functions refuse it with VM_BAD_ARGUMENT. Times (s) must rise, and every t of a call
+   must lie between the first and the last. Between two points the law is a cubic with the slopes of Fritsch and
+   Butland, which neither overshoots nor oscillates; its second derivative jumps at the points. */
 VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
 {
     vm_law law = vmi_law_of(0, 0, 0);
     law.n = n;
     law.time = time;
     law.value = value;
-    law.derivatives = vmi_law_table_derivatives;
+    if (n >= 2 && time && value) law.derivatives = vmi_law_table_derivatives; /* else there is no law */
     law.validate = vmi_law_table_validate;
     return law;
 }
 
-/* The next point of a table after t on the way to t_end; t_end where there is none, and for every other law */
+/* The next point of the law's table after t on the way to t_end, or t_end if there is none or the law is no table */
 VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 {
     const int side = t_end > t ? 1 : -1;
@@ -411,35 +426,48 @@ VM_API int vmi_law_has_knot(const vm_law *law, vm_real t)
 
 /* -- Functions of the user -- */
 
-/* The series of the rate f' over the time from t to t + length, as short as it must be for the series to end in rounding
-   errors, which are dropped. *length becomes the length of the series. */
-VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
+/* Writes the Legendre series of the rate f' between t and t + length. */
+VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_real *series)
 {
-    const vm_real noise = 64 * VM_EPSILON;
-    const int most_halvings = 24;
-    vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused, least = 0;
-    int i, halvings;
-    for (halvings = 0; halvings <= most_halvings; halvings++) {
-        for (i = 0; i < VMI_GAUSS; i++) {
-            const vm_real at = t + *length * ((1 + vmi_gauss_node(i)) / 2);
-            if (law->function(at, &unused, &rates[i], law->ctx)) return VM_DOMAIN;
-        }
-        vmi_legendre_fit(rates, rates, series, same);
-        least = noise * VM_SQRT(vmi_legendre_square(series));
-        if (!(vmi_legendre_tail(series) > least)) break;
-        *length /= 2;
+    vm_real rates[VMI_GAUSS], same[VMI_GAUSS], unused;
+    int i;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real at = t + length * ((1 + vmi_gauss_node(i)) / 2);
+        if (law->function(at, &unused, &rates[i], law->ctx)) return VM_DOMAIN;
     }
-    for (i = 0; i < VMI_GAUSS; i++)
-        if (VM_FABS(series[i]) <= least) series[i] = 0;
+    vmi_legendre_fit(rates, rates, series, same);
     return VM_OK;
 }
 
-/* The function gives f and f'. The higher derivatives are those of a series of f'. */
+/* Writes the Legendre series of the rate f' between t and t + *length. *length is halved until the last terms of the
+   series are as small as rounding errors or no longer become much smaller; all terms of that size are then set to 0. */
+VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
+{
+    const int most_halvings = 24;
+    vm_real tail, least = 0;
+    int i, halvings, status = vmi_law_user_fit(law, t, *length, series);
+    for (halvings = 0; !status && halvings < most_halvings; halvings++) {
+        vm_real shorter[VMI_GAUSS];
+        tail = vmi_legendre_tail(series);
+        least = 64 * VM_EPSILON * VM_SQRT(vmi_legendre_square(series));
+        if (!(tail > least)) break;
+        least = 4 * tail;
+        status = vmi_law_user_fit(law, t, *length / 2, shorter);
+        if (!(vmi_legendre_tail(shorter) < tail / 8)) break;
+        *length /= 2;
+        for (i = 0; i < VMI_GAUSS; i++) series[i] = shorter[i];
+    }
+    for (i = 0; i < VMI_GAUSS; i++)
+        if (VM_FABS(series[i]) <= least) series[i] = 0;
+    return status;
+}
+
+/* Writes f and f' from the user's function. For length > 0 it also writes the higher derivatives, from a Legendre
+   series of f'. */
 VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     vm_real series[VMI_GAUSS], whole = (vm_real)side * length, scale = 1;
     int i, k, status;
-    if (!law->function) return VM_BAD_ARGUMENT;
     if (law->function(t, &f[0], &f[1], law->ctx)) return VM_DOMAIN;
     if (!(length > 0)) return VM_OK;
     status = vmi_law_user_series(law, t, &whole, series);
@@ -447,12 +475,12 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
     for (i = 2; i < VMI_LAW_ORDERS; i++) {
         vmi_legendre_derive(series);
         scale *= 2 / whole;
-        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* at -1, P_k is (-1)^k */
+        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* P_k(-1) = (-1)^k */
     }
     return VM_OK;
 }
 
-/* change_time must be a time, and at most 2^20 of them may lie between 0 and t, so that every call ends. */
+/* Checks that change_time is finite and not negative, and 0 or at least |t|/2^20, so that every call ends. */
 VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     const vm_real most_changes = VM_C(1048576.);
@@ -463,23 +491,24 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
     return VM_OK;
 }
 
-/* Law by a function of the user, which must be smooth.
-   ctx is passed on to the function. Integrals along the law evaluate the function at 20 points in each panel of
-   time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2)
-   is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time to that
-   time, s: then no panel and no step of an integrator is longer. It may not be negative or less than |t|/2^20
-   (VM_DOMAIN). */
+/* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
+   VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law evaluate the function at 20 points in each
+   panel of time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump
+   exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set
+   law.change_time to that time, s: then no panel and no step of an integrator is longer. A change_time that is negative
+   or less than |t|/2^20 is refused with VM_DOMAIN. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);
     law.function = function;
     law.ctx = ctx;
-    law.derivatives = vmi_law_user_derivatives;
+    if (function) law.derivatives = vmi_law_user_derivatives; /* else there is no law */
     law.validate = vmi_law_user_validate;
     return law;
 }
 
-/* The longest panel of time, s, in which the law cannot hide a change between 0 and t; whole = |t| */
+/* The longest panel of time, s, for integrals along the law from 0 to t: short enough to notice the changes that
+   vm_law_user promises to find. `whole` is |t|. */
 VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 {
     const vm_real longest = whole / 32;

@@ -1,15 +1,16 @@
 /* oscillators/legendre.h - Gauss' rule of 20 points and series of Legendre polynomials on [-1, 1]
 
-   A smooth function on [-1, 1] is the sum of coefficient[k] P_k(x), k = 0 ... 19, with Legendre's polynomials P_k.
-   vmi_legendre_fit finds the coefficients from the values at the points of Gauss' rule; the other functions
-   integrate and derive the series and measure its size. The integral of the function over [-1, 1] is
-   2 coefficient[0]. Used by oscillators/panels.h and walk.h, tested with them (tests/test_laws.c, test_routes.c). */
+   A smooth function on [-1, 1] is represented by the series sum coefficient[k] P_k(x), k = 0 ... 19, with Legendre's
+   polynomials P_k. Its integral over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds the coefficients from the
+   values at the points of Gauss' rule. The other functions evaluate, integrate and differentiate the series, and
+   measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use this one.
+   Tests: tests/test_laws.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_LEGENDRE_H
 #define VARMASS_OSCILLATORS_LEGENDRE_H
 
 #include "../base/real.h"
 
-/* Points of the rule, and terms of a series */
+/* Number of points of the rule, and of terms of a series */
 enum { VMI_GAUSS = 20 };
 
 /* Point i of Gauss' rule on [-1, 1], 0 <= i < 20 */
@@ -23,7 +24,7 @@ VM_API vm_real vmi_gauss_node(int i)
     return i % 2 ? VM_READ(node[i / 2]) : -VM_READ(node[i / 2]);
 }
 
-/* Its weight; the weights add up to 2 */
+/* The weight of point i of Gauss' rule; the weights add up to 2 */
 VM_API vm_real vmi_gauss_weight(int i)
 {
     VM_TABLE vm_real weight[10] = {VM_C(0.017614007139152118312), VM_C(0.040601429800386941331),
@@ -34,14 +35,14 @@ VM_API vm_real vmi_gauss_weight(int i)
     return VM_READ(weight[i / 2]);
 }
 
-/* P_(k+1)(x) from now = P_k(x) and before = P_(k-1)(x) */
+/* Legendre's polynomial P_(k+1)(x), where now = P_k(x) and before = P_(k-1)(x) */
 VM_API vm_real vmi_legendre_next(int k, vm_real x, vm_real now, vm_real before)
 {
     return ((vm_real)(2 * k + 1) * x * now - (vm_real)k * before) / (vm_real)(k + 1);
 }
 
-/* Coefficients a and b of the series through values at the points of Gauss' rule, of two functions at once, since
-   most of the time goes into the polynomials */
+/* Writes the coefficients a and b of the series of two functions, from their values at the points of Gauss' rule. It
+   takes two functions at once, since most of the time goes into the polynomials. */
 VM_API void vmi_legendre_fit(const vm_real *values_a, const vm_real *values_b, vm_real *a, vm_real *b)
 {
     int i, k;
@@ -81,7 +82,7 @@ VM_API vm_real vmi_legendre_at(const vm_real *coefficient, vm_real x)
     return sum;
 }
 
-/* The integral of the series from -1 to x: that of P_k is (P_(k+1) - P_(k-1))/(2k+1) */
+/* The integral of the series from -1 to x. The integral of P_k is (P_(k+1) - P_(k-1))/(2k+1). */
 VM_API vm_real vmi_legendre_integral(const vm_real *coefficient, vm_real x)
 {
     vm_real before = 1, now = x, sum = coefficient[0] * (1 + x);
@@ -95,10 +96,10 @@ VM_API vm_real vmi_legendre_integral(const vm_real *coefficient, vm_real x)
     return sum;
 }
 
-/* Replaces the series by its derivative: coefficient d_k = (2k+1) (c_(k+1) + c_(k+3) + ...) */
+/* Replaces the coefficients c_k of the series by those of its derivative, d_k = (2k+1) (c_(k+1) + c_(k+3) + ...). */
 VM_API void vmi_legendre_derive(vm_real *coefficient)
 {
-    vm_real sums[2] = {0, 0}; /* sums of the coefficients with an index above k: even ones, odd ones */
+    vm_real sums[2] = {0, 0}; /* sums of the c_j with j > k, for even j and for odd j */
     int k;
     for (k = VMI_GAUSS - 1; k >= 0; k--) {
         const vm_real own = coefficient[k];
@@ -116,7 +117,8 @@ VM_API vm_real vmi_legendre_square(const vm_real *coefficient)
     return sum;
 }
 
-/* The largest of the last three coefficients, NaN if one is: the terms that the series leaves out have this size. */
+/* The largest absolute value of the last three coefficients, or NaN if one of them is NaN. The terms that the series
+   leaves out have about this size. */
 VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
 {
     vm_real largest = 0;

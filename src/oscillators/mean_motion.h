@@ -1,10 +1,10 @@
-/* oscillators/mean_motion.h - averaged motion of first order, the law of order five, and estimates of their errors
+/* oscillators/mean_motion.h - the motion by first-order averaging and by the law of order five, with error estimates
 
-   Without a force F the mean motion of an oscillator with slow laws of mass and stiffness is known by integrals: the
-   amplitude follows the adiabatic law (325), (344), (367), (389), the phase is the integral of its rate, (310), (329),
-   (370). vmi_osc_first_order takes the mean motion of first order for the motion, with one of three waves;
-   vmi_osc_order_n adds what lies between them, by the transformation of oscillators/expansion.h cut off after order
-   2, 3, 4 or 5: the error is of that order in the rate at which mass and stiffness change within a radian.
+   Without a force F the mean motion of an oscillator with slow mass and stiffness is known from integrals: the
+   amplitude follows the adiabatic law (325), (344), (367), (389), and the phase is the integral of its rate (310),
+   (329), (370). vmi_osc_first_order takes this mean motion for the motion, with the wave cos, cn or ca. vmi_osc_order_n
+   goes from the mean motion to the motion by the transformation of oscillators/expansion.h, cut off after order 2, 3, 4
+   or 5. Its error is of that order in the relative change of mass and stiffness within a radian.
        vmi_osc_mean mean;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
        int status = vmi_osc_mean_at(&plan, t, &mean);
@@ -27,8 +27,8 @@
 
 /* -- The mean motion at t -- */
 
-/* The mean motion where m and k are exponentials in one u = ln(1 + base t)/base: with the rates of ln mu and ln k by u,
-   p = p_0/(1 + base t), G_k = G_k(0)/(1 + base t)^(k+2), and E_k is E_k(0) times exp(-(k+2) D), where D = delta u. */
+/* Computes the mean motion where mass and stiffness are exponentials in u = ln(1 + base t)/base. With el = 1 + base t
+   and D = delta u, then p = p(0)/el, G_k = G_k(0)/el^(k+2), and E_k = E_k(0) exp(-(k+2) D). */
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;
@@ -59,7 +59,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     }
 }
 
-/* The mean motion at t */
+/* Computes the mean motion at t, by closed forms if there are any, else by a walk along the laws. */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     int status = VM_OK;
@@ -70,24 +70,24 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     return VM_OK;
 }
 
-/* -- Estimates, of the larger of |error of x|/A and |error of v|/vmax -- */
+/* -- Estimates of the larger of |error of x|/A and |error of v|/vmax -- */
 
-/* What the rounding errors of the phase add */
+/* The part of the error that comes from rounding of the phase and from the error of its integral */
 VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
 }
 
-/* A bound of the change of ln J, J the action, that fast changes of mass and stiffness make. The exact change is
-   the integral of E_0 times a periodic function of the phase whose mean is 0. After i integrations by parts it is the
-   integral of the ith derivative of E_0 times the ith integral of that function, and terms at the ends, which the
-   solutions contain. The smallest of these bounds is taken: one with a high i where the laws change slowly, the first
-   where they change in less than a period. */
+/* A bound of the change of ln J, where J is the action, that fast changes of mass and stiffness cause. The exact change
+   of ln J is the integral of E_0 times a periodic function of the phase whose mean is 0. i integrations by parts turn
+   it into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
+   both ends, which the solutions contain. Each i gives a bound, and the function returns the smallest. It comes from a
+   large i where the laws change slowly, and from i = 0 where they change within less than a period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real turn = r->pi / (2 * VM_PI);
-    const vm_real first = (r->alpha + 3) / 4; /* (alpha+3)/2 |sa ca|; after it terms of the transformation */
+    const vm_real first = (r->alpha + 3) / 4; /* bound of (alpha+3)/2 |sa ca|; its integrals have others */
     vm_real size = first, least = VM_INFINITY;
     int i;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
@@ -99,14 +99,16 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return least + first * mean->dropped;
 }
 
-/* What all solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t */
+/* The error that fast changes of the laws between 0 and t cause in every averaged solution. An error of ln J makes an
+   error of the phase that is larger by the factor gamma Om t. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
-/* The error of first order, to first order: the solution leaves out how far the start is from its mean motion, the
-   ripple of a period, and the second order of the mean phase. The phase multiplies errors of ln J by gamma Om t. */
+/* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution takes the amplitude and
+   the phase at the start for their mean values, and leaves out the ripple within a period and the term E_0 of the mean
+   phase. An error of ln J makes an error of the phase that is larger by the factor gamma Om t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -118,8 +120,8 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return phase + ln_A + e / (n + 2) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* What the transformation of an order leaves out at t, where the disturbances are e: terms of the next weight and, since
-   these may vanish, of the one after it; of the phase in *psi, of ln J in *J */
+/* Writes how large the first terms are that the transformation of an order leaves out at t, of the phase and of ln J,
+   where the disturbances are e. Since the terms of the next weight may vanish, those of the weight after it count, too. */
 VM_API void vmi_osc_left_out(const vmi_ripple *r, int order, const vm_real *e, vm_real *psi, vm_real *J)
 {
     *psi = vmi_osc_size_psi(r, order, e);
@@ -127,15 +129,16 @@ VM_API void vmi_osc_left_out(const vmi_ripple *r, int order, const vm_real *e, v
     if (order < 5) *psi += vmi_osc_size_psi(r, order + 1, e);
 }
 
-/* The error of order 2, 3, 4 or 5: what the transformation leaves out at t; and what the mean motion leaves out, which
-   is of the order of the start: terms of the next weight at the start, which the phase multiplies, at the points of
-   tables, and in the mean rate of the phase. The factor 2 fits what tests/test_slow_motion.c finds. */
+/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that are
+   left out: by the transformation of this order at t; and by the mean motion, which is of the order of the start, at the
+   start, at points of tables, and in the mean rate of the phase. Errors of ln J at the start grow with the phase. A factor
+   of 2 in the sum fits the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
     const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
-    const vm_real largest_known = VM_C(0.25); /* a larger estimate means that the motion is not slow: nothing is known */
+    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
     vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error;
     int i;
     vmi_osc_disturbance(&mean->now, state.W, e);
@@ -143,7 +146,7 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
         e0[i] = VM_FABS(p->E[i]);
         e[i] = VM_FABS(e[i]);
     }
-    if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* not slow: no power of E_0 is small */
+    if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* the laws are not slow */
     vmi_osc_left_out(r, order, e, &phase, &amplitude);
     start_J = vmi_osc_size_J(r, p->start_order + 1, e0);
     knot_J = VM_SQRT(mean->knots_J[p->start_order - 2]);
@@ -156,8 +159,8 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
 
 /* -- The solutions -- */
 
-/* The motion of amplitude A where Om is the rate of the Ateb phase, so that vmax = 2 A Om/(alpha+1); c and s are those
-   of the wave. Evaluations are set to 0. VM_NOT_FINITE leaves *motion untouched. */
+/* Writes the motion of amplitude A. Om is the rate of the Ateb phase, so that the largest velocity is 2 A Om/(alpha+1);
+   c and s are the values of the wave w. evals is set to 0. VM_NOT_FINITE leaves *motion untouched. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {
@@ -173,7 +176,8 @@ VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_re
     return VM_OK;
 }
 
-/* First order (310), (329), (370): A by the adiabatic law, the phase the integral of Om. route: the one with wave w */
+/* Computes the motion to first order (310), (329), (370): the amplitude A follows the adiabatic law, and the phase is
+   the integral of Om. w is the wave of the route. */
 VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                vm_osc_motion *motion)
 {
@@ -184,8 +188,8 @@ VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wa
     return vmi_osc_motion_of(w, A, Om, c, s, error, route, motion);
 }
 
-/* The law of order five, cut off after the order of the route: from the mean motion at t to the motion, by one step in
-   the phase. route: VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 */
+/* Computes the motion at t from the mean motion, by the law of order five, cut off after the order of the route. route
+   is one of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, w its wave. */
 VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                            vm_osc_motion *motion)
 {

@@ -2,7 +2,8 @@
 
    Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
-   The sum q = x + y drifts and the difference p = y - x vibrates (520)-(522). Here are the equations of motion, the
+   r is the share of the reactive force (`reactive`). The sum q = x + y drifts, and the difference p = y - x vibrates
+   with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). Here are the equations of motion, the
    averaged equations of both modes, and the motion in closed form for a linear mass (528), (529).
 
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
@@ -32,10 +33,10 @@ typedef struct VM_TAG(vm_pair) {
     vm_real alpha;    /* exponent of the spring, >= 0 */
     vm_real k;        /* stiffness, N/m^alpha, > 0 */
     vm_real reactive; /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
-    vm_law mass;      /* of each body, kg, > 0, slow */
+    vm_law mass;      /* mass m of each body, kg, > 0; it must vary slowly */
 } vm_pair;
 
-/* Slots of the modes: mean amplitude A of p = y - x, m; its Ateb phase psi; q = x + y, m; q', m/s */
+/* Slots of the modes: mean amplitude A of p, m; Ateb phase psi of p; sum q = x + y, m; rate q', m/s */
 enum {
     VMI_PAIR_A = 0,
     VMI_PAIR_PSI = 1,
@@ -44,23 +45,23 @@ enum {
     VMI_PAIR_MODES = 4
 };
 
-/* The mass and its rate at time t; whether they, the pair and the four numbers of a state are in their domain. A
-   right-hand side gives no state: a trial step of an integrator may overflow, and is then repeated. */
+/* Writes the mass and its rate at time t, and checks them, the pair and the four numbers of a state. Right-hand
+   sides pass NULL for the state: where a trial step of an integrator overflows, the integrator repeats the step. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
-    const int status = vmi_law_at(&p->mass, VM_BAD_MASS, t, mass, rate);
-    if (status == VM_BAD_ARGUMENT) return status;
-    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive)) return VM_NOT_FINITE;
-    if (state_or_NULL && !vmi_all_finite(4, state_or_NULL)) return VM_NOT_FINITE;
-    if (status) return status;
-    if (!(p->k > 0)) return VM_BAD_STIFFNESS;
-    if (!(p->alpha >= 0)) return VM_DOMAIN;
-    return VM_OK;
+    const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
+    int status = vmi_law_at(&p->mass, VM_BAD_MASS, t, mass, rate);
+    if (!vmi_all_finite(3, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (state_or_NULL && !vmi_all_finite(4, state_or_NULL)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (p->k <= 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
+    if (p->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
+    return status;
 }
 
-/* Equations of motion (517), (518) of two bodies, for rk45 or rk87. y = (x, y, x', y'), m and m/s; pair points to a
-   vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0 or t is outside a table; these statuses stop the run. */
+/* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
+   y = (x, y, x', y') is in m and m/s; pair points to a vm_pair. Returns VM_BAD_ARGUMENT for null pointers or where no
+   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for
+   one that is not positive, and VM_DOMAIN for alpha < 0 or t outside a table. These statuses stop the run. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -76,8 +77,8 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
     return VM_OK;
 }
 
-/* The amplitude over its mean A at phase psi: (1 + q sa ca/(2 Om))^(2/(alpha+3)) with q = (2r - 1) m'/m. Two springs
-   act on the difference p, hence 2 k. */
+/* The amplitude of p over its mean A at the phase psi: (1 + s sa ca/(2 Om))^(2/(alpha+3)) with s = (2r - 1) m'/m. The
+   spring acts on both bodies, so p has the stiffness 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
     const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
@@ -87,8 +88,9 @@ VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_
     return vmi_pow_checked(1 + q / (2 * Om) * sa * ca, 2 / (p->alpha + 3));
 }
 
-/* The modes from the motion y. The mean amplitude A solves exact = A ripple(A); three iterations are enough where the
-   ripple is small. VM_DOMAIN where they do not solve it, since the ripple is as large as the motion. */
+/* Computes the modes from the motion y. The mean amplitude A solves exact = A ripple(A); three iterations are enough
+   where the ripple is small. Returns VM_DOMAIN where they do not solve it, because the ripple is as large as the
+   motion. */
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
 {
     vm_real exact, A, psi, found[VMI_PAIR_MODES];
@@ -105,7 +107,7 @@ VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm
     return vmi_copy_if_finite(VMI_PAIR_MODES, found, modes);
 }
 
-/* The motion y from the modes, the inverse of vmi_pair_split */
+/* Computes the motion y from the modes, the inverse of vmi_pair_split. */
 VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
 {
     const vm_real sum = modes[VMI_PAIR_SUM], sum_rate = modes[VMI_PAIR_SUM_RATE];
@@ -123,10 +125,11 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
 
 /* Motion y = (x, y, x', y') of two bodies to modes (A, psi, q, q'), (520)-(522).
    q = x + y drifts; p = y - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the
-   amplitude within a period is taken out of A, so that any initial velocities are allowed. VM_BAD_ARGUMENT for null
-   pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha
-   < 0 and where the ripple is as large as the motion: |(2r - 1) m'/m| is about 2 Om, as where m tends to 0. modes may
-   be y. */
+   amplitude within a period is taken out of A, so that any initial velocities are allowed. Returns VM_BAD_ARGUMENT
+   for null pointers or where no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, and VM_DOMAIN for alpha < 0 and where the ripple is
+   as large as the motion, so that |(2r - 1) m'/m| is about 2 Om, for example where m tends to 0. modes and y may be
+   the same array. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -137,7 +140,7 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
 }
 
 /* Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q').
-   The inverse of vm_pair_to_averaged, with the same statuses. y may be modes. */
+   The inverse of vm_pair_to_averaged, with its statuses. y and modes may be the same array. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -147,9 +150,9 @@ VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *mod
     return vmi_pair_join(p, mass, rate, modes, y);
 }
 
-/* Averaged equations of the two modes of a pair, for rk45 or rk87. Any slow mass is allowed. modes = (A, psi, q, q'),
-   see vm_pair_to_averaged; pair points to a vm_pair. The error is of the order of m'/(m Om) over times of m/m'. The
-   statuses are those of vm_pair_rhs. */
+/* Averaged equations of the two modes of a pair, for rk45 or rk87.
+   The mass may follow any slow law. modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The
+   error is of the order of m'/(m Om) up to times of m/m'. The statuses are those of vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
@@ -164,15 +167,15 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
-/* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y0 - x0.
-   y0 = (x, y, x', y') at t = 0. The error is of the order of m'/(m Om) over times of m/m'. The statuses are those of
+/* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y(0) - x(0). y0 = (x, y, x',
+   y') is the motion at t = 0. The error is of the order of m'/(m Om) up to times of m/m'. Returns the statuses of
    vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is neither linear nor constant (integrate
-   vm_pair_averaged_rhs instead). y may be y0. Method: the averaged equations hold powers of m/m0, and the integral of
-   (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+   vm_pair_averaged_rhs instead). y and y0 may be the same array. Method: the averaged equations contain powers of
+   m/m0; the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
-    const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is as (m/m0)^-fall */
+    const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is proportional to (m/m0)^-fall */
     vmi_linear_mass m;
     vm_real modes[VMI_PAIR_MODES], rate0, exponent;
     int status = vmi_pair_now(p, 0, y0, &m.m0, &m.rate);

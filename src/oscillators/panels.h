@@ -1,8 +1,8 @@
 /* oscillators/panels.h - panels of time in which a law is smooth, and the integral of 1/f
 
-   Integrals along a law f(t) from 0 to t are sums over panels of time, so short that on each of them the law (and
-   whatever follows from it) is a series of 20 Legendre polynomials. The panels find their lengths: one that is too
-   long for its series is halved, and the next is twice as long again. The points of a table end a panel.
+   An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
+   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved; each
+   next panel is tried with twice the length of the one before. Panels end at the points of a table.
        vm_law mass = vm_law_linear(10, VM_C(-0.1));
        vm_real integral;
        int status = vm_law_inverse_integral(&mass, 20, &integral); // 10 ln(10/8) s/kg
@@ -28,12 +28,12 @@ typedef struct VM_TAG(vmi_panels) {
     vm_real t, end;         /* start of the present panel and end of the last one, s */
     vm_real side;           /* 1 forward, -1 backward in time */
     vm_real longest, least; /* bounds of a panel's length, s */
-    vm_real size;           /* length, s, of the present panel where so much is left */
-    vm_real left, step;     /* time left to the end and length of the present panel, s */
-    int halved;             /* how often a panel was halved */
+    vm_real size;           /* intended length of the present panel, s */
+    vm_real left, step;     /* time left to the end, and length of the present panel, which is at most `left`, s */
+    int halved;             /* how often panels were halved */
 } vmi_panels;
 
-/* Panels from start to end, at most `longest` long; whole: length of the whole integral, s */
+/* Panels from start to end, each at most `longest` long; `whole` is the length of the whole integral, s */
 VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, vm_real whole)
 {
     vmi_panels p;
@@ -41,7 +41,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     p.end = end;
     p.side = VM_COPYSIGN(1, end - start);
     p.longest = vmi_smaller(longest, VM_FABS(end - start));
-    p.least = whole / VM_C(1099511627776.); /* 2^40 */
+    p.least = whole / VM_C(1099511627776.); /* 2^40; what a shorter panel adds does not matter */
     p.size = p.longest;
     p.left = 0;
     p.step = 0;
@@ -49,7 +49,8 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     return p;
 }
 
-/* Whether there is a panel at p->t; its length is p->step. A rest that is hardly longer than a panel is one panel. */
+/* Returns whether there is a panel at p->t, and sets its length p->step. If the time left is hardly longer than a
+   panel, all of it becomes one panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -59,17 +60,17 @@ VM_API int vmi_panels_next(vmi_panels *p)
     return 1;
 }
 
-/* Makes the present panel half as long, and returns whether that was possible */
+/* Halves the intended length of the present panel, and returns whether that was possible */
 VM_API int vmi_panels_halve(vmi_panels *p)
 {
-    const int most = 4096; /* laws with noise, which no length suits, need a bound */
+    const int most = 4096; /* a bound for laws with noise, for which no length is short enough */
     if (!(p->step > p->least) || p->halved >= most || p->t + p->side * (p->step / 2) == p->t) return 0;
     p->size = p->step / 2;
     p->halved++;
     return 1;
 }
 
-/* On to the next panel, which is to be twice as long */
+/* Goes on to the next panel, which is to be twice as long */
 VM_API void vmi_panels_advance(vmi_panels *p)
 {
     if (p->step == p->left) p->t = p->end;
@@ -79,9 +80,9 @@ VM_API void vmi_panels_advance(vmi_panels *p)
 
 /* -- Whether a series is good enough -- */
 
-/* The relative size at which the last terms of a series do not matter. Gauss' rule integrates twice as many terms
+/* The relative size below which the last terms of a series do not matter. Gauss' rule integrates twice as many terms
    exactly, so that the error of an integral is about the square of the last terms. A panel that is a small part of
-   the whole may be less accurate. */
+   the whole integral may be less accurate. */
 VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
@@ -89,24 +90,26 @@ VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
     return vmi_larger(enough, matters);
 }
 
-/* Whether the last terms of a series are below limit, relative to its mean */
+/* Whether the last terms of a series are within limit, relative to its mean */
 VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
 {
     return vmi_legendre_tail(series) <= limit * series[0];
 }
 
-/* Bound for what the ends of a panel show, where all coefficients that are left out add up */
+/* Bound of the difference between a law and its series at the ends of a panel, where all terms that are left out add
+   up */
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
 
-/* Raises *edge to the relative difference between f and its series, or for `reciprocal` between 1/f and its series */
+/* Raises *edge to the relative difference between f and its series, or with `reciprocal` between 1/f and its
+   series */
 VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
 {
     const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
     if (!(miss <= *edge)) *edge = miss;
 }
 
-/* Raises *edge to the relative difference between a law and its series at the ends of the panel. reciprocal: the
-   series is that of 1/f. Nothing else shows a kink between an end and the next point of Gauss' rule. */
+/* Raises *edge to the relative difference between a law and its series at the ends of the panel. With `reciprocal`
+   the series is that of 1/f. Only this test notices a kink between an end and the nearest point of Gauss' rule. */
 VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
                           const vm_real *series, vm_real *edge)
 {
@@ -128,7 +131,7 @@ VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal
 
 /* -- The integral of 1/f -- */
 
-/* The series of 1/f on a panel, and in *edge by how much it misses the law at the panel's ends, relative */
+/* Computes the series of 1/f on a panel, and in *edge its relative difference from the law at the panel's ends */
 VM_API int vmi_law_inverse_series(const vm_law *law, vm_real start, vm_real length, vm_real *series, vm_real *edge)
 {
     const int side = vmi_time_side(length);
@@ -145,7 +148,8 @@ VM_API int vmi_law_inverse_series(const vm_law *law, vm_real start, vm_real leng
     return vmi_panel_edge(law, VM_BAD_MASS, 1, start, length, series, edge);
 }
 
-/* Adds the integral of dt/f from start to end, between which no table has a point */
+/* Adds the integral of dt/f from start to end to *sum; a table must have no point between them. `whole` is the length
+   of the whole integral. */
 VM_API int vmi_law_add_inverse_integral(const vm_law *law, vm_real start, vm_real end, vm_real whole, vm_real *sum)
 {
     vmi_panels p = vmi_panels_from(start, end, vmi_law_longest_panel(law, whole), whole);
@@ -176,17 +180,17 @@ VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_r
     return status;
 }
 
-/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign.
-   Closed forms, within some 8 ulp, also where they tend to 0/0; for tables and functions Gauss' rule, to 1e-13 (float
-   1e-5) if f changes no faster than vm_law_user says. VM_BAD_ARGUMENT for null pointers and for a law that no
-   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0 anywhere between 0
-   and t, VM_DOMAIN for t outside a table, a table out of order, where the function fails, or where change_time is
-   negative or less than |t|/2^20. Then *integral is untouched. */
+/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. A closed form is used if the law has one; it
+   loses no digits where it tends to 0/0. Tables and functions use Gauss' rule; for functions the relative error is at
+   most 1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and
+   for a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
+   anywhere between 0 and t, and VM_DOMAIN for t outside a table, for a table out of order, where the user's function
+   fails, or where change_time is negative or less than |t|/2^20. An error leaves *integral untouched. */
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real sum;
     int status;
-    if (!law || !integral) return VM_BAD_ARGUMENT;
+    if (!law || !law->derivatives || !integral) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     status = vmi_law_check(law, VM_BAD_MASS, t);
     if (status) return status;

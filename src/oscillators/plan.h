@@ -1,8 +1,7 @@
-/* oscillators/plan.h - the plan of an oscillator: what has to be computed only once for a motion
+/* oscillators/plan.h - the plan of an oscillator: what is computed once and then used for many times of its motion
 
-   A plan serves many times of one motion. It holds the state at t = 0, reduced as in oscillators/reduction.h, the
-   start of the mean motion by the law of order five (oscillators/expansion.h), and the closed forms of the laws of
-   mass and stiffness, if they have such forms:
+   A plan holds the amplitude and the phase at t = 0, the mean motion at t = 0 by the law of order five
+   (oscillators/expansion.h), and the closed forms of the laws of mass and stiffness, if they have such forms:
        vm_osc_plan plan;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem
    Tests: tests/test_slow_motion.c, tests/test_routes.c. */
@@ -23,25 +22,28 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* What is computed only once for a problem, by vm_osc_plan_init. To be read, not changed. It points to the problem's
-   tables and contexts, and is not to be copied bit by bit into another program. */
+/* What is computed only once for a problem, by vm_osc_plan_init. Read its fields, but do not change them. The plan
+   points to the tables, functions and contexts of the problem, so it is of no use to another program. */
 typedef struct VM_TAG(vm_osc_plan) {
-    vm_osc_problem problem;
+    vm_osc_problem problem;  /* a copy of the problem */
     vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
-    vm_real A, psi, Om;      /* at t = 0: amplitude, m, Ateb phase, and its rate, 1/s */
-    vmi_osc_slow slow;       /* what the laws say just after t = 0 */
-    vm_real E[VMI_OSC_G];    /* the disturbance of the reduced state at t = 0 */
-    vmi_osc_reduced mean;    /* the mean motion at t = 0, by the order start_order */
-    int start_order;         /* 5, or 2 where the ripple has no polynomials; 0 where there is no mean motion */
-    vm_real base;            /* closed forms, 1/s: m = m0 exp(rate_m u), k = k0 exp(rate_k u), u = ln(1 + base t)/base */
-    vm_real rate_m, rate_k;  /* 1/s */
-    int closed;              /* whether m and k have these closed forms */
-    int has_ateb;            /* whether ateb is there */
-    vmi_ripple ripple;
-    ateb_plan ateb;
+    vm_real A, psi, Om;      /* amplitude, m, and Ateb phase of x and v at t = 0, and rate of the phase, 1/s */
+    vmi_osc_slow slow;       /* mass, stiffness and G_k just after t = 0 */
+    vm_real E[VMI_OSC_G];    /* the numbers E_k at t = 0 (see vmi_osc_disturbance) */
+    vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
+    int start_order;         /* order by which `mean` was found: 5, or 2 without the polynomials of the ripple;
+                                0 where x and v are 0, so that there is no mean motion */
+    vm_real base;            /* 1/s; the closed forms are m = m0 exp(rate_m u), k = k0 exp(rate_k u) with
+                                u = ln(1 + base t)/base, or u = t for base = 0 */
+    vm_real rate_m, rate_k;  /* rates of ln m and ln k by u, 1/s */
+    int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
+    int has_ateb;            /* 1 where the field ateb is set, else 0 */
+    vmi_ripple ripple;       /* functions of the ripple, prepared for alpha */
+    ateb_plan ateb;          /* Ateb functions, prepared for alpha */
 } vm_osc_plan;
 
-/* The wave that a route uses; the plan must outlive it. */
+/* The periodic function, cos, cn or ca, by which a route describes the oscillation. It points into the plan, which must
+   outlive it. */
 VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 {
     if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->ripple.pi);
@@ -49,11 +51,12 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
     return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
 }
 
-/* The time, s, over which derivatives of laws are sampled: 16 radians of the phase */
+/* The time, s, of 16 radians of the phase. From rates within such a time the derivatives of a user's law are found. */
 VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p) { return p->Om > 0 ? 16 / p->Om : 0; }
 
-/* Finds whether both laws are exponentials in one u, so that all integrals are closed forms. With damping the integral
-   of b/m must be one in u, too: it is where m = m0 (1 + base t), or where only the damping changes the motion. */
+/* Finds whether both laws are exponentials in the same u (see the field base), so that all integrals along them have
+   closed forms. With damping the integral of b/m must also be proportional to u. That is so for m = m0 (1 + base t),
+   which includes a constant mass with base = 0. */
 VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
@@ -67,7 +70,8 @@ VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
     if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
 }
 
-/* The mean motion that belongs to a reduced state with the disturbance E; order: 2 to 5 */
+/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E holds the numbers E_k of the
+   state. */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
     const vmi_ripple *r = &p->ripple;
@@ -84,7 +88,7 @@ VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vm
     return mean;
 }
 
-/* The start of the mean motion, by order 5 if the ripple has its polynomials, else by order 2 */
+/* Computes the mean motion at t = 0, by order 5 if the ripple has its polynomials, else by order 2. */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
@@ -101,8 +105,8 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
-/* The plan but for vmi_osc_start, and without what pays only where many values are wanted: the plan of the Ateb
-   functions and the polynomials of the ripple */
+/* Fills the plan up to the mean motion, which vmi_osc_start adds. It leaves out two parts that are worth their time
+   only for many values: the plan of the Ateb functions and the polynomials of the ripple. */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     const vm_osc_problem *o = &p->problem;
@@ -122,10 +126,11 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 }
 
 /* Plan for many values of one problem's motion.
-   For vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged. Copies the problem; its tables and contexts
-   must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that
-   no constructor made, VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
-   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a function that fails. */
+   vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged use the
+   plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE, VM_BAD_MASS and
+   VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order
+   or without t = 0, or a user's function of a law that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;

@@ -1,75 +1,83 @@
-/* oscillators/problem.h - an oscillator whose mass and stiffness vary slowly, and what its motion is described by
+/* oscillators/problem.h - the data of an oscillator whose mass and stiffness vary slowly, and of its motion
 
    The equation of motion, with mass m(t), stiffness k(t), damping b and a further small force F, is
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = F(t, x, x'),   x(0) and x'(0) given.
-   Ten routes lead to x(t) and x'(t); oscillators/routes.h has them and shows the shortest useful call. The plan of a
-   problem, for many times of one motion, is in oscillators/plan.h.
+   Ten methods, called routes, compute x(t) and x'(t); oscillators/routes.h has them and shows the shortest useful call.
+   A plan (oscillators/plan.h) serves many times of one motion.
    Tests: tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_PROBLEM_H
 #define VARMASS_OSCILLATORS_PROBLEM_H
 
+#include "../base/arrays.h"
 #include "../base/real.h"
 #include "../base/status.h"
 #include "laws.h"
 
-/* Routes to x(t), x'(t), the cheapest first. All but the last three average: they need a motion that changes little
-   within a period. */
+/* Routes to x(t) and x'(t), the cheapest first. All but the last three use averaging: mass and stiffness must change
+   little within a period. */
 enum {
-    VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order, with the sign of (335) corrected */
-    VM_ROUTE_JACOBI = 1,      /* cn (370), (371), averaged to first order */
-    VM_ROUTE_ATEB = 2,        /* ca (310), (311), averaged to first order */
-    VM_ROUTE_ORDER2 = 3,      /* the law of order five (oscillators/expansion.h) cut off after order two; without F */
-    VM_ROUTE_ORDER3 = 4,      /* the same law, cut off after order three; only without F */
-    VM_ROUTE_ORDER4 = 5,      /* the same law, cut off after order four; only without F */
+    VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order; the sign of (335) is corrected */
+    VM_ROUTE_JACOBI = 1,      /* Jacobi's cn (370), (371), averaged to first order */
+    VM_ROUTE_ATEB = 2,        /* Ateb function ca (310), (311), averaged to first order */
+    VM_ROUTE_ORDER2 = 3,      /* law of order five (oscillators/expansion.h), cut off after order two; only without F */
+    VM_ROUTE_ORDER3 = 4,      /* law of order five, cut off after order three; only without F */
+    VM_ROUTE_ORDER4 = 5,      /* law of order five, cut off after order four; only without F */
     VM_ROUTE_ORDER5 = 6,      /* the whole law of order five; only without F */
-    VM_ROUTE_COLLOCATION = 7, /* exact equations, integrated from zero to zero of x (oscillators/collocation.h) */
-    VM_ROUTE_RK45 = 8,        /* the equation of motion by rk45 */
-    VM_ROUTE_RK87 = 9         /* the equation of motion by rk87 */
+    VM_ROUTE_COLLOCATION = 7, /* integration from each zero of x to the next (oscillators/collocation.h) */
+    VM_ROUTE_RK45 = 8,        /* integration of the equation of motion by rk45 */
+    VM_ROUTE_RK87 = 9         /* integration of the equation of motion by rk87 */
 };
 
-/* Order 2, 3, 4 or 5 of a route VM_ROUTE_ORDER2 ... VM_ROUTE_ORDER5 */
+/* The order, 2 to 5, of one of the routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 */
 VM_API int vmi_osc_order_of(int route) { return route - VM_ROUTE_ORDER2 + 2; }
 
-/* The route of the law of order 2, 3, 4 or 5 */
+/* The route VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 that has this order, 2 to 5 */
 VM_API int vmi_osc_route_of_order(int order) { return VM_ROUTE_ORDER2 + order - 2; }
 
-/* A further small force F, N, at time t (s), position x (m) and velocity v (m/s) */
+/* A user's function for a further small force: returns F, N, at time t (s), position x (m) and velocity v (m/s) */
 typedef vm_real (*vm_osc_force)(vm_real t, vm_real x, vm_real v, void *ctx);
 
 /* An oscillator and its state at t = 0 */
 typedef struct VM_TAG(vm_osc_problem) {
     vm_real alpha;      /* exponent of the spring's force, >= 0 */
-    vm_law mass;        /* kg, positive */
-    vm_law stiffness;   /* N/m^alpha, positive */
-    vm_real reactive;   /* 1: mass that joins or leaves is at rest, full reactive force; 0: it has the body's own
-                           velocity, as in a leak; numbers between mean a part of the force */
-    vm_real damping;    /* b, kg/s, the dissertation's eps b; > 0 takes energy out */
+    vm_law mass;        /* mass m(t), kg, positive */
+    vm_law stiffness;   /* stiffness k(t), N/m^alpha, positive */
+    vm_real reactive;   /* share of the full reactive force: 1 where mass that joins or leaves is at rest, 0 where this
+                           mass has the body's own velocity, as in a leak; numbers between are allowed */
+    vm_real damping;    /* damping b, kg/s, the dissertation's eps b; a positive b takes energy out */
     vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
-    vm_osc_force force; /* a further small force F, or NULL */
-    void *ctx;          /* last argument of force */
+    vm_osc_force force; /* function for a further small force F, or NULL */
+    void *ctx;          /* the user's pointer, last argument of force */
 } vm_osc_problem;
 
 /* The motion at one time */
 typedef struct VM_TAG(vm_osc_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
-    vm_real amplitude; /* A, m; of the first four routes without its ripple within a period */
-    vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax(A), from all causes */
-    int route;         /* VM_ROUTE_... that was taken */
-    long evals;        /* evaluations of right-hand sides; 0 where none were integrated */
+    vm_real amplitude; /* amplitude A, m. By rk45 and rk87 it is that of x and v. The other routes leave out the
+                          first-order ripple within a period that mass, stiffness and damping cause */
+    vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
+                          velocity at the amplitude A; it includes all causes of errors */
+    int route;         /* the route that was taken, VM_ROUTE_... */
+    long evals;        /* evaluations of right-hand sides; 0 where nothing was integrated */
 } vm_osc_motion;
 
-/* The problem's numbers, checked, and its laws at t = 0 */
+/* Checks by vmi_law_check that mass and stiffness are finite and positive between 0 and t. */
+VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
+{
+    return vmi_first_error(vmi_law_check(&o->mass, VM_BAD_MASS, t),
+                           vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
+}
+
+/* Checks the problem's numbers and laws, and writes its mass and stiffness at t = 0. */
 VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real *stiffness)
 {
+    const vm_real numbers[5] = {o->alpha, o->reactive, o->damping, o->x, o->v};
     vm_real unused;
-    int status;
-    if (!VM_IS_FINITE(o->alpha) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping)) return VM_NOT_FINITE;
-    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v)) return VM_NOT_FINITE;
-    status = vmi_law_check(&o->mass, VM_BAD_MASS, 0);
-    if (!status) status = vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, 0);
+    int status = vmi_osc_check_laws(o, 0);
+    if (!vmi_all_finite(5, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (o->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
     if (!status) status = vmi_law_at(&o->mass, VM_BAD_MASS, 0, mass, &unused);
     if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, 0, stiffness, &unused);
-    if (!status && o->alpha < 0) return VM_DOMAIN;
     return status;
 }
 

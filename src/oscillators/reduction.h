@@ -1,9 +1,12 @@
-/* oscillators/reduction.h - an oscillator of slow mass and stiffness, reduced to a small disturbance of second order
+/* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
 
-   The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 is d(mu x')/dt + kappa x|x|^(alpha-1) = 0, where
-   a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. With the rate p = (ln mu kappa)'/(alpha+3) and V = x' + p x the
-   state (x, V) has an amplitude A and a phase psi that only the numbers G_0, G_1 ... disturb (oscillators/expansion.h).
-   This file computes a, p and G_k from the derivatives of the laws, and goes from (x, x') to (A, psi) and back.
+   The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
+   = 0, where a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
+   Then x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a phase psi with the exact equations
+     A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,   G_0 = p^2 - a p - p',
+   where W is the rate of the phase for constant mass and stiffness. Only G_0 disturbs the slow motion A'/A = -p,
+   psi' = W, and G_0 is of second order in the rates of mass and stiffness. Its derivatives lead to G_1, G_2 ...
+   This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
        int status = vmi_osc_slow_at(&problem, 0, 1, length, &now); // laws at t = 0; length, s: see vmi_law_derivatives
@@ -19,24 +22,24 @@
 #include "laws.h"
 #include "problem.h"
 
-/* The numbers G_0 ... G_4: order five needs four of them, its estimate the fifth */
+/* How many G_k are computed: the law of order five needs G_0 ... G_3, the estimate of its error G_4 */
 enum { VMI_OSC_G = 5 };
 
-/* What the laws of mass and stiffness say at one time */
+/* Mass, stiffness and the numbers that follow from their rates, at one time */
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p;         /* see above, 1/s */
-    vm_real G[VMI_OSC_G]; /* G_i, 1/s^(i+2) */
+    vm_real a, p;         /* the rates a = mu'/mu and p, 1/s (see the top of this file) */
+    vm_real G[VMI_OSC_G]; /* G_0 ... G_4, which disturb the slow motion; G_k in 1/s^(k+2) */
 } vmi_osc_slow;
 
-/* The same without the numbers G_k, for which f and f' are enough */
+/* Mass, stiffness and rates at one time, without the numbers G_k: values f and rates f' of the laws are enough */
 typedef struct VM_TAG(vmi_osc_rates) {
-    vm_real m, k; /* kg, N/m^alpha */
-    vm_real a, p; /* 1/s */
+    vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
+    vm_real a, p; /* the rates a = mu'/mu and p, 1/s */
 } vmi_osc_rates;
 
-/* The rates at t; where they jump, those after t for side = 1, those before it for side = -1. The statuses are those of
-   the laws. */
+/* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
+   for those before t. Returns the statuses of vmi_law_derivatives. */
 VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
@@ -50,9 +53,9 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     return VM_OK;
 }
 
-/* -- Power series in time: coefficient i belongs to the ith power -- */
+/* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
-/* Turns derivatives f, f', f'' ... into the coefficients of the series */
+/* Divides the derivatives f[0], f[1] ... f[n-1] by 0!, 1!, 2! ..., which makes them coefficients of a power series */
 VM_API void vmi_series_of_derivatives(int n, vm_real *f)
 {
     vm_real factorial = 1;
@@ -63,7 +66,7 @@ VM_API void vmi_series_of_derivatives(int n, vm_real *f)
     }
 }
 
-/* ratio = f'/f, with one coefficient less than f, which has n */
+/* Writes the series of f'/f to ratio, from the n coefficients of f; ratio has n - 1 coefficients. */
 VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
 {
     int i, j;
@@ -74,7 +77,7 @@ VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
     }
 }
 
-/* inverse = 1/f */
+/* Writes the n coefficients of the series of 1/f to inverse. */
 VM_API void vmi_series_inverse(int n, const vm_real *f, vm_real *inverse)
 {
     int i, j;
@@ -97,15 +100,15 @@ VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
 
 /* -- The numbers G_k -- */
 
-/* Fills now->G from the series of a and p, which have n coefficients: G_0 = p^2 - a p - p' and
-   G_(k+1) = G_k' - (k+2) (2p - a) G_k. Both series are destroyed. */
+/* Fills now->G from the series of a and p, which have n coefficients, by G_0 = p^2 - a p - p' and
+   G_(k+1) = G_k' - (k+2) (2p - a) G_k. The array a is overwritten. */
 VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
 {
     vm_real G[VMI_LAW_ORDERS], next[VMI_LAW_ORDERS];
     int i, k, terms = n - 1;
-    for (i = 0; i < n; i++) a[i] = p[i] - a[i]; /* p - a */
+    for (i = 0; i < n; i++) a[i] = p[i] - a[i]; /* the series of p - a */
     for (i = 0; i < terms; i++) G[i] = vmi_series_product(i, p, a) - (vm_real)(i + 1) * p[i + 1];
-    for (i = 0; i < n; i++) a[i] += p[i]; /* 2 p - a */
+    for (i = 0; i < n; i++) a[i] += p[i]; /* the series of 2 p - a */
     for (k = 0; k < VMI_OSC_G; k++) {
         now->G[k] = G[0];
         terms--;
@@ -115,7 +118,7 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* All of *now from m, k and their derivatives up to the sixth, which are destroyed */
+/* Fills *now from mass and stiffness: m and k hold the values and six derivatives, and are overwritten. */
 VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
@@ -138,8 +141,9 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vmi
     vmi_osc_find_G(n, m, k, now);
 }
 
-/* *now at t; where derivatives jump, after t for side = 1, before it for side = -1. length, s: see
-   vmi_law_derivatives. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come from the laws. */
+/* Fills *now at t. Where derivatives of the laws jump at t, side = 1 asks for those after t, side = -1 for those before
+   t. length, s, is that of vmi_law_derivatives. Returns VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE as
+   vmi_law_derivatives does. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vmi_osc_slow *now)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
@@ -151,14 +155,14 @@ VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real
 
 /* -- Amplitude and phase -- */
 
-/* The state of the oscillator after the reduction */
+/* Amplitude and phase of the oscillator by the reduction, that is of x and V = x' + p x */
 typedef struct VM_TAG(vmi_osc_reduced) {
     vm_real A;   /* amplitude, m */
     vm_real psi; /* Ateb phase */
-    vm_real W;   /* rate of the phase at this amplitude, 1/s */
+    vm_real W;   /* rate of the phase at this amplitude for constant mass and stiffness, 1/s */
 } vmi_osc_reduced;
 
-/* The reduced state of position x and velocity v */
+/* The reduced state that belongs to position x and velocity v, at the time of *now */
 VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
 {
     const vm_real omega = VM_SQRT(now->k / now->m);
@@ -168,7 +172,8 @@ VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm
     return r;
 }
 
-/* Position and velocity of a reduced state, where sa and ca are those of its phase */
+/* Writes position x and velocity v of a reduced state: the inverse of vmi_osc_reduce. sa and ca are the Ateb functions
+   of its phase. */
 VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
                              vm_real *v)
 {
@@ -176,7 +181,7 @@ VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha,
     *v = -2 / (alpha + 1) * r->W * r->A * sa - p * *x;
 }
 
-/* The numbers E_k = G_k/W^(k+2) */
+/* Writes the pure numbers E_k = G_k/W^(k+2), which measure how much G_k disturbs the motion within a radian. */
 VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 {
     vm_real power = 1 / (W * W);

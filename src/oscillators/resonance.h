@@ -1,9 +1,10 @@
 /* oscillators/resonance.h - steady vibrations, resonance curves, passage through resonance
 
-   For an oscillator under harmonic excitation (forced.h): all steady vibrations and their stability, the
-   amplitude-frequency curve, its peak, and whether a slow change of frequency, mass or stiffness lets the vibration
-   pass through the resonance or captures it. All follow from the averaged equations, so that they hold near the main
-   resonance w(A) = nu. Mass, stiffness, frequency, force and their rates are taken as they are at one time t.
+   For an oscillator under harmonic excitation (forced.h, which explains the symbols), this file computes all steady
+   vibrations and their stability, the amplitude-frequency curve and its peak, and whether a slow change of frequency,
+   mass or stiffness lets the vibration pass through the resonance or captures it. The results follow from the averaged
+   equations, so that they hold near the main resonance, where the natural frequency w(A) is the frequency nu of the
+   force. Mass, stiffness, frequency, force and their rates are those at one time t.
 
        vm_steady_state steady[3];
        int n = vm_forced_steady_states(&forced, 0, steady); // forced is a vm_forced after vm_forced_init
@@ -22,34 +23,34 @@
 #include "../base/zero.h"
 #include "forced.h"
 
-/* A steady vibration: a solution A' = delta' = 0 of the averaged equations */
+/* A steady vibration: a solution of the averaged equations with A' = delta' = 0 */
 typedef struct VM_TAG(vm_steady_state) {
     vm_real nu;         /* frequency of the force, rad/s */
     vm_real A;          /* mean amplitude, m; vm_forced_from_averaged gives the motion with its ripple */
-    vm_real delta;      /* phase before the force, rad, in (-pi, pi] */
-    vm_real trace, det; /* small deviations change at rates lambda with lambda^2 - trace lambda + det = 0 */
+    vm_real delta;      /* phase by which the vibration leads the force, rad, in (-pi, pi] */
+    vm_real trace, det; /* small deviations vary as e^(lambda t) with lambda^2 - trace lambda + det = 0 */
     int stable;         /* 1 where det > 0 and trace < 0, else 0; det < 0 means a saddle */
 } vm_steady_state;
 
 /* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
     vm_real A;              /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
-    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can hold. Below 1 the vibration
-                               may be captured and follow A, above 1 it passes */
-    vm_real delta;          /* phase before the force, rad, of the captured vibration; NaN where drift_ratio > 1 */
-    vm_real amplitude_jump; /* of a quick passage, drift_ratio much larger than 1: half the range, over all phases, of
-                               the relative change of the amplitude */
+    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can balance. Below 1 the vibration
+                               may be captured, so that it follows A; above 1 it passes through the resonance */
+    vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
+    vm_real amplitude_jump; /* relative change of the amplitude in a quick passage (drift_ratio much larger than 1).
+                               It depends on the phase at the start; this is half of its range */
 } vm_passage;
 
-/* The resonance at one time */
+/* The quantities that determine the resonance at one time */
 typedef struct VM_TAG(vmi_resonance) {
-    vm_real w1, exponent; /* w = w1 A^exponent, rad/s */
+    vm_real w1, exponent; /* natural frequency w = w1 A^exponent, rad/s */
     vm_real nu;           /* frequency of the force, rad/s */
-    vm_real p;            /* q/(alpha+3), 1/s: free vibrations follow A' = -p A */
-    vm_real push;         /* F G/m, with the sign of F */
+    vm_real p;            /* decay rate q/(alpha+3), 1/s: free vibrations follow A' = -p A */
+    vm_real push;         /* force per mass F G/m that acts on the mean motion, with the sign of F */
 } vmi_resonance;
 
-/* The resonance with the parameters n */
+/* The resonance of the oscillator f with the parameters n */
 VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_parameters *n)
 {
     vmi_resonance z;
@@ -61,7 +62,7 @@ VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_param
     return z;
 }
 
-/* ln of A w sqrt((w - nu)^2 + p^2)/|push| at A = e^x, which is 0 for a steady vibration */
+/* The excess, ln of A w sqrt((w - nu)^2 + p^2)/|push|, at the amplitude A = e^x. It is 0 for a steady vibration. */
 VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
 {
     const vmi_resonance *z = (const vmi_resonance *)resonance;
@@ -84,8 +85,9 @@ VM_API vm_steady_state vmi_resonance_state(const vmi_resonance *z, vm_real alpha
     return s;
 }
 
-/* The extrema of the excess for alpha != 1, ascending: writes x = ln A of at most two and returns their number. There
-   det = 0, so that w solves 2 alpha w^2 - (3 alpha + 1) nu w + (alpha + 1)(nu^2 + p^2) = 0. */
+/* The extrema of vmi_resonance_excess for alpha != 1, in ascending order: writes x = ln A of at most two and returns
+   how many there are. At an extremum det = 0, so that w solves 2 alpha w^2 - (3 alpha + 1) nu w + (alpha + 1)(nu^2 +
+   p^2) = 0. */
 VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[2])
 {
     const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
@@ -103,8 +105,9 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
     return 2;
 }
 
-/* The steady amplitudes of alpha != 1, at most three, ascending, and their number. The excess is monotonic below,
-   between and above its extrema, so that each of these intervals of x = ln A holds one zero at most. */
+/* The steady amplitudes for alpha != 1, in ascending order: writes at most three and returns how many there are. The
+   excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A holds at most one
+   zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
 {
     const vm_real steep = vmi_larger(VM_FABS(z->exponent), 1);
@@ -124,10 +127,11 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
     return found;
 }
 
-/* Steady vibrations of an excited oscillator: amplitudes, phases, stability. All parameters are as they are at time
-   t. Writes at most three to steady, the smallest amplitude first, and returns their number, 0 where the force is 0,
-   or a negative status. Amplitudes within some 100 eps of the averaged equations' solutions. For the response at each
-   frequency let nu run. Solutions far from w(A) = nu are formal, since the averaged equations hold near the
+/* Steady vibrations of an excited oscillator: amplitudes, phases, stability.
+   All parameters are those at time t. Writes at most three vibrations to steady, the smallest amplitude first, and
+   returns how many there are, 0 where the force is 0, or a negative status. In the tests amplitudes are within 3e-14
+   (float 3e-5), relative, of solutions of the averaged equations. To get the response at all frequencies, call it for
+   each nu. Solutions far from w(A) = nu need not be near a motion, since the averaged equations hold near the
    resonance. The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
@@ -151,9 +155,9 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 }
 
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
-   Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their
-   number, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A
-   is not positive. Results that overflow are NaN. */
+   Writes at most two vibrations to curve, the lower frequency first, one on each side of the backbone w(A). Returns
+   how many there are, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs, and
+   VM_DOMAIN also where A is not positive. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -179,9 +183,9 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
     return found;
 }
 
-/* Largest amplitude of the amplitude-frequency curve, m: where it meets the backbone w(A) = nu.
-   Infinite without damping. Within some eps. NaN for a null pointer and where the parameters at time t are not in
-   their domain. */
+/* Largest amplitude of the amplitude-frequency curve, m: where the curve meets the backbone w(A) = nu. It is infinite
+   without damping. The relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where the
+   parameters at time t are not in their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
     if (!f) return VM_NAN;
@@ -192,12 +196,13 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* Passage through the resonance: whether a slow drift leads to capture. It depends on the rates of mass, stiffness
-   and frequency at time t. amplitude, m, is used for alpha = 1 only, where the backbone is at one frequency for all
-   amplitudes. On the backbone delta'' = -(gamma push/A) sin(delta) - nu D, as for a pendulum under a torque, with
-   gamma = (alpha - 1)/2 and D the relative drift of w - nu; drift_ratio is this torque over the pendulum's largest.
-   The statuses are those of vm_forced_rhs, VM_DOMAIN also where the force is 0 or the amplitude is not positive and
-   finite; then *passage is left as it was. */
+/* Passage through the resonance: whether a slow drift leads to capture.
+   The drift is given by the rates of mass, stiffness and frequency at time t. amplitude, m, is used for alpha = 1
+   only, where the backbone has the same frequency for all amplitudes. On the backbone delta'' = -(gamma push/A)
+   sin(delta) - nu D, as for a pendulum under a torque, where gamma = (alpha - 1)/2, push = F G/m, and D is the
+   relative drift of w - nu; drift_ratio is this torque over the pendulum's largest. The statuses are those of
+   vm_forced_rhs; VM_DOMAIN also means that the force is 0 or that the amplitude is not positive and finite. An error
+   leaves *passage as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;

@@ -1,10 +1,11 @@
 /* oscillators/ripple.h - the ripple of ca^2 within a period, and its integrals over the Ateb phase
 
-   An oscillator whose mass or stiffness varies slowly swings about a mean motion. The difference, the ripple, is made
-   of five functions of the Ateb phase psi. With C = ca^2(psi) - <ca^2>, where < > is the mean over a period,
-     S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>,
-   each with mean 0, all of period Pi_alpha. A vmi_ripple is one alpha, prepared: two sets of four polynomials and the
-   constants of the law of order five (oscillators/expansion.h). It is plain data and may lie in flash.
+   Amplitude and phase of an oscillator whose mass or stiffness varies slowly swing a little about mean values. This
+   ripple is computed from five functions of the Ateb phase psi. With C = ca^2(psi) - <ca^2>, where < > is the mean over
+   a period, the other four functions are integrals over psi, each with the mean 0 and the period Pi_alpha:
+     S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
+   A vmi_ripple holds what is computed once for an alpha: two sets of four polynomials, and constants of the law of
+   order five (oscillators/expansion.h). It is plain data and may lie in flash.
        vmi_ripple r;
        vmi_ripple_values f;
        vmi_ripple_init(&r, VM_C(1.5), ateb_pi(VM_C(1.5)));
@@ -12,9 +13,10 @@
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
-   Method: near a zero of ca the functions are |ca|^3, |ca|^4 or |ca|^5 times a power series in w = |ca|^(alpha+1); near
-   a zero of sa they are series in y = sa^2. Where w = y = 1/2 one takes over from the other. On [0, 1/2] each series is
-   replaced by its first Chebyshev polynomials: 15 of them for 1e-12, 8 for 1e-7, whatever alpha is.
+   Method: the integrals from a zero of ca are |ca|^3, |ca|^4 or |ca|^5 times a power series in w = |ca|^(alpha+1). The
+   integrals from a zero of sa are power series in y = sa^2, times sa or not. The first set is used for w < 1/2, the
+   second for y <= 1/2. On [0, 1/2] each power series is replaced by the first terms of its Chebyshev series: 15 terms
+   give 1e-12, 8 terms 1e-7, for every alpha.
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H
@@ -25,56 +27,58 @@
 #include "../base/scalars.h"
 #include "constant_mass.h"
 
-/* Terms of each polynomial, Chebyshev polynomials that are kept while it is made, and terms of the power series */
+/* Numbers of terms: of each polynomial, of the Chebyshev series of a power w^i, and of the power series in w */
 #if VM_MANT_DIG > 24
 enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
 #else
 enum { VMI_RIPPLE_TERMS = 8, VMI_RIPPLE_KEPT = 13, VMI_RIPPLE_SERIES = 28 };
 #endif
 
-/* The polynomials: integrals of ca^2 and of ca^4, from the nearest zero of ca or sa on, and the first and the second
-   integral of that of ca^2 */
+/* The polynomials of a set: for the integrals of ca^2 and of ca^4, and for the first and the second integral of the
+   integral of ca^2. All integrals begin at the nearest zero of ca, or of sa for the other set. */
 enum { VMI_RIPPLE_CA2, VMI_RIPPLE_CA4, VMI_RIPPLE_FIRST, VMI_RIPPLE_SECOND, VMI_RIPPLE_FUNCTIONS };
 
-/* One alpha, prepared by vmi_ripple_init */
+/* Constants and polynomials for one alpha, prepared by vmi_ripple_init and vmi_ripple_complete */
 typedef struct VM_TAG(vmi_ripple) {
     vm_real alpha;
-    vm_real gamma;              /* (alpha-1)/(alpha+3): the rate of the phase grows like J^gamma with the action J */
-    vm_real scale;              /* (alpha+1)(alpha+3)/4 */
+    vm_real gamma;              /* (alpha-1)/(alpha+3): the rate of the phase is proportional to (action)^gamma */
+    vm_real scale;              /* L = (alpha+1)(alpha+3)/4, a factor in the law of order five */
     vm_real pi;                 /* Pi_alpha, the period of the functions */
     vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
     vm_real variance;           /* the mean of C^2 */
-    int has_polynomials;        /* whether what follows is set */
-    vm_real at_sa_0, at_ca_0;   /* S2 where sa = 0, and where ca = 0 */
-    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1 */
-    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1 */
+    int has_polynomials;        /* 1 where the fields below are set, else 0 */
+    vm_real at_sa_0, at_ca_0;   /* S2 at the phases where sa = 0, and where ca = 0 */
+    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* in 4 w - 1, w = |ca|^(alpha+1) */
+    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* in 4 y - 1, y = sa^2 */
 } vmi_ripple;
 
-/* The ripple at one phase */
+/* The functions of the ripple at one phase */
 typedef struct VM_TAG(vmi_ripple_values) {
     vm_real sa, ca;
-    vm_real C, S, S2, S3, Q; /* see above; S is right from order 3 on, S2 from order 4 on, S3 and Q for order 5 */
+    vm_real C, S, S2, S3, Q; /* see the top of this file; S is valid from order 3 on, S2 from 4 on, S3 and Q for 5 */
 } vmi_ripple_values;
 
 /* -- Making the polynomials -- */
 
-/* Coefficients of the power series at index i. near_ca_0: the integral of ca^2 is |ca|^3 sum ca2_i w^i, and so on */
+/* Coefficients i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3 times the sum of
+   near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
 typedef struct VM_TAG(vmi_ripple_series) {
-    vm_real root;                 /* of (1-w)^(-1/2) */
-    vm_real power2, power3, power4; /* of (1-y)^((j-alpha)/(alpha+1)), j = 2, 3, 4 */
-    vm_real product;              /* of (1-y)^(1-nu) T, T |sa| the integral of ca^2, nu = 2 alpha/(alpha+1) */
+    vm_real root;                 /* coefficient of (1-w)^(-1/2) */
+    vm_real power2, power3, power4; /* coefficients of (1-y)^((j-alpha)/(alpha+1)), j = 2, 3, 4 */
+    vm_real product;              /* of (1-y)^(1-nu) T: nu = 2 alpha/(alpha+1), T |sa| is the integral of ca^2 */
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS], near_sa_0[VMI_RIPPLE_FUNCTIONS];
 } vmi_ripple_series;
 
-/* Coefficient i of (1-y)^exponent from coefficient i - 1 */
+/* Coefficient i of the power series of (1-y)^exponent, where `before` is coefficient i - 1 */
 VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
 {
     if (i == 0) return 1;
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Coefficients i from those of i - 1 (for i = 0 from zeros). The integrals of an integral follow from its differential
-   equation along the phase: with x = |ca|, D'' = x^2 (1-w)^(-1/2) ... gives each coefficient from the one before. */
+/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Let D be
+   the first and E the second integral of the integral of ca^2. The differential equations D'' = ca^2 and E'' = integral
+   of ca^2, with derivatives by the phase, give each coefficient of D and E from the one before. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -98,11 +102,11 @@ VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
 }
 
-/* Multiplies the series sum c_k T_k(z) of Chebyshev polynomials by w = (1 + z)/4: z T_k = (T_(k+1) + T_(k-1))/2 */
+/* Multiplies the Chebyshev series sum c_k T_k(z) by w = (1 + z)/4, with z T_k = (T_(k+1) + T_(k-1))/2 */
 VM_API void vmi_chebyshev_times_w(vm_real *c)
 {
     const int last = VMI_RIPPLE_KEPT - 1;
-    vm_real below = 0, first = c[0] + c[1] / 2; /* of 1 + z */
+    vm_real below = 0, first = c[0] + c[1] / 2; /* coefficient 0 of (1 + z) times the series */
     int k;
     for (k = 0; k <= last; k++) {
         const vm_real own = c[k], above = k < last ? c[k + 1] : 0;
@@ -114,7 +118,7 @@ VM_API void vmi_chebyshev_times_w(vm_real *c)
     c[0] = first / 4;
 }
 
-/* The polynomial in powers of z in place of the series of Chebyshev polynomials, by T_k = 2 z T_(k-1) - T_(k-2) */
+/* Turns a Chebyshev series into a polynomial in powers of z, by T_k = 2 z T_(k-1) - T_(k-2) */
 VM_API void vmi_chebyshev_to_powers(vm_real *c)
 {
     int j, k;
@@ -124,10 +128,10 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* All eight polynomials */
+/* Makes all eight polynomials: adds up the power series, with each power w^i replaced by its Chebyshev series. */
 VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
 {
-    vm_real w_power[VMI_RIPPLE_KEPT]; /* w^i as a series of Chebyshev polynomials */
+    vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
     int i, j, k;
     s.root = s.power2 = s.power3 = s.power4 = s.product = 0;
@@ -156,6 +160,7 @@ VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
     }
 }
 
+/* The value at z of a polynomial with the coefficients c */
 VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
 {
     vm_real sum = c[VMI_RIPPLE_TERMS - 1];
@@ -164,14 +169,15 @@ VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
     return sum;
 }
 
-/* -- The integrals from a zero of ca or sa on -- */
+/* -- The integrals from a zero of ca or sa -- */
 
-/* Integrals from the nearest zero of ca (of sa) to a phase at a distance from it */
+/* Integrals over the phase from the nearest zero of ca (or of sa) to a given phase */
 typedef struct VM_TAG(vmi_ripple_integrals) {
-    vm_real ca2, ca4, first, second; /* of ca^2 and ca^4; first and second integral of that of ca^2 */
+    vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; first and second integral of ca2 */
 } vmi_ripple_integrals;
 
-/* From a zero of ca on, where |ca| = x and sa^2 = y; order: as in vmi_ripple_at */
+/* The integrals from the nearest zero of ca to a phase where |ca| = x and sa^2 = y. Those that the law of this order, 2
+   to 5, does not need are 0. */
 VM_API vmi_ripple_integrals vmi_ripple_from_ca_0(const vmi_ripple *r, int order, vm_real x, vm_real y)
 {
     const vm_real x2 = x * x, x3 = x2 * x, x4 = x2 * x2, z = 4 * (1 - y) - 1;
@@ -186,7 +192,7 @@ VM_API vmi_ripple_integrals vmi_ripple_from_ca_0(const vmi_ripple *r, int order,
     return d;
 }
 
-/* From a zero of sa on, where |sa| = u and u^2 = y */
+/* The integrals from the nearest zero of sa to a phase where |sa| = u and sa^2 = y; order as in vmi_ripple_from_ca_0 */
 VM_API vmi_ripple_integrals vmi_ripple_from_sa_0(const vmi_ripple *r, int order, vm_real u, vm_real y)
 {
     const vm_real z = 4 * y - 1;
@@ -203,7 +209,7 @@ VM_API vmi_ripple_integrals vmi_ripple_from_sa_0(const vmi_ripple *r, int order,
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares alpha >= 0, whose Pi_alpha is pi, but for the polynomials. Then S, S2, S3 and Q are not to be had. */
+/* Prepares alpha >= 0, where pi is Pi_alpha, without the polynomials: only C can be computed, not S, S2, S3 and Q. */
 VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
 {
     r->alpha = alpha;
@@ -216,12 +222,12 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
     r->has_polynomials = 0;
 }
 
-/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values follow from the phase at which both sets
-   of polynomials meet: there both must have the same S2 and S3. */
+/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values of S2 follow from the condition that both
+   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
 VM_API void vmi_ripple_complete(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
-    const vm_real t = ateb_phase(sa, ca, r->alpha), s = r->pi / 2 - t; /* from sa = 0, from ca = 0 */
+    const vm_real t = ateb_phase(sa, ca, r->alpha), s = r->pi / 2 - t; /* this phase, from sa = 0 and from ca = 0 */
     vmi_ripple_integrals zero, turn;
     vm_real jump; /* at_sa_0 - at_ca_0 */
     if (r->has_polynomials) return;
@@ -235,8 +241,8 @@ VM_API void vmi_ripple_complete(vmi_ripple *r)
     r->has_polynomials = 1;
 }
 
-/* The ripple at phase psi, where sa and ca have these values. order: 2 to 5, that of the law that asks; above 2 it needs
-   the polynomials. */
+/* Writes the functions of the ripple at the phase psi, where sa and ca are the Ateb functions of psi. order, 2 to 5, is
+   that of the law that needs them; above 2 the polynomials must have been made. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));

@@ -1,9 +1,9 @@
 /* oscillators/routes.h - the motion x(t) of an oscillator at any time, by a given route or by the cheapest
 
-   Seven routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
-   in oscillators/problem.h). vm_osc_within takes the cheapest whose error is estimated to be within a tolerance,
-   vm_osc_by_route the one that is asked for; vm_osc_plan_within and vm_osc_plan_by_route do the same for many times of
-   one problem. The shortest useful call:
+   Ten routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
+   in oscillators/problem.h). vm_osc_within takes the cheapest route whose error is estimated to be within a tolerance.
+   vm_osc_by_route takes the route that its argument names. vm_osc_plan_within and vm_osc_plan_by_route do the same from
+   a plan, for many times of one problem. The shortest useful call:
        vm_osc_problem bucket = {1, vm_law_linear(10, -0.1), vm_law_linear(250, 0), 0, 0, 0.05, 0, NULL, NULL};
        vm_osc_motion motion;
        if (vm_osc_within(&bucket, 70, 1e-6, &motion) == VM_OK) printf("%g m\n", motion.x);
@@ -22,48 +22,53 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* -- Which route for what, and what the estimate of the error covers --
+/* -- What each route costs, which one is chosen, what its estimate covers, and how good the estimate is --
 
-   Cost. Without a force F the first four routes are averaged solutions in closed form: one or two sa, ca and the
-   integrals of the laws of mass and stiffness, whatever t and the tolerance are. The other routes integrate from 0
-   to t and work to the tolerance: each runs twice, the second time more strictly, and the difference of the two
-   gives the error. By the default tolerance that takes 400 (variation), 700 (rk87) or 2200 (rk45) evaluations a
-   period for alpha = 3. With F the averaged equations of the first three routes are integrated, too, and the
-   second-order law does not exist.
+   The routes, and what they cost (docs/cost.md has the times):
+     cos, cn, ca           First-order averaging. Without a force F they need one value of the wave and the integrals of
+                           the laws of mass and stiffness from 0 to t, for every t and every tolerance.
+     order 2, 3, 4, 5      The law of order five, cut off after this order. It needs the same integrals and the Ateb
+                           functions at one or two phases, and exists only without F. Orders 3 to 5 also need the
+                           polynomials of oscillators/ripple.h, which a plan makes only once.
+     collocation           It integrates from each zero of x to the next, so its cost grows with the number of periods.
+     rk45, rk87            They integrate the equation of motion, which takes far more evaluations a period.
+   With F the routes cos, cn and ca integrate their averaged equations. Integrations run twice with different accuracy,
+   and their error is estimated from the difference of the two runs; if it is too large, they repeat this more strictly.
 
-   Choice. vm_osc_within takes the first of these four that is within the tolerance. Where none is, or F is given,
-   it integrates: by rk87 for odd alpha without F, where it is two to four times as fast, else by the variation of
-   constants.
+   Choice. Without F vm_osc_within tries cos, cn, ca and the orders 2 to 5, and takes the first whose estimated error is
+   within the tolerance. Where there is none, and always with F, it integrates by collocation. Where collocation fails
+   or misses the tolerance, it integrates by rk87. It never takes rk45.
 
-   What the estimate covers. Of averaged solutions: what the solution leaves out, and the fastest changes of mass
-   and stiffness between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from
-   point to point. A change within a period makes the estimate large; vm_osc_within then integrates, in steps of at
-   most a quarter of the shortest panel. Of averaged equations with F: the error of their integration, of averaging,
-   and of cos and cn in place of the Ateb functions. Averaging leaves out the ripple within a period, its effect on
-   phase and amplitude at the start, its square, and a force that changes within a period, as in a resonance. For
-   this estimate F is called over a period at the start and at eight later times: a force that acts only for a short
-   time between these is not seen.
+   What the estimate of an averaged solution covers:
+     - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
+     - fast changes of mass and stiffness between 0 and t. The walk along the laws looks for them panel by panel (for
+       laws by functions see vm_law_user), and in tables from one point to the next. A change within a period makes the
+       estimate large, so that vm_osc_within integrates. For a law by a function its steps are then limited by the
+       shortest panel, so that no step skips the change.
+   What the estimate of averaged equations with F covers:
+     - the error of their integration, and the error of cos and cn in place of ca;
+     - what averaging leaves out: the ripple within a period, its effect on phase and amplitude at the start, and terms
+       of second order in this ripple;
+     - a force that changes within a period, as in a resonance. For this the estimate calls F over a period at the start
+       and over periods at eight later times, so it misses a force that acts only for a short time between them.
 
-   How good the estimate is. Random problems (tests/test_routes.c) have alpha in [0, 8], q from 3e-3 to 0.1 and end
-   at t = 3/q; some of them change only in a part of the run, or have tables with a step. The true error is below 3
-   times the estimate in 99 % of them, and above 10 times (by vm_osc_within at most 10.3) in 1 of 1000. Of 282 runs
-   by the variation of constants one erred by 37 times the estimate, at alpha = 1.5. With rk87 the true error is
-   above 3 times the estimate in 2 %, up to 20 times: if alpha is not an odd integer, its errors are not
-   proportional to the tolerance. In the median the estimate is 3 to 4 (first order), 7 (second order), 5 to 20
-   (integrators) and, with F, 5 to 10 (averaged) times the true error. Above alpha = 8 the estimate of first order
-   is too large. */
+   How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from 1/8
+   to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. By vm_osc_within the true error is at most 3 times the
+   estimate in 99 % of the problems, and at most 10 times the estimate in all of them. Estimates of rk45 and rk87 are
+   less reliable where alpha is not an odd integer: their errors are then not proportional to the tolerance, and two
+   runs may agree by chance. */
 
 /* -- The table of routes -- */
 
-/* The solution of averaged equations without a force at t, where the mean motion has come to *mean */
+/* A function that computes the motion at t from the mean motion *mean at t, for a problem without a force */
 typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion);
 
-/* An integration from 0 to t to a tolerance */
+/* A function that computes the motion at t by integration from 0 to t, to a tolerance */
 typedef int (*vmi_osc_integration)(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                    vm_osc_motion *motion);
 
-/* The averaged equations, which have a solution in closed form only without a force */
+/* Integrates the averaged equations; with a force they have no solution in closed form. */
 VM_API int vmi_osc_integrate_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                       vm_osc_motion *motion)
 {
@@ -72,7 +77,7 @@ VM_API int vmi_osc_integrate_averaged(const vm_osc_plan *p, int route, vm_real t
     return vmi_osc_integrate(p, route, &method, t, tolerance, motion);
 }
 
-/* The equation of motion, by rk45 and by rk87 */
+/* Integrates the equation of motion by rk45. */
 VM_API int vmi_osc_integrate_rk45(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_method method = vmi_osc_method_rk45(vmi_osc_direct_rhs);
@@ -80,6 +85,7 @@ VM_API int vmi_osc_integrate_rk45(const vm_osc_plan *p, int route, vm_real t, vm
     return vmi_osc_integrate(p, route, &method, t, tolerance, motion);
 }
 
+/* Integrates the equation of motion by rk87. */
 VM_API int vmi_osc_integrate_rk87(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
@@ -87,13 +93,14 @@ VM_API int vmi_osc_integrate_rk87(const vm_osc_plan *p, int route, vm_real t, vm
     return vmi_osc_integrate(p, route, &method, t, tolerance, motion);
 }
 
-/* A route: without a force by its solution, if it has one, else by integration */
+/* A route. Without a force it takes its solution in closed form, if it has one; otherwise it integrates. */
 typedef struct VM_TAG(vmi_osc_route) {
     const char *name;
-    vmi_osc_solution solution;     /* null: it has none */
-    vmi_osc_integration integrate; /* null: it has none */
+    vmi_osc_solution solution;     /* the solution in closed form, or null if there is none */
+    vmi_osc_integration integrate; /* the integration, or null if there is none */
 } vmi_osc_route;
 
+/* The entry of a route, from its parts */
 VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solution, vmi_osc_integration integrate)
 {
     vmi_osc_route route;
@@ -103,7 +110,7 @@ VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solutio
     return route;
 }
 
-/* The table: entry VM_ROUTE_... */
+/* The table of routes: its entry for the route VM_ROUTE_... */
 VM_API vmi_osc_route vmi_osc_route_of(int route)
 {
     switch (route) {
@@ -126,20 +133,28 @@ VM_API const char *vm_osc_route_name(int route) { return vmi_osc_route_of(route)
 
 /* -- One route -- */
 
-/* Checks what all calls share, and puts the default for a tolerance of 0 */
-VM_API int vmi_osc_check_call(const vm_osc_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
+/* Checks the arguments that all calls share, except for the problem or the plan. */
+VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, const vm_osc_motion *motion)
 {
-    int status;
-    if (!p || !motion) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
-    if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
-    status = vmi_law_check(&p->problem.mass, VM_BAD_MASS, t);
-    if (!status) status = vmi_law_check(&p->problem.stiffness, VM_BAD_STIFFNESS, t);
-    if (!status && *tolerance < 0) return VM_DOMAIN;
-    return status;
+    if (!motion || route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(tolerance)) return VM_NOT_FINITE;
+    if (tolerance < 0) return VM_DOMAIN;
+    return VM_OK;
 }
 
-/* The motion of a body at rest at x = 0: none, unless a force starts one, of which no route knows */
+/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+VM_API int vmi_osc_check_call(const vm_osc_plan *p, int route, vm_real t, vm_real *tolerance,
+                              const vm_osc_motion *motion)
+{
+    const int status = vmi_osc_check_arguments(route, t, *tolerance, motion);
+    if (!p) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return status;
+    if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
+    return vmi_first_error(status, vmi_osc_check_laws(&p->problem, t));
+}
+
+/* Writes the motion of a body at rest at x = 0, which stays at rest. With a force it returns VM_NO_LAW, since no route
+   can compute the motion that the force starts. */
 VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motion)
 {
     if (p->problem.force) return VM_NO_LAW;
@@ -152,23 +167,28 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
     return VM_OK;
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan.
-   route: VM_ROUTE_.... motion->error estimates the larger of |error of x|/A and |error of v|/vmax. tolerance is of
-   the same number, for routes that integrate: 0 means 1e-6 (float 1e-3). See above for what a route costs.
-   VM_TOLERANCE_MISSED: x and v are there, but the error of integration is larger than the tolerance. Errors leave
-   *motion untouched: VM_BAD_ARGUMENT (null pointers, no such route), VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS
-   (a law that is not positive between 0 and t), VM_DOMAIN (a negative tolerance, t outside a table, a table out of
-   order, the function of a law fails, a change_time that is negative or too short), VM_NO_LAW (second-order law
-   with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (the integrator gave up, or would need 2^13 steps a
-   period, four times what its longest step asks for, or 2^23 of the present periods: so every call ends). */
+/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. route is one of VM_ROUTE_....
+   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of it
+   that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment at the
+   start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
+   computed but the error of integration is larger than the tolerance. An error leaves *motion untouched; it returns
+     VM_BAD_ARGUMENT for null pointers or a route that does not exist,
+     VM_NOT_FINITE for a number that is infinite or NaN,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, a user's function of a law that fails,
+       or a change_time that is negative or too short,
+     VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 with F, and for F on a body at rest at x = 0,
+     VM_NOT_INTEGRATED where the integrator gives up or needs too many steps, so that every call ends. The limit of rk45
+       and rk87 is 2^13 steps a period plus four times what the longest allowed step asks for, and 2^23 of the present
+       periods; that of collocation is 2^24 steps. Collocation also gives up where the laws or F change as fast as the
+       phase. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
     vmi_osc_mean mean;
     vmi_osc_wave w;
-    int status = vmi_osc_check_call(p, t, &tolerance, motion);
+    int status = vmi_osc_check_call(p, route, t, &tolerance, motion);
     if (status) return status;
-    if (route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
     entry = vmi_osc_route_of(route);
     if (p->problem.force && !entry.integrate) return VM_NO_LAW;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
@@ -181,8 +201,8 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* The motion at t by the averaged solution of the lowest order that is good enough. VM_TOLERANCE_MISSED: there is none,
-   and *motion is untouched. */
+/* Writes the motion at t by the first of cos, cn, ca and the orders 2 to 5 whose error is estimated to be within the
+   tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_mean mean;
@@ -191,7 +211,7 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     int route, order, status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     first = vmi_osc_first_error(p, &mean);
-    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB, whose wave has no error */
+    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB: ca has no error */
         w = vmi_osc_wave_of(p, route);
         if (first + vmi_osc_wave_error(&w, p->ripple.mean2) <= tolerance)
             return vmi_osc_first_order(p, route, &w, &mean, motion);
@@ -203,7 +223,8 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     return VM_TOLERANCE_MISSED;
 }
 
-/* The motion at t by integration: by collocation, and where amplitude and phase do not describe it by rk87 */
+/* Motion at any time t (s) by integration, for vm_osc_plan_within where no averaged solution is good enough: by
+   collocation, and by rk87 where amplitude and phase do not describe the motion */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_osc_collocate(p, VM_ROUTE_COLLOCATION, t, tolerance, motion);
@@ -211,13 +232,13 @@ VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tol
     return vmi_osc_integrate_rk87(p, VM_ROUTE_RK87, t, tolerance, motion);
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan.
-   Takes the cheapest route whose error is estimated to be within the tolerance; motion->route says which. The
-   tolerance is relative, of the larger of |error of x|/A and |error of v|/vmax: for x within d metres ask for d/A;
-   0 means 1e-6 (float 1e-3). Statuses as in vm_osc_plan_by_route. */
+/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan. It takes the cheapest route whose
+   error is estimated to be within the tolerance; motion->route says which. The tolerance is relative, for the larger
+   of |error of x|/A and |error of v|/vmax: for x within d metres ask for d/A; 0 means 1e-6 (float 1e-3). The statuses
+   are those of vm_osc_plan_by_route. */
 VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    int status = vmi_osc_check_call(p, t, &tolerance, motion);
+    int status = vmi_osc_check_call(p, VM_ROUTE_TRIG, t, &tolerance, motion);
     if (status) return status;
     if (p->A == 0) return vmi_osc_at_rest(p, VM_ROUTE_TRIG, motion);
     if (p->problem.force) return vmi_osc_integrate_within(p, t, tolerance, motion);
@@ -228,7 +249,8 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 
 /* -- Without a plan -- */
 
-/* The plan of a problem that is asked once, without what only many values repay. complete: orders 3 to 5 are wanted */
+/* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
+   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
@@ -239,27 +261,28 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
     return vmi_osc_start(plan);
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) by a given route.
-   For one time of a problem. Arguments, result and statuses of vm_osc_plan_by_route, and the statuses of
-   vm_osc_plan_init. */
+/* Motion x(t), x'(t) at time t (s, either sign) by a given route. It is for one time of a problem. Arguments, result
+   and statuses are those of vm_osc_plan_by_route; it also returns the statuses of vm_osc_plan_init. */
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
     const int complete = route >= VM_ROUTE_ORDER3 && route <= VM_ROUTE_ORDER5;
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, complete, &plan);
+    int status = vmi_osc_check_arguments(route, t, tolerance, motion);
+    status = vmi_first_error(status, vmi_osc_once(problem, complete, &plan));
     if (status) return status;
     return vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance.
-   For one time of a problem, by the cheapest route. Arguments, result and statuses of vm_osc_plan_within, and the
-   statuses of vm_osc_plan_init. */
+/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance. It is for one time of a problem, by the cheapest
+   route. Arguments, result and statuses are those of vm_osc_plan_within; it also returns the statuses of
+   vm_osc_plan_init. */
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
-    int status = vmi_osc_once(problem, 0, &plan);
-    if (!status) status = vmi_osc_check_call(&plan, t, &tolerance, motion);
+    int status = vmi_osc_check_arguments(VM_ROUTE_TRIG, t, tolerance, motion);
+    status = vmi_first_error(status, vmi_osc_once(problem, 0, &plan));
+    if (!status) status = vmi_osc_check_call(&plan, VM_ROUTE_TRIG, t, &tolerance, motion);
     if (status) return status;
     if (plan.A == 0) return vmi_osc_at_rest(&plan, VM_ROUTE_TRIG, motion);
     if (!problem->force) {

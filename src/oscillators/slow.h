@@ -1,13 +1,15 @@
 /* oscillators/slow.h - laws that oscillators with slowly varying mass share
 
-   The amplitude and the largest velocity of an oscillator m x'' + k x|x|^(alpha-1) = -(r m' + b) x' whose mass m(t)
-   varies slowly, that is little within a period, in closed form: (325), (326), (344), (364), (367), (389), (395).
-   The chapters on Van der Pol's oscillator, on the rotor, on two bodies and on harmonic excitation build on it.
+   Here are, in closed form, the amplitude and the largest velocity of an oscillator
+       m x'' + k x|x|^(alpha-1) = -(r m' + b) x'
+   whose mass m(t) varies slowly, that is little within a period: (325), (326), (344), (364), (367), (389), (395).
+   The chapters on Van der Pol's oscillator, on the rotor, on two bodies and on harmonic excitation build on this file.
 
        vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
 
-   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, r = reactive, q the rate at which mass,
-   damping and stiffness change the vibration (vmi_slow_q). Averaging needs q much smaller than Om.
+   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, m mass, k stiffness, b damping,
+   r = reactive, q the rate at which mass, damping and stiffness change the vibration (vmi_slow_q). Averaging needs q
+   much smaller than Om.
    Tests: tests/test_averaging.c, tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_SLOW_H
 #define VARMASS_OSCILLATORS_SLOW_H
@@ -26,38 +28,41 @@ VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real r
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
 }
 
-/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly:
-     A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)),   (325), (344), (367), (389) corrected.
-   All three averaging methods give it, if the sign of (335) is mended. Pure numbers: mass_ratio = m/m0 > 0; decay,
-   the integral of damping/mass; reactive, r, 1 where mass that joins or leaves is at rest, so that there is the full
-   reactive force, 0 where it has the body's own velocity, as what leaks out; alpha >= 0. To first order in m' and the
-   damping; the rounding error is some eps. NaN outside the domain and for infinite arguments. Time: a power and an
-   exponential. */
+/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
+   The law, (325), (344), (367), (389) corrected, is
+     A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)).
+   All three averaging methods give it after a correction of the sign in (335). It holds to first order in m' and the
+   damping. The arguments are pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass; reactive, r,
+   which is 1 where mass that joins or leaves is at rest, so that there is the full reactive force, and 0 where it has
+   the body's own velocity, as in a leak; and alpha >= 0. Returns NaN outside the domain and for infinite
+   arguments. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
     return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * decay / (alpha + 3), 0);
 }
 
-/* Largest velocity over its first value, of an oscillator whose mass varies slowly.
-   It follows from the amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected.
-   Arguments, accuracy and errors are those of vm_osc_amplitude_law. */
+/* Largest velocity over its first value, of an oscillator whose mass varies slowly. It follows from the amplitude A
+   by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and the results
+   outside the domain are those of vm_osc_amplitude_law. */
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    const vm_real share = (alpha + 1) / (alpha + 3); /* exponent of the velocity over twice that of the amplitude */
+    const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the power of A, times 2/(alpha+3) */
     if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
     return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * decay, 0);
 }
 
-/* A linear mass m0 + rate t between 0 and t */
+/* A linear mass m0 + rate t, from the time 0 to t */
 typedef struct VM_TAG(vmi_linear_mass) {
-    vm_real m0, m, rate; /* at 0 and at t, kg; kg/s */
+    vm_real m0, m, rate; /* mass at 0 and mass at t, kg; rate of the mass, kg/s */
     vm_real ln_ratio;    /* ln(m/m0) */
-    vm_real integral;    /* of dt/m from 0 to t, s/kg; smooth through rate = 0 */
+    vm_real integral;    /* integral of dt/m from 0 to t, s/kg; it has no singularity at rate = 0 */
 } vmi_linear_mass;
 
-/* The linear mass that a law is, between 0 and t: closed forms need it. VM_NO_LAW where the law is not linear, that
-   is not f0 exp(rate u) with rate = base. VM_BAD_MASS where a mass is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+/* Writes the linear mass that a law describes between 0 and t, which closed forms need. Returns VM_NO_LAW where the
+   law is not linear, that is not f0 exp(rate u) with rate = base (see vmi_law_exponential_form), VM_BAD_MASS where
+   the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a
+   number that is infinite or NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;
@@ -68,37 +73,37 @@ VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *lin
     growth = linear->rate * t / linear->m0;
     if (!VM_IS_FINITE(growth)) return VM_NOT_FINITE;
     if (!(growth > -1)) return VM_BAD_MASS;
-    mean = vmi_log_ratio(growth); /* of m0/m */
+    mean = vmi_log_ratio(growth); /* the mean of m0/m from 0 to t */
     linear->ln_ratio = growth * mean;
     linear->integral = t / linear->m0 * mean;
     return VM_OK;
 }
 
-/* (2r - 1) m' + 2 b, kg/s: what the reactive force and the damping b together take from the vibration. Where mass
-   joins at rest (r = 1) it is m' + 2 b, where it joins with the body's velocity (r = 0) -m' + 2 b. */
+/* The drag (2r - 1) m' + 2 b, kg/s, which the reactive force and the damping b together exert on the vibration. Where
+   mass joins at rest (r = 1) it is m' + 2 b, where mass joins with the body's velocity (r = 0) it is -m' + 2 b. */
 VM_API vm_real vmi_slow_drag(vm_real reactive, vm_real mass_rate, vm_real damping)
 {
     return (2 * reactive - 1) * mass_rate + 2 * damping;
 }
 
-/* q = ((2r - 1) m' + 2 b)/m + k'/k, 1/s: the rate at which mass, damping and stiffness change the vibration. The mean
-   amplitude follows A' = -q A/(alpha + 3). */
+/* q = drag/m + k'/k, 1/s: the rate at which mass, damping and stiffness change the vibration, where drag = (2r - 1)
+   m' + 2 b. The mean amplitude follows A' = -q A/(alpha + 3). */
 VM_API vm_real vmi_slow_q(vm_real drag, vm_real mass, vm_real k, vm_real k_rate) { return drag / mass + k_rate / k; }
 
-/* Om, the rate of the Ateb phase at amplitude A; 0 at rest, where the formula may give infinity */
+/* Om, the rate of the Ateb phase at the amplitude A, 1/s; 0 at rest, where the formula may give infinity */
 VM_API vm_real vmi_slow_rate(vm_real A, vm_real k, vm_real mass, vm_real alpha)
 {
     if (A == 0 && alpha < 1) return 0;
     return vmi_osc_rate(A, VM_SQRT(k / mass), alpha);
 }
 
-/* x = A ca(psi) and x' = -vmax(A) sa(psi) */
+/* Writes the position x = A ca(psi) and the velocity x' = -vmax(A) sa(psi), where vmax is vm_osc_vmax. */
 VM_API void vmi_slow_motion(vm_real A, vm_real psi, vm_real k, vm_real mass, vm_real alpha, vm_real *x, vm_real *v)
 {
     vmi_osc_at_phase(A, psi, VM_SQRT(k / mass), alpha, x, v);
 }
 
-/* A and psi from x and x' = v, the inverse of vmi_slow_motion */
+/* Writes the amplitude A and the Ateb phase psi from x and v = x', the inverse of vmi_slow_motion. */
 VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_real alpha, vm_real *A, vm_real *psi)
 {
     vm_osc_amplitude_phase(x, v, VM_SQRT(k / mass), alpha, A, psi);

@@ -1,9 +1,9 @@
 /* oscillators/walk.h - the mean motion of an oscillator along laws that have no closed form
 
-   The mean motion from 0 to t is known as soon as some integrals along the laws of mass and stiffness are.
-   vmi_osc_walk_to computes them from one point of a table to the next, by the panels of oscillators/panels.h. At a point
-   of a table the derivatives of the laws jump; there the motion goes on with another mean motion. On the way the walk
-   gathers what the estimates of the error need: how large the disturbance E_0 and its derivatives by the phase are.
+   The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
+   these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
+   the second derivatives of the laws jump, so that the mean motion jumps, too. The walk also gathers what the estimates
+   of the error need: how large the disturbance E_0 (oscillators/expansion.h) and its derivatives are.
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
@@ -24,31 +24,31 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* Derivatives of E_0 by the phase whose size is gathered, E_0 itself included */
+/* For how many derivatives of E_0 by the phase the size is gathered: from the zeroth to the sixth */
 enum { VMI_WALK_ORDERS = 7 };
 
-/* The mean motion at one time t, and what its errors depend on. The adiabatic law leaves the action unchanged:
-   A/A0 = exp(ln_A), and the rate of the phase is `ratio` times that at t = 0. */
+/* The mean motion at one time t, and what its errors depend on. By the adiabatic law, which keeps the action constant,
+   A/A0 = exp(ln_A), and the rate of the phase is `ratio` times its value at t = 0. */
 typedef struct VM_TAG(vmi_osc_mean) {
-    vmi_osc_slow now;      /* what the laws say just before t (after it for t < 0) */
-    vm_real ln_A, ratio;   /* by the adiabatic law */
+    vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
+    vm_real ln_A, ratio;   /* ln(A/A0), and ratio of the rates of the phase, by the adiabatic law */
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
-    vm_real phase;         /* the integral of ratio dt, s */
+    vm_real phase;         /* the integral of ratio dt from 0 to t, s */
     vm_real psi;           /* the mean phase */
-    vm_real ln_J;          /* ln of the mean action over that at t = 0: points of tables change it */
-    vm_real first;         /* the part of psi that E_0 brings */
-    vm_real second, third; /* parts of psi: that of E_0^2, and a bound of what order five leaves out */
-    vm_real knots_J[4];    /* sums over points of tables of the square of what order 2, 3, 4 or 5 leaves out: of ln J, */
-    vm_real knots_psi[4];  /* and of psi */
-    vm_real largest;       /* largest |E_0| between 0 and t */
-    vm_real change[VMI_WALK_ORDERS]; /* integral of |d^i E_0/dpsi^i| dpsi; 0 for closed forms, which have no fast part */
-    vm_real dropped;       /* integral of the part of |E_0| dpsi that is left out of change */
-    vm_real shortest;      /* shortest panel that the laws of m and k took, s */
-    vm_real error;         /* of `phase`, s */
+    vm_real ln_J;          /* ln of the mean action over its value at t = 0; it changes only at points of tables */
+    vm_real first;         /* the part of psi that is proportional to the disturbance E_0 */
+    vm_real second, third; /* the part of psi proportional to E_0^2; bound of the part that order five leaves out */
+    vm_real knots_J[4];    /* for orders 2 to 5: sum of the squares of the errors of ln J at points of tables */
+    vm_real knots_psi[4];  /* for orders 2 to 5: sum of the squares of the errors of psi at points of tables */
+    vm_real largest;       /* largest |E_0| between 0 and t, E_0 the disturbance */
+    vm_real change[VMI_WALK_ORDERS]; /* integrals of |d^i E_0/dpsi^i| dpsi; 0 where closed forms are used */
+    vm_real dropped;       /* integral of the part of |E_0| dpsi that is not in `change` */
+    vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
+    vm_real error;         /* estimated error of `phase`, s */
 } vmi_osc_mean;
 
-/* ln(A/A0) and ln(Om/Om0) by the adiabatic law, where ln(m/m0), ln(k/k0) and the decay, the integral of b/m, have
-   these values */
+/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase. ln_m = ln(m/m0),
+   ln_k = ln(k/k0), and decay is the integral of b/m. */
 VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
                               vm_real *ln_Om)
 {
@@ -84,7 +84,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
     return mean;
 }
 
-/* The mean motion as amplitude, phase and rate */
+/* The amplitude, phase and rate of the mean motion *mean */
 VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -95,9 +95,9 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
     return state;
 }
 
-/* -- What order five leaves out -- */
+/* -- What the law of order five leaves out -- */
 
-/* Sizes of the terms of weight w = 2 ... 6: of ln J, and for w < 6 of the phase; e: sizes of E_0 ... E_4 */
+/* How large the terms of weight w, 2 to 6, of vmi_expansion_J are, where e[k] is the absolute value of E_k */
 VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
@@ -110,6 +110,7 @@ VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
     return L / 4 * e[w - 2] * power + more;
 }
 
+/* How large the terms of weight w, 2 to 5, of vmi_expansion_psi are, where e[k] is the absolute value of E_k */
 VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
@@ -121,8 +122,9 @@ VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
     return L / 4 * VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power + more;
 }
 
-/* A bound of the mean rate of the phase that order five leaves out, of weight 6, by W: from the product |E_0 E_2| and
-   |E_0|^3 */
+/* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
+   6; product is |E_0 E_2|, cube is |E_0|^3. From integrals of these two over the phase it gives a bound of the
+   phase. */
 VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
@@ -131,25 +133,26 @@ VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real 
 
 /* -- A panel -- */
 
-/* A panel of the walk: series on it, and its shares of integrals */
+/* A panel of the walk: Legendre series of the laws on it, and what it adds to integrals along the laws */
 typedef struct VM_TAG(vmi_osc_panel) {
-    vm_real edge;               /* how far the series of 1/m and of k are from the laws at the panel's ends, relative */
-    vm_real inverse[VMI_GAUSS]; /* 1/m */
-    vm_real ratio[VMI_GAUSS];   /* k at first, then the rate of the phase over that at t = 0 */
-    vm_real E[VMI_GAUSS];       /* E_0 */
-    vm_real noise;              /* what rounding errors of p' put into coefficients of E */
-    vm_real first, second;      /* integrals of E_0 and E_0^2 by the phase */
-    vm_real cube;               /* integral of |E_0|^3 by the phase */
-    vm_real largest;            /* largest |E_0| */
+    vm_real edge;               /* largest relative difference at the panel's ends: of 1/m and k from their series */
+    vm_real inverse[VMI_GAUSS]; /* series of 1/m */
+    vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the rate of the phase over its value at t = 0 */
+    vm_real E[VMI_GAUSS];       /* series of E_0 */
+    vm_real noise;              /* size of the coefficients of E that rounding errors of p' cause */
+    vm_real first, second;      /* integrals of E_0 and of E_0^2 over the phase */
+    vm_real cube;               /* integral of |E_0|^3 over the phase */
+    vm_real largest;            /* largest |E_0| on the panel */
 } vmi_osc_panel;
 
-/* What the laws say at the points of Gauss' rule of a panel */
+/* Mass, stiffness and rates at the points of Gauss' rule of a panel */
 typedef struct VM_TAG(vmi_osc_panel_laws) {
     vmi_osc_rates rates[VMI_GAUSS];
     vm_real p_rate[VMI_GAUSS]; /* p', 1/s^2 */
 } vmi_osc_panel_laws;
 
-/* The laws at the points of Gauss' rule, the series of 1/m and of k, and how far they miss the laws at the ends */
+/* Reads the laws at the points of Gauss' rule. Writes the series of 1/m and of k, and how far they are from the laws at
+   the ends of the panel. */
 VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
                              vmi_osc_panel *panel)
 {
@@ -173,11 +176,12 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* What rounding errors of p put into p' on a panel of 1 s, by the rates. In float they are too large to be told from
-   fast changes, and are taken for these. */
+/* The factor by which rounding errors of the rates a and p become errors of p', on a panel of 1 s. In float they are as
+   large as fast changes, and are taken for these. */
 VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
 
-/* The panel of a length (with its sign) from start on, where the mean motion at start is *mean */
+/* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
+   start. */
 VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_real start, vm_real length,
                             vmi_osc_panel *panel)
 {
@@ -213,8 +217,8 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. If a law has a kink, no panel is short enough; what is left out must
-   then not matter. whole is the walk's length, s. */
+/* Whether the panel is short enough for its series. No panel with a kink of a law is, so a panel also counts as short
+   enough if the terms that its series leaves out do not matter. `whole` is the length of the walk, s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
@@ -228,14 +232,14 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + phase_matters * (1 + 1 / phase) / phase;
 }
 
-/* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, by the root of the mean square, and to
-   mean->third. Coefficients of E_0 that may be rounding errors are dropped before, and their integral is added to
-   mean->dropped; the series is destroyed. */
+/* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, with the root mean square in place of the
+   absolute value, and to mean->third the panel's part. Coefficients of E_0 that are as small as rounding errors are set
+   to 0 first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], radians = W * VM_FABS(length);
     const vm_real least = vmi_larger(noise * VM_SQRT(vmi_legendre_square(panel->E)), panel->noise);
-    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* (dx/dpsi)^i with x in [-1, 1] on the panel */
+    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i, where x goes from -1 to 1 on the panel */
     vm_real dropped[VMI_GAUSS];
     int i;
     for (i = 0; i < VMI_GAUSS; i++) {
@@ -254,7 +258,7 @@ VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_r
     mean->third += vmi_osc_third_rate(&p->ripple, radians * size[0] * size[2], panel->cube);
 }
 
-/* The mean motion goes on by a panel */
+/* Advances the mean motion over a panel. */
 VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
@@ -269,7 +273,8 @@ VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_rea
     vmi_osc_add_changes(p, panel, length, mean);
 }
 
-/* From start to end, between which no table has a point, by panels of at most `longest`; whole: length of the walk */
+/* Advances the mean motion from start to end by panels of at most `longest`. No table may have a point between start
+   and end. `whole` is the length of the whole walk, s. */
 VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, vm_real longest, vm_real whole,
                               vmi_osc_mean *mean)
 {
@@ -290,7 +295,8 @@ VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, 
     return VM_OK;
 }
 
-/* Sets what the adiabatic law says at t, just before t on the way */
+/* Sets the fields now, ln_A and ratio of *mean for the time t. Where the laws' derivatives jump at t, it takes those on
+   the side from which the walk comes; side is 1 forward, -1 backward in time. */
 VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
@@ -305,8 +311,8 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 
 /* -- Points of tables -- */
 
-/* Adds to the sums over points of tables what orders 2 to 5 leave out where the disturbance jumps from `before` to
-   `after` */
+/* Adds to knots_J and knots_psi what orders 2 to 5 leave out at a point of a table, where the numbers E_k jump from
+   `before` to `after` */
 VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
                                    vmi_osc_mean *mean)
 {
@@ -320,8 +326,10 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* At t, a point of a table, the derivatives of m' and k' jump, but the motion does not: it goes on with another mean
-   motion. The action at the knot is found to the full order, from the map that leads to the mean motion. */
+/* Takes the mean motion past t, a point of a table. The derivatives of m' and k' jump there, but the motion does not,
+   so that the mean motion does. From the mean motion before t follows the motion at t, and from this the mean motion
+   after t. vmi_expansion_J_back would give the action at t with one order less; iteration with vmi_expansion_J has the
+   full order. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -356,7 +364,7 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
 
 /* -- The walk -- */
 
-/* The mean motion at t by a walk along both laws of the plan, from one point of a table to the next */
+/* Computes the mean motion at t by a walk along both laws of the plan, from one point of a table to the next. */
 VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;

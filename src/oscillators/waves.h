@@ -1,11 +1,13 @@
 /* oscillators/waves.h - wave forms of a strongly nonlinear oscillator: ca, cos and cn
 
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
-   the phase psi (282), (283). Two simpler waves with the same amplitude and period stand in for ca: cos (291), (329)
-   and Jacobi's cn (297), (370). A vmi_osc_wave is one of the three, with all that averaged equations need of it:
+   the phase psi (282), (283); A is the amplitude, vmax(A) the largest velocity. Two simpler waves with the same
+   amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave is one of the
+   three waves c of the position, with its wave s of the velocity and what averaged equations need for a force F on the
+   mass m:
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
-   for a force F on the mass m, where q is the rate at which stiffness, mass and damping change the motion.
-   A new form is a function that evaluates it and a constructor.
+   where <> is the mean over a period, q the rate at which stiffness, mass and damping change the motion, and theta the
+   slow part of the wave's own angle. A new wave needs a function that evaluates it and a constructor.
        vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
        vm_real c, s;
        vmi_osc_wave_at(&w, VM_C(0.5), &c, &s); // at psi = 0.5: x = A c, x' = -w.speed vmax(A) s
@@ -24,19 +26,20 @@
 
 typedef struct VM_TAG(vmi_osc_wave) vmi_osc_wave;
 struct VM_TAG(vmi_osc_wave) {
-    /* c and s at Ateb phase psi */
+    /* writes c and s at the Ateb phase psi */
     void (*at)(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s);
-    /* how far the wave is from ca and sa, where mean_ca2 is the mean of ca^2; null: it is ca */
+    /* estimates the error of the wave, where mean_ca2 is the mean of ca^2; null for ca, which has no error */
     vm_real (*error)(const vmi_osc_wave *w, vm_real mean_ca2);
-    vm_real alpha;
+    vm_real alpha;              /* exponent of the spring */
     vm_real turn;               /* the wave's own angle is turn psi */
-    vm_real speed;              /* x' = -speed vmax(A) s */
-    vm_real gain_A, gain_theta; /* factors of the means of the force */
-    vm_real m;                  /* of cn: parameter m = k^2; else 0 */
-    vm_real mean_c2;            /* of cn: the mean of cn^2; else 0 */
-    const ateb_plan *ateb;      /* of ca, may be null */
+    vm_real speed;              /* the velocity is x' = -speed vmax(A) s */
+    vm_real gain_A, gain_theta; /* factors of the means of the force in the averaged equations */
+    vm_real m;                  /* parameter m = k^2 of cn; 0 for the other waves */
+    vm_real mean_c2;            /* mean of cn^2; 0 for the other waves */
+    const ateb_plan *ateb;      /* plan of ca, or null */
 };
 
+/* Writes the waves c of the position and s of the velocity at the Ateb phase psi. */
 VM_API void vmi_osc_wave_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s) { w->at(w, psi, c, s); }
 
 /* -- ca: exact -- */
@@ -50,7 +53,7 @@ VM_API void vmi_osc_ca_by_plan(const vmi_osc_wave *w, vm_real psi, vm_real *c, v
     ateb_plan_saca(w->ateb, psi, s, c);
 }
 
-/* The wave x = A ca(psi), x' = -vmax(A) sa(psi); with a plan for this alpha it is evaluated faster. */
+/* The wave x = A ca(psi), x' = -vmax(A) sa(psi). With a plan for this alpha it is evaluated faster. */
 VM_API vmi_osc_wave vmi_osc_wave_ca(vm_real alpha, const ateb_plan *ateb_or_NULL)
 {
     vmi_osc_wave w;
@@ -73,15 +76,15 @@ VM_API void vmi_osc_cos_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_re
     vmi_sincos(w->turn * psi, s, c);
 }
 
-/* The velocity at x = 0 is what is wrong most. */
+/* The estimate is the error of the velocity at x = 0, which is the largest, times a factor that grows with alpha. */
 VM_API vm_real vmi_osc_cos_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     (void)mean_ca2;
     return VM_FABS(w->speed - 1) * (1 + w->alpha / 100);
 }
 
-/* The wave x = A cos with the exact period; pi = Pi_alpha. The gains are those of (337)-(339) with alpha + 3 for
-   5 - alpha, which comes from a wrong sign in (335). */
+/* The wave x = A cos with the exact period, where pi is Pi_alpha. Its gains are those of (337)-(339), but with
+   alpha + 3 for 5 - alpha, which is due to a wrong sign in (335). */
 VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
@@ -96,7 +99,7 @@ VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 
 /* -- cn: exact for alpha = 1 and 3 -- */
 
-/* c = cn, s = sn dn */
+/* Writes c = cn and s = sn dn. */
 VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s)
 {
     vm_real sn, dn;
@@ -104,15 +107,15 @@ VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_rea
     *s = sn * dn;
 }
 
-/* From the mean of the square, which is right where cn is exact, times a factor that fits the largest error within
-   5 % for alpha <= 10 */
+/* The estimate is the error of the mean of cn^2, which is 0 where cn is exact, times a factor that is fitted to the
+   largest errors of the wave. */
 VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     return VM_FABS(w->mean_c2 - mean_ca2) * (VM_C(2.7) + w->alpha / 2);
 }
 
-/* The wave x = A cn with the exact period and the exact velocity at x = 0; pi = Pi_alpha. m by (307), the gains of
-   (380)-(382). */
+/* The wave x = A cn with the exact period and the exact velocity at x = 0, where pi is Pi_alpha. Its parameter m
+   follows from (307), its gains from (380)-(382). */
 VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
@@ -132,15 +135,15 @@ VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 
 /* -- How good a wave is -- */
 
-/* Estimate of the larger of the wave's errors of x/A and x'/vmax, at most 1 */
+/* Estimate of the larger of the wave's errors of x/A and of x'/vmax, at most 1 */
 VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     const vm_real error = w->error ? w->error(w, mean_ca2) : 0;
     return vmi_smaller(error, 1);
 }
 
-/* The largest differences of c from ca and of speed s from sa, over a quarter of the period, at points that crowd
-   where x = 0 */
+/* Writes the largest differences of c from ca and of speed s from sa over a quarter of the period, at points that are
+   densest near x = 0. */
 VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;

@@ -1,8 +1,9 @@
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates along with its bodies what comes in from outside: the impulse and the work
-   of the effects, and what streams bring. At any time, what is there must be what was there at the start plus what
-   came in. The difference, the defect, shows the error of a run, and what constraints take.
+   A scene that keeps a budget integrates its supply from outside together with the motion of its bodies: the impulse
+   and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of the
+   bodies must equal those at the start plus this supply. The difference is called the defect. It shows the error of a
+   run and the reactions of constraints.
 
        vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
@@ -29,7 +30,7 @@
 #include "start.h"
 #include "state.h"
 
-/* Places of the sums in the VM_BUDGET_STATES numbers of the state */
+/* Indices of the sums of the budget among its VM_BUDGET_STATES numbers of the state */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -47,7 +48,7 @@ VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
     sum[2] += a.z;
 }
 
-/* Adds to the rates of the sums what the load of a body makes of them */
+/* Adds the load of a body to the rates of the budget's sums */
 VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
@@ -65,8 +66,8 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds what a body makes of the rates. The part M'(v) v' of its mass rate is known only now, with the acceleration
-   v'. */
+/* Adds the contribution of a body to the rates of the budget's sums. For a mass law M(v) the term dM/dv v' of the
+   mass rate is added only here, because the acceleration v' is not known before. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -80,7 +81,7 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
     vmi_scene_enter_loads(b, y, rates);
 }
 
-/* The derivatives of the sums, after an evaluation */
+/* Computes the rates of the budget's sums after an evaluation of the loads */
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
@@ -89,8 +90,8 @@ VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
         if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
 
-/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. What is the mass of
-   a body on an axle is its inertia and has no momentum. */
+/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. A body on an axle has
+   its inertia in place of the mass, and no momentum. */
 VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *budget)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -112,7 +113,7 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *bud
     }
 }
 
-/* At the start of the scene: notes what is there, and sets the sums to 0 */
+/* Begins the budget at the start of the scene: stores the momentum and energy of the bodies, and sets the sums to 0 */
 VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 {
     const vm_budget functions = *s->budget;
@@ -125,9 +126,10 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET_STATES; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be
-   called before vm_scene_start; the state then has VM_BUDGET_STATES numbers more. *budget_or_NULL must stay where it
-   is; the scene keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
+   none. Call this function before vm_scene_start. The state then has VM_BUDGET_STATES further numbers.
+   *budget_or_NULL must stay where it is; the scene stores in it its momentum and energy at the start. Between two
+   runs a scene may end its budget, but not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -139,10 +141,11 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
-   are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
-   bodies. VM_BAD_ARGUMENT where the scene keeps no budget, a pointer is NULL or a count negative; VM_NOT_STARTED;
-   VM_NOT_FINITE for such a state. */
+/* The budget of a scene in the state y at time t. It has the momentum and energy of the bodies, the supply from
+   outside since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
+   constraints: a line, an axle and the plane hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget,
+   a pointer is NULL or a count is negative, VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite,
+   and else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;

@@ -1,7 +1,7 @@
 /* scenes/check.h - what can be wrong with a scene
 
-   vm_scene_check looks at bodies, effects and events once, before a run, and says what is wrong and where.
-   vm_scene_start calls it.
+   vm_scene_check examines bodies, effects and events once, before a run, and reports what is wrong and where.
+   vm_scene_start calls vm_scene_check.
 
        vm_scene_fault fault;
        int status = vm_scene_check(&scene, &fault);
@@ -17,10 +17,10 @@
 #include "../mechanics/vectors.h"
 #include "scene.h"
 
-/* Where a scene is wrong */
+/* The part of a scene that is wrong */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect", "event"; "scene" for its arrays, and where nothing is wrong */
-    int index;        /* of the body, effect or event; -1 for the scene itself */
+    const char *kind; /* "body", "effect" or "event"; "scene" for a fault of its arrays and if nothing is wrong */
+    int index;        /* index of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
@@ -28,13 +28,14 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_is_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
-    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* its mass is the inertia */
+    if (!(b->start.mass > 0) && b->motion == VM_AXLE) return VM_BAD_INERTIA; /* on an axle `mass` is the inertia */
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->check) return (b->check)(&b->start);
     return VM_OK;
 }
 
-/* A free body has six velocities, but no coordinate for its rotation */
+/* Checks that a body and its coordinate exist. A free body has six velocities, but only three coordinates, since its
+   rotation has none. */
 VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
 {
     if (body < 0 || body >= s->n_bodies) return VM_NO_SUCH_BODY;
@@ -43,8 +44,9 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
     return VM_OK;
 }
 
-/* On a body mass laws stand first and links last, and there is one of either at the most. The body keeps a bit for each
-   order that stands on it so far. */
+/* Checks where an effect stands in the list, among the effects on a body: a mass law stands first and a link last,
+   and there is at most one of each. b->listed_orders has a bit for the order of each effect on the body that stands
+   before. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
@@ -57,7 +59,8 @@ VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
     return VM_OK;
 }
 
-/* That the bodies of an effect move as it needs. A link holds mass centres; that of a growing body moves in it. */
+/* Checks that the bodies of an effect have motions on which it can act. A link holds mass centres, so that it cannot
+   act on a growing body, whose mass centre moves in the body. */
 VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 {
     const vm_scene_body *b = s->bodies + e->body, *other = e->other == VM_GROUND ? NULL : s->bodies + e->other;
@@ -72,13 +75,13 @@ VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 
 VM_API int vmi_scene_check_parameters(const vm_scene_body *b, const vm_effect *e)
 {
+    const int own = e->check ? (e->check)(e) : VM_OK;
     int k;
     for (k = 0; k < VM_LENGTH(e->p); k++)
-        if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
+        if (!VM_IS_FINITE(e->p[k])) return vmi_first_error(VM_NOT_FINITE, own);
     if (e->needs >= VMI_NEEDS_MASS_STATE && !b->mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->needs >= VMI_NEEDS_GROWING_BODY && !b->grows) return VM_DOES_NOT_GROW;
-    if (e->check) return (e->check)(e);
-    return VM_OK;
+    return own;
 }
 
 VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
@@ -93,14 +96,14 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     return status;
 }
 
-/* Whether a body can take up or give off another. On a line or an axle both move alike; else a point may be one of
-   them, since a point has no spin to bring. */
+/* Whether a body of one motion can take up or give off a body of another motion. Both must have the same motion,
+   except that a body in the plane or in space can also take up or give off a point, which has no rotation. */
 VM_API int vmi_scene_can_jump(int motion, int other)
 {
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* A jump. The part that separates must be a body that the one into which it goes can be. */
+/* Checks a jump. A part that separates must be possible as the body of the scene that it becomes. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -152,15 +155,15 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
     fault_or_NULL->index = index;
 }
 
-/* The first thing that is wrong with a scene, or VM_OK. It returns the status and writes to *fault_or_NULL in which
-   body, effect or event the fault is. One pass, in time proportional to their number; it uses a mark in each body. The
-   statuses are those that the constructors' comments name, and
-     VM_BAD_ARGUMENT        a NULL pointer, a negative count, no body, a function that is missing
-     VM_NOT_FINITE          a parameter, a time or a number of a body is infinite or NaN
-     VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       of a body, or of the part that separates
-     VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      an index that does not exist
-     VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   the list of effects
-     VM_BAD_TIMES           times of output that do not increase */
+/* The first thing that is wrong with a scene, or VM_OK. Returns the status of this fault, and writes to
+   *fault_or_NULL in which body, effect or event it is. The time of this check is proportional to the number of
+   bodies, effects and events. The statuses are those in the comments of the constructors, and
+     VM_BAD_ARGUMENT        if a pointer is NULL, a count is negative, or a body or a function is missing;
+     VM_NOT_FINITE          if a parameter, a time or a number of a body is infinite or NaN;
+     VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;
+     VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      for an index that does not exist;
+     VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   for the list of effects;
+     VM_BAD_TIMES           if the times of output do not increase. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 {
     int i, status = vmi_scene_check_arrays(scene);

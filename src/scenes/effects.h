@@ -1,17 +1,17 @@
 /* scenes/effects.h - springs, dampers, motors and other forces on a coordinate
 
-   An effect exerts a force of forces.h on a coordinate of a body. x and v are then the position and the velocity of
-   this coordinate. Where an effect acts against another body, x and v are relative to a coordinate of that body, which
-   takes the reaction; against VM_GROUND they are relative to a point at rest. A mass law of a body stands before the
-   other effects on it, and a link stands after them.
+   An effect exerts a force of forces.h on a coordinate of a body. x and v are the position and the velocity of this
+   coordinate. If an effect acts against another body, x and v are relative to a coordinate of that body, which takes
+   the reaction; against VM_GROUND they are relative to a point at rest. A mass law stands before all other effects on
+   its body, and a link stands after them.
 
        vm_effect effects[] = {vm_effect_gravity(0, 0, -9.81),                       // weight of body 0
                               vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1000, 0), // 1000 N/m to the ground
                               vm_effect_damper(1, 0, 0, 0, 5)};                     // 5 N s/m between bodies 1 and 0
 
-   Arguments of all constructors here: `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
-   coordinates of them (scene.h has a list). A constructor checks nothing but functions that are missing; vm_scene_check
-   and vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN or outside their
+   In all constructors of this file `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
+   their coordinates (scene.h has a list). A constructor checks only whether a function is missing; vm_scene_check and
+   vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN or outside their
    domain.
 
    Tests: tests/test_scene_effects.c. */
@@ -27,16 +27,16 @@
 #include "motions.h"
 #include "scene.h"
 
-/* To add an effect, write one block like that of the spring below, and nothing else in the headers:
-     an enum          the places of its parameters in p[6];
-     vmi_apply_NAME   adds its force to the loads, at each evaluation;
-     vmi_NAME_check   only where not all finite parameters are allowed: returns a status;
-     vm_effect_NAME   the constructor: vmi_effect, the parameters by name, and what differs from its defaults (the
-                      motions on which it can act, the check).
+/* To add an effect, write one block like that of the spring (vm_effect_spring), and nothing else in the headers:
+     an enum          names the indices of the parameters in p[6];
+     vmi_apply_NAME   adds the force to the loads, at each evaluation;
+     vmi_NAME_check   returns a status, if not all finite parameters are allowed;
+     vm_effect_NAME   is the constructor: it calls vmi_effect and sets the parameters and all that differs from the
+                      defaults (the motions on which the effect can act, the check).
    The force itself may be a function of forces.h. */
 
-/* An effect on a coordinate of a body against another one. It may act on all motions, is neither a mass law nor a link,
-   and its parameters are 0. */
+/* An effect on a coordinate of a body against a coordinate of another body. It can act on all motions, is neither a
+   mass law nor a link, and its parameters are 0. */
 VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int other_coordinate,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene))
@@ -54,7 +54,7 @@ VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int oth
     return e;
 }
 
-/* An effect on a coordinate of a body against the ground; otherwise it is what vmi_effect_between makes */
+/* An effect on a coordinate of a body against the ground, with the defaults of vmi_effect_between */
 VM_API vm_effect vmi_effect(int body, int coordinate,
                             void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene))
 {
@@ -71,8 +71,8 @@ VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, v
     e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[VMI_GRAVITY_G]);
 }
 
-/* Gravity along a coordinate, the force M g. M is the mass of the body now. g in m/s^2 is -9.81 where the coordinate
-   points up. Not on an axle (VM_BAD_MOTION), nor on the angle of a body in the plane (VM_NOT_ON_ANGLE). */
+/* Gravity along a coordinate, the force M g. M is the present mass of the body. g in m/s^2 is -9.81 if the coordinate
+   points up. Gravity cannot act on an axle (VM_BAD_MOTION) or on the angle of a body in the plane (VM_NOT_ON_ANGLE). */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_gravity);
@@ -94,8 +94,8 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
 
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
-/* A nonlinear spring, the force -k z |z|^(alpha-1), z = x - rest (248). k in N/m^alpha may have either sign; rest is in
-   m or rad. VM_DOMAIN for alpha < 0. */
+/* A nonlinear spring, the force -k z |z|^(alpha-1) with z = x - rest (248). The stiffness k in N/m^alpha may have
+   either sign; rest is in m or rad. vm_scene_start returns VM_DOMAIN if alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
 {
@@ -115,8 +115,8 @@ VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real
     vmi_effect_act(e, -e->p[VMI_SPRING_STIFFNESS] * extension);
 }
 
-/* A linear spring, the force -k (x - rest). k in N/m may have either sign; rest is in m or rad. Unlike vm_effect_spring
-   it links no power. */
+/* A linear spring, the force -k (x - rest). The stiffness k in N/m may have either sign; rest is in m or rad. Unlike
+   vm_effect_spring, this effect does not link the power function. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
 {
@@ -135,7 +135,7 @@ VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* A linear damper, the force -damping v. damping in N s/m takes energy out if it is positive. */
+/* A linear damper, the force -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
     vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
@@ -151,8 +151,8 @@ VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
 
-/* A damper of the rotation, the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
-   on an axle, in the plane, or free. */
+/* A damper of the rotation, the torque -damping omega. damping is in N m s; if it is positive, the damper takes energy
+   out. omega is the angular velocity of a body on an axle, in the plane, or free. */
 VM_API vm_effect vm_effect_rotational_damper(int body, vm_real damping)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_rotational_damper);
@@ -171,8 +171,8 @@ VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *
     vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
-/* Van der Pol's damper, the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
-   it out at large amplitudes. */
+/* Van der Pol's damper, the force (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in N s/m^3
+   takes energy out at large amplitudes. */
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_van_der_pol);
@@ -190,8 +190,9 @@ VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_STALL_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
-/* A motor, the torque stall_torque - kappa v. Its characteristic is a straight line; stall_torque in N m is the torque
-   at rest, kappa is in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
+/* A motor, the torque stall_torque - kappa v. v is the angular velocity in rad/s, stall_torque the torque at rest in
+   N m, and kappa the slope of the straight characteristic in N m s. On a coordinate that is a length the units are N
+   and N s/m. */
 VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real stall_torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
@@ -210,7 +211,7 @@ VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, 
     vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_AMPLITUDE], frequency, phase));
 }
 
-/* Harmonic excitation, the force amplitude cos(frequency t + phase). amplitude in N (N m on an angle), frequency in
+/* Harmonic excitation, the force amplitude cos(frequency t + phase). amplitude is in N (N m on an angle), frequency in
    rad/s, phase in rad. */
 VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real amplitude, vm_real frequency, vm_real phase)
 {
@@ -227,9 +228,9 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle);
-   x and v are relative to the other coordinate, which takes the reaction. VM_BAD_ARGUMENT at the start where force is
-   NULL. */
+/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an
+   angle). x and v are position and velocity of the coordinate, relative to other_coordinate of the body `other`,
+   which takes the reaction. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -239,22 +240,27 @@ VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, in
     return e;
 }
 
-/* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle), for time, position and
-   velocity of the coordinate. VM_BAD_ARGUMENT at the start where force is NULL. */
+/* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle) for the time t and the
+   position x and velocity v of the coordinate. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
     return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
-/* An effect that the caller's function applies. It may depend on the whole state.
-   apply adds to effect->load->force[coordinate]; where the mass is a state, to effect->load->mass_rate; where it is
-   neither a state nor given by a law, to effect->load->mass.
-   apply may read effect->load->mass; y[effect->x] and y[effect->v], position and velocity of coordinate 0; the state of
-   body i from y[scene->bodies[i].at] on; effect->p and effect->ctx; and effect->load->force, the sum of the effects
-   that stand before it in the list, so that a stop that is listed last can take away the force that it holds.
-   other is another body, or VM_GROUND. The effect acts only while both bodies are present; effect->other_load,
-   effect->other_x and effect->other_v belong to the other one. VM_BAD_ARGUMENT at the start where apply is NULL. */
+/* An effect that the caller's function applies. It may depend on the whole state. The function `apply` adds to
+     effect->load->force[coordinate]   the force;
+     effect->load->mass_rate           the rate of the mass, only if the mass is a state;
+     effect->load->mass                further mass, only if the mass is neither a state nor given by a law.
+   It may read
+     y[effect->x], y[effect->v]        position and velocity of coordinate 0;
+     y[scene->bodies[i].at], ...       the state of body i;
+     effect->load->mass                the present mass;
+     effect->load->force               the sum of the forces of the effects that stand before it in the list;
+     effect->p, effect->ctx            parameters, and a pointer of the caller.
+   Therefore a stop that is listed last can take away the force that presses on it. other is another body, or
+   VM_GROUND. The effect acts only while both bodies are present; effect->other_load, effect->other_x and
+   effect->other_v belong to the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -276,8 +282,8 @@ VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_
     e->load->force[1] += fy;
 }
 
-/* An elastic shaft, the force -k r |r|^(alpha-1), r = (x, y). k in N/m^alpha; VM_DOMAIN for alpha < 0. For a body in
-   the plane, or a point, on whose coordinates 0 and 1 it acts. */
+/* An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y). The stiffness k is in N/m^alpha; a start
+   returns VM_DOMAIN if alpha < 0. The effect acts on coordinates 0 and 1 of a body in the plane or of a point. */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_shaft);
@@ -301,8 +307,9 @@ VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y,
     e->load->force[1] += fy;
 }
 
-/* A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m, frequency = Omega
-   in rad/s, phase in rad. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
+/* A rotating unbalance, the force m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase. unbalance is the mass
+   m times its eccentricity e in kg m, frequency the angular velocity Omega in rad/s, and phase is in rad. The effect
+   acts on coordinates 0 and 1 of a body in the plane or of a point. */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_unbalance);
@@ -325,8 +332,9 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation has
-   the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does no work. */
+/* A gyroscopic force normal to the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation
+   has the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the
+   plane or of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);

@@ -18,7 +18,8 @@
 #include "scene.h"
 #include "state.h"
 
-/* Clears the load of a body before the effects add to it; of the forces only those that the body has */
+/* Prepares the load of a body before the effects add to it: the mass is the present one, and all sums are 0. Of the
+   forces it sets only those on coordinates that the body has. */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -38,24 +39,25 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budg
 /* Computes the loads of all bodies in the state y */
 VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 {
+    const int with_budget = s->budget != NULL;
     int i;
-    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->budget != NULL);
+    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, with_budget);
     for (i = 0; i < s->n_effects; i++) {
         const vm_effect *e = s->effects + i;
         if (!e->idle) e->apply(e, t, y, s);
     }
 }
 
-/* Why a body with this load cannot be accelerated */
-VM_API int vmi_scene_mass_status(const vm_load *load)
+/* The status that says why a body with this load cannot be accelerated */
+VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
     if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
     if (load->mass > 0) return VM_NO_EFFECTIVE_MASS;
     return VM_BAD_MASS;
 }
 
-/* Writes the derivatives of a body's state and returns a status. A mass that is a state must be positive in y as well:
-   load->mass may also hold what an effect has added. */
+/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in
+   y as well, because an effect may have added to load->mass. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
@@ -68,8 +70,9 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* After an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. Of several
-   evaluations in a row that fail the status stays that of the first, `before`, from whose NaN the others follow. */
+/* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
+   is the status of the preceding evaluation. If that failed too, its status is kept, because its NaN has caused this
+   failure. */
 VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 {
     int k;
@@ -77,26 +80,30 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
     if (before) s->status = before;
 }
 
-/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. It returns 0, or
-   VM_BAD_ARGUMENT for a NULL pointer or a negative number of bodies or effects. Where a body cannot be accelerated
-   (its mass or inertia is not positive, for one) or an effect cannot act, scene.status says why and all derivatives are
-   NaN, so that an integrator tries a shorter step. */
+/* Writes the derivatives of a body that is not there: 0 */
+VMI_APART void vmi_scene_clear_derivatives(const vm_scene_body *b, vm_real *dydt)
+{
+    int k;
+    for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
+}
+
+/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
+   VM_BAD_ARGUMENT if a pointer is NULL or the number of bodies or effects is negative. If a body cannot be accelerated,
+   for example because its mass is not positive, or if an effect cannot act, scene.status is the reason and all
+   derivatives are NaN, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
-    int i, k, before;
+    int i, before;
     if (!s || !y || !dydt || !vmi_scene_has_lists(s)) return VM_BAD_ARGUMENT;
     before = s->status;
     s->status = VM_OK;
     vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
-        int status;
-        if (b->away) {
-            for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
-            continue;
-        }
-        status = vmi_scene_accelerate(b, y, dydt);
+        int status = 0;
+        if (b->away) vmi_scene_clear_derivatives(b, dydt);
+        else status = vmi_scene_accelerate(b, y, dydt);
         if (status && !s->status) s->status = status;
     }
     if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET_STATES);

@@ -1,23 +1,24 @@
 /* scenes/events.h - when an event happens, and what it does
 
-   An event is made in two steps: vm_event_... says when it happens, vm_then_... says what happens then, one thing for
-   an event. An event without vm_then_... is only counted: event.count says how often it has happened, event.time when
-   it last did, and the motion is what it would be without the event.
+   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what happens then. An event
+   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often
+   it has happened and event.time when it last happened, and the motion is the same as without the event.
 
        vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
                             vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
-       ode_event located[2];                                                    // as many
+       ode_event located[2];                                                    // one for each event
        vm_scene scene;
        memset(&scene, 0, sizeof scene);                                         // its bodies and effects: see scene.h
        scene.events = events;
        scene.located = located;
        scene.n_events = 2;
 
-   An event at a time happens once. A crossing happens as often as it may, or event.most times: direction > 0 counts
-   rising values, < 0 falling ones, 0 both. Only motion crosses a value; an event that sets a coordinate beyond it does
-   not. Bodies that are not present cross nothing. Events at one instant happen in the order of the list; where a jump
-   and a crossing are within rounding of each other, either may be the first. To get the times (or states) of all events
-   of one run, set scene.located[i].times (or .states) and .room after the start.
+   An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
+   event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
+   motion causes a crossing: there is none if an event moves a coordinate beyond the value, or while the body is not
+   present. Events at one instant happen in the order of the list; if the times of a jump and of a crossing differ
+   only by rounding errors, either of the two may happen first. To get the times (or states) of all events of one run,
+   set scene.located[i].times (or .states) and .room after the start.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
@@ -43,7 +44,8 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
     return e;
 }
 
-/* An event at a time (s), which happens once. A time before the start of the run is due as the run begins. */
+/* An event at a time in s, which happens once. If the time is before the start of the run, the event happens as the run
+   begins. */
 VM_API vm_event vm_event_at(vm_real time)
 {
     vm_event e = vmi_event(0, 0, 0, 0);
@@ -59,7 +61,7 @@ VM_API vm_real vmi_when_position(const vm_event *e, vm_real t, const vm_real *y)
     return y[e->scene->bodies[e->body].at + e->coordinate] - e->value;
 }
 
-/* An event when a position crosses a value. The position is a coordinate of a body, value is in m or rad. */
+/* An event when a position crosses a value. The position is a coordinate of a body, and value is in m or rad. */
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, coordinate, value, direction);
@@ -74,7 +76,7 @@ VM_API vm_real vmi_when_velocity(const vm_event *e, vm_real t, const vm_real *y)
     return y[b->at + b->positions + e->coordinate] - e->value;
 }
 
-/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, value is in m/s or
+/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, and value is in m/s or
    rad/s. */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction)
 {
@@ -102,8 +104,8 @@ VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 
 VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { return e->user_when(t, y, e->ctx); }
 
-/* An event when a function of the caller's crosses zero. when(t, y, ctx) gets the state of the whole scene.
-   VM_BAD_ARGUMENT at the start where when is NULL. */
+/* An event when a function of the caller crosses zero. when(t, y, ctx) receives the state of the whole scene.
+   vm_scene_start returns VM_BAD_ARGUMENT if when is NULL. */
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
 {
     vm_event e = vmi_event(0, 0, 0, direction);
@@ -123,24 +125,25 @@ VM_API int vmi_then_stop(vm_event *e, vm_real t, vm_real *y)
     return VM_STOPPED;
 }
 
-/* The event ends the run, which returns VM_STOPPED. */
+/* The event ends the run. vm_scene_run then returns VM_STOPPED. */
 VM_API vm_event vm_then_stop(vm_event event)
 {
     event.then = vmi_then_stop;
     return event;
 }
 
-/* Notes the masses of all bodies, for vmi_scene_hold_masses after a change */
+/* Stores the masses of all bodies, which vmi_scene_hold_masses restores after a change */
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
     for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
-/* Gives all bodies the mass that was noted. Switching a mass law, and a jump, would otherwise change a mass without
-   anything that carries off the mass and its momentum. The loads are evaluated twice: first to see which masses the
-   laws give now, and what they lack; then anew, since the masses have changed and the loads depend on them.
-   A body uses only one of `mass` and `law_offset`, the latter where it has a mass law, so that both may be changed. */
+/* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass
+   law, would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find
+   by how much the masses of the laws differ from the stored ones, then again with the corrected masses. A body with a
+   mass law uses the field `law_offset`, any other body the field `mass`. Both fields are corrected, because the
+   unused one has no effect. */
 VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
@@ -167,8 +170,9 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* The event switches an effect off (off = 1) or on (0). effect is its index. Switching a mass law does not change the
-   mass at this instant: the law goes on from the mass that is there. VM_NO_SUCH_EFFECT at the start. */
+/* The event switches an effect off (off = 1) or on (off = 0). effect is the index of the effect. Switching a mass law
+   does not change the mass at this instant: the law continues from the present mass. vm_scene_start returns
+   VM_NO_SUCH_EFFECT if no effect has this index. */
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 {
     event.then = vmi_then_switch;
@@ -180,8 +184,8 @@ VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
 
-/* The event calls a function of the caller's. then(t, y, ctx) may change y; it returns a status: VM_OK to go on,
-   VM_STOPPED or a negative number to end the run with it. VM_BAD_ARGUMENT at the start where then is NULL. */
+/* The event calls a function of the caller. then(t, y, ctx) may change y and returns a status: VM_OK to continue, or
+   VM_STOPPED or a negative number, with which the run ends. vm_scene_start returns VM_BAD_ARGUMENT if then is NULL. */
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
     event.then = vmi_then_user;

@@ -1,9 +1,9 @@
 /* scenes/forces.h - the forces of effects, as functions of numbers
 
-   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
-   return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v its
-   rate. Nothing is checked: an argument that is NaN gives NaN. The results are right to some eps of the terms that are
-   added.
+   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well.
+   They return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v
+   the rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6
+   VM_EPSILON times the sum of the absolute values of the terms, if the angle of a sine or cosine is exact.
 
        vm_real x = VM_C(0.1), v = 2, mass = 3;
        vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
@@ -15,32 +15,36 @@
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
+#include "../oscillators/force_terms.h"
 
-/* The force of a spring, -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN
-   below. The exponents 1, 2 and 3 take no power. */
+/* The force of a spring, -k x |x|^(alpha-1) (248). The stiffness k in N/m^alpha may have either sign. The result is NaN
+   for alpha < 0. The exponents alpha = 1, 2 and 3 are computed without a power. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
-    return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
+    return -k * vmi_elastic_power(x, alpha) * (x != 0);
 }
 
-/* The force of a linear damper, -damping v. damping in N s/m takes energy out if it is positive. */
+/* The force of a linear damper, -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
 VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping * v; }
 
-/* The force of Van der Pol's damper, (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
-   takes it out at large amplitudes. */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
+/* The force of Van der Pol's damper, (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in
+   N s/m^3 takes energy out at large amplitudes. */
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c)
+{
+    return vmi_van_der_pol_feed(b, c, x) * v;
+}
 
-/* The torque of a motor, stall_torque - kappa omega. Its characteristic is a straight line; stall_torque in N m is the
-   torque at rest, kappa in N m s. */
+/* The torque of a motor, stall_torque - kappa omega. omega is the angular velocity in rad/s, stall_torque the torque at
+   rest in N m, and kappa the slope of the straight characteristic in N m s. */
 VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real stall_torque, vm_real kappa)
 {
     return stall_torque - kappa * omega;
 }
 
-/* The force of harmonic excitation, amplitude cos(frequency t + phase). amplitude in N, frequency in rad/s, phase in
+/* The force of harmonic excitation, amplitude cos(frequency t + phase). amplitude is in N, frequency in rad/s, phase in
    rad. */
 VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real frequency, vm_real phase)
 {
@@ -49,21 +53,20 @@ VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real freque
     return amplitude * c;
 }
 
-/* The reactive force of a stream, rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
-   the velocity of its mass is u + (1 - reactive) v: for reactive = 1 the absolute velocity u, for reactive = 0 the
-   velocity u relative to the body. */
+/* The reactive force of a stream, rate (u - reactive v). The stream brings mass at the rate in kg/s; a negative rate
+   takes mass away. The velocity of this mass is u + (1 - reactive) v: the absolute velocity u for reactive = 1, and u
+   relative to the body, whose velocity is v, for reactive = 0. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
     return rate * (u - reactive * v);
 }
 
-/* The weight of a mass, mass g. It points along the coordinate, so that g is negative where the coordinate points up.
-   mass in kg, g in m/s^2. */
+/* The weight of a mass, mass g. mass is in kg and g in m/s^2. g is negative if the coordinate points up. */
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
-/* The force of an elastic shaft, -k r |r|^(alpha-1), r = (x, y). It points to the origin of the plane; r in m. The
-   components go to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN
-   below. */
+/* The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y). It points to the origin of the plane. r
+   is in m, the stiffness k in N/m^alpha, and the force is NaN for alpha < 0. The components are written to *fx and *fy;
+   if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -72,8 +75,9 @@ VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm
     *fy = f * y;
 }
 
-/* The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
-   frequency in rad/s. The components go to *fx and *fy; nothing happens if one of these pointers is NULL. */
+/* The force of a rotating unbalance, m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase. unbalance is the
+   mass m times its eccentricity e in kg m, and frequency is the angular velocity Omega in rad/s. The components are
+   written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
 {
@@ -85,14 +89,14 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
-   equation has the term 2 i gyro z'. It does no work. The components go to *fx and *fy; nothing happens if one of these
-   pointers is NULL. */
+/* The gyroscopic force normal to a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor,
+   whose equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are
+   written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -2 * gyro * vy;
-    *fy = 2 * gyro * vx;
+    *fx = -vmi_gyroscopic_coupling(gyro) * vy;
+    *fy = vmi_gyroscopic_coupling(gyro) * vx;
 }
 
 #endif

@@ -1,8 +1,8 @@
 /* scenes/growing.h - bodies whose mass centre and inertia change
 
    The mass, the mass centre in the body, and the inertia of a growing body are numbers of the state, so that streams
-   can cross at its points (streams.h). It moves in the plane or in space. A body without extension (a rod, a point)
-   cannot grow.
+   can enter or leave at its points (streams.h). A growing body moves in the plane or in space. A body without extension
+   (a rod, a point) cannot grow.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_growing_plane(vm_scene_body_plane(2, 1, zero, 0, zero, 0))};
@@ -21,10 +21,10 @@
 #include "motions.h"
 #include "scene.h"
 
-/* Where the mass centre begins in the state of a growing body: after the mass */
+/* The index of the mass centre in the state of a growing body; the mass centre follows the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
-/* Where its inertia begins: after the 2 or 3 numbers of the mass centre */
+/* The index of the inertia in the state of a growing body; the inertia follows the mass centre (2 or 3 numbers) */
 VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
 {
     const int directions = b->motion == VM_PLANE ? 2 : 3;
@@ -87,14 +87,14 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
     vmi_plane_get(b, state, now);
 }
 
-/* A growing body in the plane, made of one by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when its inertia is
-   no longer positive. VM_BAD_MOTION at the start for any other body. */
+/* A growing body in the plane, made of a body by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when the inertia
+   is no longer positive. vm_scene_start returns VM_BAD_MOTION for any other body. */
 VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.begin = vmi_plane_growing_begin;
     body.accelerate = vmi_plane_growing_accelerate;
-    body.put = NULL; /* refused by vm_scene_check */
+    body.put = NULL; /* vm_scene_check then refuses the body */
     if (body.motion == VM_PLANE) body.put = vmi_plane_growing_put;
     body.get = vmi_plane_growing_get;
     return body;
@@ -110,7 +110,7 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* not used: Euler's equations below solve with pivots */
+    vmi_inertia_ldl factors; /* not used further; vmi_free_accelerate solves Euler's equations with pivoting */
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
@@ -133,7 +133,8 @@ VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, v
     vmi_free_get(b, state, now);
 }
 
-/* A rod or a point has an axis about which no stream could turn it, and is refused */
+/* Checks the inertia of a growing body. A rod or a point is refused, since no stream could turn it about one of its
+   axes. */
 VM_API int vmi_free_growing_check(const vm_body *start)
 {
     vmi_inertia_ldl factors;
@@ -143,15 +144,16 @@ VM_API int vmi_free_growing_check(const vm_body *start)
     return VM_OK;
 }
 
-/* A growing body in space, made of one by vm_scene_body_free. A run ends with VM_BAD_INERTIA when no body can have its
-   inertia any longer. VM_BAD_MOTION at the start for any other body, VM_BAD_INERTIA for a rod. */
+/* A growing body in space, made of a body by vm_scene_body_free. A run ends with VM_BAD_INERTIA when the inertia
+   becomes one that no body can have. vm_scene_start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for
+   a rod or a point. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.check = vmi_free_growing_check;
     body.begin = vmi_free_growing_begin;
     body.accelerate = vmi_free_growing_accelerate;
-    body.put = NULL; /* refused by vm_scene_check */
+    body.put = NULL; /* vm_scene_check then refuses the body */
     if (body.motion == VM_FREE) body.put = vmi_free_growing_put;
     body.get = vmi_free_growing_get;
     return body;

@@ -1,8 +1,8 @@
 /* scenes/jumps.h - separation and attachment as events of a scene
 
-   An event can make a part separate from a body, which then moves on as a body of its own, or attach one body to
-   another, by the laws of chapter 3 (mechanics/jumps.h). The part must be among the bodies, absent before; an attached
-   body is absent afterwards.
+   An event can separate a part from a body, or attach one body to another, by the laws of mechanics/jumps.h. A part
+   that separates becomes another body of the scene, which must be absent before; an attached body is absent
+   afterwards.
 
        vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
        vm_body part;
@@ -11,19 +11,21 @@
        part.v.x = 2;    // m/s faster than the body
        vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);
 
-   A part is described as it is the instant after: in inertial axes, or, where relative is set, in the axes of the body,
-   with r from the mass centre of the body, and q, v and omega relative to the body as it moves there. In the plane and
-   on an axle the new body takes the angle of the old one, plus the angle with which it was made. event.external is an
-   impulse that acts from outside during the jump.
+   The caller gives the motion of a part just after the jump. If relative is 0, it is given in inertial axes. If
+   relative is 1, it is given in the axes of the body: r leads from the mass centre of the body to the part, and q, v
+   and omega are relative to the motion of the body at this point. In the plane and on an axle the new body has the
+   angle of the body from which it separates, plus the angle with which it was made. event.external is an impulse that
+   acts from outside during the jump.
 
-   Who can jump: bodies of one motion; a point and a body in the plane; a point and a free body. The functions whose
-   names end in _on_line and _in_plane do the same as vm_then_separate and vm_then_attach for these motions alone, and
-   link less (docs/scene-sizes.md). A point that takes up a body at another place loses the spin of the two; the
-   budget's angular_defect shows it.
+   Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
+   give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as
+   vm_then_separate and vm_then_attach for these motions only, and link less code (docs/scene-sizes.md). A point that
+   takes up a body at another place loses the angular momentum of the two about their mass centre; angular_defect of
+   the budget shows this.
 
-   A run ends with VM_IS_THERE where a part would separate into a body that is present already, with VM_IS_AWAY where a
-   body that jumps is not present, and with the errors of vm_separate and vm_attach. At the start vm_scene_check refuses
-   bodies that cannot jump together (VM_BAD_MOTION), a body with itself (VM_SAME_BODY), and a part that cannot be a
+   A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
+   jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
+   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a
    body.
 
    Tests: tests/test_scene_events.c. */
@@ -44,9 +46,11 @@
 #include "scene.h"
 #include "state.h"
 
-/* The jump on a line and on an axle. v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), sign = -1 for a part that
-   separates, and the mass centre moves by sign m/(M + sign m) of the way to that of the part (15). Line and axle go
-   through the same formulas: the numbers that a motion does not use are 0. */
+/* Computes the jump on a line and on an axle. With sign = -1 for a part that separates and 1 for a body that is
+   attached, the velocity becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and the mass centre moves by the
+   fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v belong to the body, m and v2
+   to the part; on an axle M and m are moments of inertia. Line and axle use the same formulas: the numbers that a
+   motion does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
@@ -64,7 +68,7 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     return VM_OK;
 }
 
-/* The motion of a part in inertial axes, where it is given relative to the body */
+/* Converts the motion of a part, given relative to the body, to inertial axes */
 VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -86,7 +90,8 @@ VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
     return j;
 }
 
-/* The jump in the plane. A rest without inertia is a point, which cannot move on as a body in the plane. */
+/* Computes the jump in the plane. Returns VM_BAD_INERTIA if the remaining body has no inertia, because it is then a
+   point and cannot be a body in the plane. */
 VM_API int vmi_event_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_impulse2 external = vmi_event_impulse2(&e->external);
@@ -119,15 +124,16 @@ VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *o
     return vm_attach(body, other, &e->external, b);
 }
 
-/* The angle of a body in the plane or on an axle, complete turns included; of any other body a number that put
-   ignores */
+/* The angle of a body in the plane or on an axle, complete turns included. For all other bodies the result is a
+   number that the function `put` of the body ignores. */
 VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* A jump moves the mass centre of a growing body to r: so its place in the body changes as well */
+/* Updates the position of the mass centre in body axes after a jump, which has moved the mass centre of a growing
+   body to r */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -138,8 +144,9 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Writes the bodies after a jump into the state: the one that lost or gained mass, and the part that separated, or NULL
-   where `other` was attached. Then the mass laws, which do not know of the jump, get their masses. */
+/* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
+   NULL if the body `other` was attached. Then adjusts the masses of bodies with a mass law, because the laws do not
+   know of the jump. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -159,8 +166,8 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_hold_masses(s, t, y);
 }
 
-/* Writes the bodies after a jump into the state, and enters into the budget the energy that the jump adds and the
-   impulse from outside */
+/* Writes the bodies after a jump into the state, and adds to the budget the energy that the jump adds and the impulse
+   from outside */
 VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -189,9 +196,9 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* The event separates a part from a body on a line or on an axle. The part, as *part says, becomes the body `into`,
-   which was absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is
-   NULL. */
+/* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
+   with the index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start
+   returns VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event.then = vmi_then_separate;
@@ -207,8 +214,9 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
     return event;
 }
 
-/* The event separates a part from a body in the plane. The part, as *part says, becomes the body `into`, which was
-   absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is NULL. */
+/* The event separates a part from a body in the plane. The part has the motion *part and becomes the body with the
+   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
+   VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -217,8 +225,9 @@ VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, co
     return event;
 }
 
-/* The event separates a part from a body of any motion. The part, as *part says, becomes the body `into`, which was
-   absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is NULL. */
+/* The event separates a part from a body of any motion. The part has the motion *part and becomes the body with the
+   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
+   VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -241,8 +250,8 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* The event attaches a body to another one on its line or its axle. `added` becomes a part of `body` and is no longer
-   present. */
+/* The event attaches a body to another body on the same line or axle. The body `added` becomes a part of `body` and is
+   no longer present. */
 VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
 {
     event.then = vmi_then_attach;
@@ -256,7 +265,8 @@ VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
     return event;
 }
 
-/* The event attaches a body to another one in the plane. `added` becomes a part of `body` and is no longer present. */
+/* The event attaches a body to another body in the plane. The body `added` becomes a part of `body` and is no longer
+   present. */
 VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
@@ -265,7 +275,7 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
     return event;
 }
 
-/* The event attaches a body to another one, of any motion. `added` becomes a part of `body` and is no longer
+/* The event attaches a body to another body, of any motion. The body `added` becomes a part of `body` and is no longer
    present. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {

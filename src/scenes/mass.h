@@ -1,17 +1,20 @@
 /* scenes/mass.h - mass that follows a law, and its reactive force
 
-   A mass law M(t, x, v) says what mass a body has at any time; the mass is then no state of the scene. What joins or
-   leaves has the velocity u + (1 - reactive) v, where v is that of the body. So M v' = F + M' (u - reactive v), with
+   A mass law M(t, x, v) gives the mass of a body at any time; the mass is then not a number of the state. The mass
+   that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. Therefore the
+   equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
      reactive = 1  the absolute velocity u: the full reactive force (156), with u = 0 Levi-Civita's (167)-(169);
-     reactive = 0  the velocity of the body and u beyond it: no reactive force if u = 0 (166).
-   x and v are those of a line or an axle: J(phi), J(omega). For any other motion a law is M(t). u is in m/s; on a line
-   u.x alone counts, on an axle too, in rad/s.
+     reactive = 0  the velocity u relative to the body: no reactive force if u = 0 (166).
+   Only on a line or an axle may a law depend on position x and velocity v; on an axle it gives the moment of inertia
+   J from the angle or the angular velocity. u is in m/s. On a line and on an axle only u.x is used, on an axle in
+   rad/s.
 
        vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0); // body 0 loses 10 g/s, which keeps its velocity
 
-   A law stands before the other effects on its body, and a body has one at the most. What jumps add comes on top of the
-   law. If an event switches a law off, the mass stays as it is; if it switches a law on, the law goes on from the mass
-   that is there (of M0 + c t then only c counts). So a switch never changes a mass suddenly.
+   A law stands before all other effects on its body, and a body has at most one law. Mass that a jump adds to the
+   body is added to the mass of the law. If an event switches a law off, the mass remains constant; if it switches a
+   law on, the law continues from the present mass (of a law M0 + c t only c then has an effect). Therefore switching
+   never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
@@ -23,12 +26,12 @@
 #include "effects.h"
 #include "scene.h"
 
-/* Places of the parameters of mass laws and of streams: the velocity u (three numbers), `reactive`, and the coefficient
-   of a law or the rate of a stream */
+/* Indices of the parameters of mass laws and of streams: the velocity u (three numbers), `reactive`, and the
+   coefficient of a law or the rate of a stream */
 enum { VMI_MASS_U = 0, VMI_MASS_REACTIVE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
 
-/* Adds the reactive force rate (u - reactive v) to each coordinate in which the mass moves, and to the budget what the
-   mass brings */
+/* Adds the reactive force rate (u - reactive v) on each coordinate along which the mass moves, and adds to the budget
+   what the mass brings */
 VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate, const vm_real *u,
                                   vm_real reactive)
 {
@@ -47,8 +50,9 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
     }
 }
 
-/* Gives the body the mass of a law. M' = by_t + by_x v + by_v v'; the last term is not known before the acceleration
-   is, so that (M'(v) (v - u)) v' goes to the other side of the equation, into extra_mass. */
+/* Gives the body the mass of a law. The rate is M' = by_t + by_x v + by_v v'. The acceleration v' is not known yet;
+   therefore the reactive force of the last term, by_v v' (u - reactive v), is moved to the left side of the equation
+   of motion, where it acts as the mass extra_mass = by_v (reactive v - u). */
 VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_law_values *now,
                                 const vm_real *u, vm_real reactive)
 {
@@ -68,8 +72,10 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
 }
 
 /* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
-   the mass that joins or leaves is u + (1 - reactive) v. VM_BAD_ARGUMENT at the start where law is NULL. A run ends
-   with VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
+   the mass that joins or leaves is u + (1 - reactive) v, where v is the velocity of the body: u is absolute if
+   reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run
+   ends with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + dM/dv (reactive v - u) is
+   not positive. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {
@@ -86,9 +92,9 @@ VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real 
 
 /* The kinds of vm_effect_mass. M0 is the mass with which the body was made. */
 enum {
-    VM_MASS_OF_T, /* M0 + c t, c in kg/s */
-    VM_MASS_OF_X, /* M0 + c x, c in kg/m */
-    VM_MASS_OF_V2 /* M0 + c v^2, c in kg s^2/m^2 */
+    VM_MASS_OF_T, /* M0 + c t at the time t, c in kg/s */
+    VM_MASS_OF_X, /* M0 + c x at the position x, c in kg/m */
+    VM_MASS_OF_V2 /* M0 + c v^2 at the velocity v, c in kg s^2/m^2 */
 };
 
 VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -109,14 +115,15 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. kind is VM_MASS_OF_T, VM_MASS_OF_X or
-   VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of the mass that joins or leaves is
-   u + (1 - reactive) v, with u along coordinate 0. VM_BAD_ARGUMENT at the start for another kind; errors of a run as in
-   vm_effect_mass_law. */
+/* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. M0 is the mass with which the body was
+   made. kind is VM_MASS_OF_T, VM_MASS_OF_X or VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of
+   the mass that joins or leaves is u + (1 - reactive) v along coordinate 0, where v is the velocity of the body: u is
+   absolute if reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT for an
+   unknown kind; a run ends with the errors of vm_effect_mass_law. */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass);
-    if (kind < VM_MASS_OF_T || kind > VM_MASS_OF_V2) e.apply = NULL; /* refused by vm_scene_check */
+    if (kind < VM_MASS_OF_T || kind > VM_MASS_OF_V2) e.apply = NULL; /* vm_scene_check then refuses the effect */
     e.variant = kind;
     e.p[VMI_MASS_U] = u;
     e.p[VMI_MASS_REACTIVE] = reactive;

@@ -1,8 +1,9 @@
 /* scenes/mass_of_time.h - mass that follows a vm_law, and its reactive force
 
-   A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table, or
-   a function. Here it is the mass of a body of a scene, of any motion. mass.h explains u and reactive, and what a
-   switch does; a law that depends on position or velocity is vm_effect_mass_law.
+   A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table,
+   or a function. vm_effect_mass_of_time makes this number the mass of a body, which may have any motion. mass.h
+   explains u, reactive and the switching of a law. For a law that depends on position or velocity use
+   vm_effect_mass_law.
 
        vm_vec3 zero = {0, 0, 0};
        vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
@@ -19,28 +20,38 @@
 #include "mass.h"
 #include "scene.h"
 
-/* A law that fails at t sets the status of the scene, so that a step that leads there is refused */
+/* Gives the body the mass of its law. If the law fails at t, the scene receives the status of the law, and the
+   integrator refuses the step. */
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_mass_law_values now = {0, 0, 0, 0};
-    const int status = vm_law_at((const vm_law *)e->ctx, t, &now.mass, &now.by_t);
+    const int status = vmi_law_at((const vm_law *)e->ctx, VM_BAD_MASS, t, &now.mass, &now.by_t);
     if (status) s->status = status;
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the one with
-   which the body was made does not count. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law
-   stays the caller's and must stay where it is. VM_BAD_ARGUMENT at the start where law is NULL. A run ends where the
-   law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where that fails. */
+/* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. */
+VM_API int vmi_check_mass_of_time(const vm_effect *e)
+{
+    return ((const vm_law *)e->ctx)->derivatives ? VM_OK : VM_BAD_ARGUMENT;
+}
+
+/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass that
+   was given to the constructor of the body has no effect. The velocity of the mass that joins or leaves is
+   u + (1 - reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body
+   if it is 0. *law is not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL or
+   no constructor made it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of vm_law_at
+   if this function fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
-    if (!law) e.apply = NULL; /* refused by vm_scene_check */
+    if (!law) e.apply = NULL; /* vm_scene_check then refuses the effect */
     e.p[VMI_MASS_U] = u.x;
     e.p[VMI_MASS_U + 1] = u.y;
     e.p[VMI_MASS_U + 2] = u.z;
     e.p[VMI_MASS_REACTIVE] = reactive;
     e.order = VMI_ORDER_MASS_LAW;
+    e.check = vmi_check_mass_of_time;
     e.ctx = (void *)law;
     return e;
 }

@@ -1,18 +1,17 @@
 /* scenes/motions.h - the bodies of a scene, and how each of them moves
 
-   A body moves along a line, about an axle, in the plane, or in space: there as a point or, with rotation, free. Its
-   constructor states how it starts, in SI units. Each kind of body brings four functions: put writes its motion into
-   the state, get reads it from there, accelerate computes the derivatives of the state from the load, and check refuses
-   an inertia that it cannot have.
+   A body moves along a line, about an axle, in the plane, as a point in space, or free in space, with rotation. The
+   arguments of its constructor are its motion at the start, in SI units. Each kind of body has four functions: put
+   writes its motion into the state, get reads its motion from the state, accelerate computes the derivatives of the
+   state from the load, and check refuses an inertia that the body cannot have.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
                                  vm_scene_body_axle(0.5, 0, 30),                             // 0.5 kg m^2 at 30 rad/s
                                  vm_scene_body_absent(vm_scene_body_point(1, zero, zero))};  // an event brings it in
 
-   The constructors check nothing but NULL pointers; vm_scene_check and vm_scene_start refuse a mass that is not
-   positive (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite
-   (VM_NOT_FINITE).
+   The constructors check only for NULL pointers; vm_scene_check and vm_scene_start refuse a mass that is not positive
+   (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite (VM_NOT_FINITE).
 
    Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_MOTIONS_H
@@ -24,6 +23,7 @@
 #include "../base/linear.h"
 #include "../base/real.h"
 #include "../base/status.h"
+#include "../mechanics/attitude.h"
 #include "../mechanics/bodies.h"
 #include "../mechanics/inertia.h"
 #include "../mechanics/vectors.h"
@@ -41,7 +41,7 @@ VM_API vm_scene_body vmi_scene_body(int motion, int positions, int coordinates)
 
 /* -- One coordinate: a line and an axle -- */
 
-/* x'' = F/(M + extra mass) */
+/* Computes the acceleration x'' = force/(mass + extra_mass) along the only coordinate */
 VM_API int vmi_single_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     rates[0] = state[1];
@@ -64,7 +64,7 @@ VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->v.x = state[1];
 }
 
-/* A body on a line. mass in kg, x in m, v in m/s. */
+/* A body on a line. mass is in kg, the position x in m, the velocity v in m/s. */
 VM_API vm_scene_body vm_scene_body_line(vm_real mass, vm_real x, vm_real v)
 {
     vm_scene_body b = vmi_scene_body(VM_LINE, 1, 1);
@@ -91,7 +91,8 @@ VM_API void vmi_axle_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->inertia.zz = now->mass;
 }
 
-/* A body on a fixed axle. inertia about the axle in kg m^2, angle in rad, omega in rad/s. */
+/* A body on a fixed axle. inertia is the moment of inertia about the axle in kg m^2; angle is in rad, omega in
+   rad/s. */
 VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_AXLE, 1, 1);
@@ -106,7 +107,7 @@ VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real 
 
 /* -- The plane -- */
 
-enum { VMI_PLANE_X, VMI_PLANE_Y, VMI_PLANE_ANGLE, VMI_PLANE_VX, VMI_PLANE_VY, VMI_PLANE_OMEGA }; /* its state */
+enum { VMI_PLANE_X, VMI_PLANE_Y, VMI_PLANE_ANGLE, VMI_PLANE_VX, VMI_PLANE_VY, VMI_PLANE_OMEGA }; /* indices in state */
 
 VM_API int vmi_plane_check(const vm_body *start) { return start->inertia.zz > 0 ? VM_OK : VM_BAD_INERTIA; }
 
@@ -131,7 +132,8 @@ VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
-/* As a lamina: the moments about x and y, which no motion in the plane asks for, make a body that is possible */
+/* Reads a body in the plane. Motion in the plane does not depend on the moments of inertia about x and y. They get
+   the sum zz, as in a lamina, so that a body with this inertia is possible. */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
@@ -144,8 +146,8 @@ VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body 
     now->inertia.xx = now->inertia.yy = now->inertia.zz / 2;
 }
 
-/* A body in the plane. mass in kg, inertia about the mass centre in kg m^2 (> 0), r in m, angle in rad (anticlockwise),
-   v in m/s, omega in rad/s. r.z and v.z do not count. */
+/* A body in the plane. mass is in kg, the moment of inertia about the mass centre in kg m^2 (> 0), the position r in m,
+   the angle in rad (anticlockwise), the velocity v in m/s, omega in rad/s. r.z and v.z have no effect. */
 VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
                                     vm_real omega)
 {
@@ -174,7 +176,7 @@ VM_API int vmi_point_body_check(const vm_body *start)
     return VM_BAD_INERTIA;
 }
 
-/* r' and v' of a point, and of a free body, whose state has q between r and v */
+/* Computes r' and v' of a point, or of a free body, in whose state q stands between r and v */
 VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
@@ -196,7 +198,7 @@ VM_API void vmi_point_body_get(const vm_scene_body *b, const vm_real *state, vm_
     now->v = vmi_get3(state + b->positions);
 }
 
-/* A point in space. mass in kg, r in m, v in m/s. */
+/* A point in space. mass is in kg, the position r in m, the velocity v in m/s. */
 VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 {
     vm_scene_body b = vmi_scene_body(VM_POINT, 3, 3);
@@ -212,23 +214,11 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 /* -- A free body in space -- */
 
-enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* its state; omega in body axes */
+enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes. The second term holds the length of q at 1; it
-   acts as fast as q turns, so that a slow rotation is not stiff. mechanics/flow.h has the same law. */
-VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
-{
-    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
-}
-
-/* Euler's equations I omega' = torque - omega x I omega in body axes. They are solved with the dummy moments, and so
-   the spin about the null axis of a rod stays: no load turns a rod about it. */
+/* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
+   includes the dummy moments of b->invertible; therefore the equations can be solved for a rod, too. The spin of a
+   rod about its own axis stays constant, since no load turns the rod about this axis. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -251,12 +241,12 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     const vm_vec3 omega = vmi_get3(state + VMI_FREE_OMEGA);
     const vmi_mat3 axes = vmi_rotation(q);
     vmi_point_body_accelerate(b, state, rates);
-    vmi_free_turn(q, omega, rates + VMI_FREE_Q);
+    vmi_attitude_rates(q, vmi_quat_square(q), omega, rates + VMI_FREE_Q);
     return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
 }
 
 /* The inertia with a dummy moment about each axis that has none, so that it can be inverted. No torque acts about such
-   an axis, so that the dummy accelerates nothing. */
+   an axis, so that the dummy moment has no effect on the motion. */
 VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
 {
     const vm_real trace = i->xx + i->yy + i->zz, dummy = trace > 0 ? trace : 1;
@@ -292,8 +282,8 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* A body that moves and turns freely in space, as *start says. It may be a rod, whose spin about itself then stays.
-   VM_BAD_ARGUMENT at the start of the scene where start is NULL. */
+/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod, whose spin
+   about its own axis then stays constant. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
@@ -309,28 +299,30 @@ VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 
 /* -- Any body -- */
 
-/* A body whose mass is a state, so that streams can change it. Otherwise it is `body`. */
+/* A body like `body` whose mass is a state, so that streams can change the mass. */
 VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 {
     body.mass_is_state = 1;
     return body;
 }
 
-/* A body that is not present until an event brings it in. Otherwise it is `body`. Effects on it do not act before. */
+/* A body like `body` that is not present until an event brings it in. Effects on the body do not act before this
+   event. */
 VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
     return body;
 }
 
-/* How many coordinates the mass moves in; of an axle, the one in which the inertia turns */
+/* The number of coordinates on which the mass, or on an axle the moment of inertia, resists acceleration */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;
     return motion == VM_PLANE ? 2 : 3;
 }
 
-/* Numbers by coordinate as a vector, inertial axes: the part that moves the mass centre */
+/* The array a has a number for each coordinate. Returns the vector of those for the motion of the mass centre, in
+   inertial axes. */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -339,7 +331,8 @@ VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
     return vmi_get3(a);
 }
 
-/* Numbers by coordinate as a vector: the part that turns the body, in the axes in which the numbers are */
+/* The array a has a number for each coordinate. Returns the vector of those for the rotation of the body, in the axes
+   in which the array has them. */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
@@ -348,7 +341,7 @@ VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
     return vmi_vec3(0, 0, 0);
 }
 
-/* The angular velocity of a body, inertial axes */
+/* The angular velocity of a body in inertial axes */
 VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
 {
     const vm_vec3 omega = vmi_scene_turning(b, y + b->at + b->positions);
@@ -358,7 +351,8 @@ VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
     return vmi_times(&axes, omega);
 }
 
-/* Adds two vectors to numbers by coordinate: the inverse of vmi_scene_moving and vmi_scene_turning */
+/* The array a has a number for each coordinate. Adds the vector `moving` to those for the motion of the mass centre
+   and the vector `turning` to those for the rotation. vmi_scene_moving and vmi_scene_turning read these numbers. */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {

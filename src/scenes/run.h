@@ -13,31 +13,32 @@
 #include "../base/arrays.h"
 #include "../base/real.h"
 #include "../base/status.h"
-#include "../integrators/adaptive.h"
 #include "../integrators/ode.h"
+#include "../integrators/rk45.h"
 #include "../integrators/runs.h"
 #include "evaluate.h"
 #include "scene.h"
 #include "start.h"
 #include "state.h"
 
-/* How events follow one another in a run */
+/* How quickly events follow each other in a run */
 typedef struct VM_TAG(vmi_scene_pace) {
-    long happened; /* events at this instant */
-    vm_real gap;   /* s: the shortest time since a crossing at this instant last happened, VM_MAX without one */
-    int crowded;   /* so many instants one after another have had a gap that the time hardly resolves */
+    long happened; /* number of events at this instant */
+    vm_real gap;   /* s: of all crossings at this instant, the shortest time since the last crossing by the same event;
+                      VM_MAX if none */
+    int crowded;   /* number of successive instants whose gap is too short for the precision of the time */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* at one instant; more of them cause each other without end */
-    VMI_SCENE_MOST_CROWDED = 3,    /* instants one after another whose gap the time hardly resolves */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events: the next one is seen even if gaps shrink */
+    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more would cause each other without end */
+    VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants with a gap too short for the precision of time */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, so that the next is seen even if gaps shrink */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 
-/* Whether event i is due at t: its time has come, or the integrator has counted it anew, *times times. Counts begin
-   anew with each run, so that the difference may be negative as a run begins. */
+/* Whether event i is due at the time t: its time has come, or the integrator has counted *times new crossings. The
+   integrator counts from 0 in each run, so that *times may be negative at the beginning of a run. */
 VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 {
     vm_event *e = s->events + i;
@@ -47,8 +48,9 @@ VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
     return *times > 0;
 }
 
-/* Applies to y, in the order of the list, each event that is due at t. Returns the first status that is not VM_OK, or
-   an error that follows it. */
+/* Applies to y, in the order of the list, each event that is due at the time t. Returns the first status other than
+   VM_OK, or VM_OK if there is none. An error (a negative status) of an event ends the loop, and is returned even if
+   an earlier event has stopped the run. */
 VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
@@ -72,12 +74,13 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
     return status;
 }
 
-/* Applies all events of an instant; an event may cause others at the same instant. Events that follow one another
-   faster and faster, like the contacts of a ball that comes to rest, end the run where the time no longer resolves
-   them. Until then the step after such an event is short enough to see the next one. */
+/* Applies all events of an instant, including those that an event causes at the same instant. Events may follow each
+   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the precision of the
+   time no longer separates them. Until then the step after such an event is made so short that the next event is
+   seen. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const vm_real resolved = 256 * VM_EPSILON * span; /* a gap that has two digits */
+    const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap has fewer than two digits */
     const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
     pace->happened = 0;
@@ -97,8 +100,8 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
     return status;
 }
 
-/* Calls output if it is due at t; *next is the index of the next time of output. VM_STOPPED where output ends the
-   run */
+/* Calls output if it is due at the time t. *next is the index of the next time of output. Returns VM_STOPPED if output
+   ends the run, else VM_OK. */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
     if (!s->output) return VM_OK;
@@ -111,7 +114,7 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return VM_OK;
 }
 
-/* The next time at which an event or output is due, t_end at the latest */
+/* The next time for which an event or an output is set, or t_end if that is earlier */
 VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 {
     vm_real due = t_end;
@@ -124,11 +127,11 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
     return due;
 }
 
-/* Looks for the reason why a run ends: whether a mass or an inertia would soon run out if the state went on at its
-   present rates. Tries longer and longer steps, up to a millionth of the time (float: a thousandth); the first failure
-   stays in s->status. A mass or an inertia on its way to 0 makes the equations so stiff that no step gets beyond 0; and
-   after a refused step shorter ones may have succeeded, so that s->status is VM_OK again. The run is over, so that its
-   work has room for a state and its rates. */
+/* Finds the reason why a run ends: whether a mass or an inertia would soon reach 0 if the state continued at its
+   present rates. It tries longer and longer steps, up to 1e-6 of the time (float: 1e-3). The first failure becomes
+   s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that no step
+   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is
+   over, so that parts of the integrator's work space are free for a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -144,7 +147,7 @@ VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
     }
 }
 
-/* The status of a scene for an error of the integrator */
+/* The status of a scene that reports an error of the integrator */
 VM_API int vmi_scene_status_of_ode(int ode_status)
 {
     switch (ode_status) {
@@ -157,11 +160,11 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
     }
 }
 
-/* One step, or up to the next time at which something is due. Where the integrator fails, a body that cannot be
-   accelerated is a better reason than its own. */
+/* Makes one step, at most to the next time for which an event or an output is set. If the integrator fails, returns
+   the reason why a body cannot be accelerated rather than the status of the integrator. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
-    const int ode_status = vmi_run(r, VMI_RK45, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
+    const int ode_status = vmi_rk45_run(r, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
     if (ode_status >= 0) return VM_OK;
     s->ode_status = ode_status;
     if (ode_status == ODE_MAX_STEPS) return VM_MAX_STEPS;
@@ -170,8 +173,8 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
-/* Prepares rk45 for the scene. Each number of the state has its tolerance; the budget has none, so that it follows the
-   steps of the bodies. The tolerances stand in work behind the integrator's numbers. */
+/* Prepares rk45 for the scene. Each number of the state has its tolerance. The numbers of the budget have none, so that
+   the bodies alone determine the steps. The tolerances are stored in work after the numbers of the integrator. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {
@@ -204,21 +207,20 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
     return VM_OK;
 }
 
-/* Run of a scene from *t to t_end, with its events and its output. rk45 integrates it. The scene must have been
-   started, and t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of
-   rk45; their events are not used. *t and y become the time and the state at which the run ended. Returns VM_OK at
-   t_end,
-   VM_STOPPED before it, or
-     VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   nothing was done;
+/* Run of a scene from *t to t_end, with its events and its output. The integrator is rk45. The scene must have been
+   started, and t_end must not be before *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The
+   options are those of rk45, without events. *t and y become the time and the state at the end of the run. Returns
+   VM_OK at t_end, VM_STOPPED if an event or the output ended the run, or
+     VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
-                           a mass or an inertia ran out, even if the steps became too short just before that;
-     VM_NOT_FINITE         an effect, a law or an event gave an infinite number or NaN;
-     VM_SINGULAR           a link cannot act;
-     VM_TOO_MANY_EVENTS    events do not end: more than 10 000 at one instant, or four times in succession less than
-                           256 eps of the time after one another;
+                           if a mass or an inertia ran out, even if the steps became too short just before that;
+     VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN;
+     VM_SINGULAR           if a link cannot act;
+     VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession an
+                           event follows the one before within 256 VM_EPSILON of the time;
      VM_IS_THERE, VM_IS_AWAY and the errors of vm_separate and vm_attach
-                           a jump that is impossible;
-     VM_STEP_TOO_SMALL, VM_MAX_STEPS   from the integrator, whose own status is in scene.ode_status. */
+                           if a jump is impossible;
+     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

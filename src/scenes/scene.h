@@ -1,8 +1,9 @@
 /* scenes/scene.h - what a scene is made of: bodies, effects, events
 
-   A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that change
-   them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers to the one
-   function that its body, effect or event needs, so that the executable holds no other. All arrays are the caller's.
+   A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that
+   change them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers
+   only to the functions that its body, effect or event needs, so that the executable holds no others. All arrays are
+   the caller's.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s, which keeps its velocity
@@ -20,24 +21,26 @@
        if (status < 0) printf("%s %d: %s\n", fault.kind, fault.index, vm_strerror(status));
        else status = vm_scene_run(&scene, &t, 10, y, work, NULL);            // y[0] = x(10), y[1] = v(10)
 
-   Bodies, effects and events are known by their index. With events, scene.events, scene.located (as many) and
-   scene.n_events are set as well, before the start. From the start on all arrays stay where they are. A start begins
-   everything anew, as the constructors have made it; a second vm_scene_run goes on where the first one ended.
-   An evaluation takes about 80 instructions for a body on a line and 20 to 40 for an effect, beyond the arithmetic of
-   its force. That is 3 times and 0.3 times the C library's sin.
+   Functions refer to a body, an effect or an event by its index in its array. A scene with events also needs
+   scene.events, scene.n_events and scene.located, an array of n_events elements, before the start. After the start
+   all arrays must stay where they are. A second vm_scene_run continues where the first ended; vm_scene_start begins
+   anew, with everything as the constructors have made it. A listed motor, for example, adds at most 35 machine
+   instructions to an evaluation of the right-hand side.
 
-   The state y has so many numbers for each body, from y[bodies[i].at] on, positions first:
+   The state y has these numbers for body i, from y[bodies[i].at] on, positions first. r is the position of the mass
+   centre, v its velocity, q the attitude and omega the angular velocity:
      line   x, v                                 point  r (3), v (3)
      axle   angle, omega                         free   r (3), q (4), v (3), omega (3, in body axes)
      plane  x, y, angle, vx, vy, omega
-   One more number follows where the mass is a state. For a growing body two further groups follow: where the mass
-   centre is, in body axes and from where it was at the start (2 numbers in the plane, else 3), and the inertia about it
-   (1 number in the plane, else xx, yy, zz, xy, xz, yz).
+   If the mass is a state (vm_scene_body_with_mass_state), it follows as one more number. A growing body has two
+   further groups of numbers: the displacement of the mass centre in the body since the start, in body axes (2 numbers
+   in the plane, else 3), and the inertia about the mass centre (1 number in the plane, else xx, yy, zz, xy, xz, yz).
 
-   An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z of
-   a point or a free body. On an axle, the moment of inertia takes the place of the mass and a torque that of the force.
+   An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z
+   of a point or a free body. On an axle, a moment of inertia replaces the mass, and a torque replaces the force.
 
-   Tests: tests/test_scenes.c and tests/test_scene_*.c. Flash that each part takes: docs/scene-sizes.md. */
+   Tests: tests/test_scenes.c and tests/test_scene_*.c. docs/scene-sizes.md lists the flash memory that each part
+   takes. */
 #ifndef VARMASS_SCENES_SCENE_H
 #define VARMASS_SCENES_SCENE_H
 
@@ -49,230 +52,235 @@
 #include "../mechanics/vectors.h"
 
 enum {
-    VM_LINE = 1, /* along a line */
-    VM_AXLE,     /* about a fixed axle */
-    VM_PLANE,    /* in the plane: translation and rotation */
-    VM_POINT,    /* in space, without rotation */
-    VM_FREE      /* in space, with rotation */
+    VM_LINE = 1, /* motion along a line */
+    VM_AXLE,     /* rotation about a fixed axle */
+    VM_PLANE,    /* translation and rotation in the plane */
+    VM_POINT,    /* translation in space */
+    VM_FREE      /* translation and rotation in space */
 }; /* the motions of a body */
 
-enum { VM_GROUND = -1 }; /* in place of the index of a body: an effect acts against the ground */
+enum { VM_GROUND = -1 }; /* stands for the ground where an index of a body is expected */
 
-/* Sums of what acts on a body at one evaluation. Every evaluation clears them, and then each effect adds its part. */
+/* Sums of the loads on a body at one evaluation. Every evaluation sets them to 0, and then each effect adds its
+   part. */
 typedef struct VM_TAG(vm_load) {
-    vm_real mass;       /* kg (on an axle kg m^2): the mass now */
-    vm_real extra_mass; /* kg: M'(v) (v - u) of a mass law M(v), which accelerates together with the mass */
-    vm_real mass_rate;  /* kg/s, where the mass is a state */
-    vm_real force[6];   /* N (N m on an angle), on each coordinate; 3 to 5: the torque on a free body, inertial axes */
-    vm_real mass_by_v;  /* kg s/m: M'(v) of a mass law M(v) */
-    vm_real joining_v;  /* m/s: the velocity of the mass that joins or leaves by such a law */
-    /* for growing bodies alone */
-    vm_vec3 drift;           /* m/s: r' - v, since the mass centre moves in the body; inertial axes */
-    vm_vec3 centre_rate;     /* m/s, of the mass centre in the body, body axes */
-    vm_inertia inertia_rate; /* kg m^2/s, body axes */
-    /* where the scene keeps a budget */
-    vm_real reactive[6];    /* N, N m: the part of `force` that is reactive */
+    vm_real mass;       /* kg (on an axle kg m^2): the present mass */
+    vm_real extra_mass; /* kg: dM/dv (reactive v - u) of a mass law M(v), which acts like further mass */
+    vm_real mass_rate;  /* kg/s: rate of the mass, if the mass is a state */
+    vm_real force[6];   /* N (N m on an angle) on each coordinate; [3] to [5]: torque on a free body, inertial axes */
+    vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
+    vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
+    /* fields for growing bodies only */
+    vm_vec3 drift;           /* m/s, inertial axes: velocity of the mass centre relative to the body */
+    vm_vec3 centre_rate;     /* m/s, body axes: velocity of the mass centre relative to the body */
+    vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia */
+    /* fields used only if the scene keeps a budget */
+    vm_real reactive[6];    /* N, N m: the reactive part of `force` */
     vm_real brought[6];     /* N, N m: momentum and angular momentum that streams bring per second */
     vm_real brought_energy; /* W: kinetic energy that streams bring per second */
-    vm_real mixing;         /* W: energy that is lost as this mass takes on the velocity of the body */
+    vm_real mixing;         /* W: kinetic energy lost per second because mass of streams takes on the body's velocity */
 } vm_load;
 
 typedef struct VM_TAG(vm_scene_body) vm_scene_body;
 
-/* A body of a scene, made by vm_scene_body_line and its like; the caller changes no field. */
+/* A body of a scene. A constructor such as vm_scene_body_line makes it; the caller changes no field. */
 struct VM_TAG(vm_scene_body) {
-    /* set by the constructor */
-    int motion;        /* VM_LINE, ... */
+    /* fields set by the constructor */
+    int motion;        /* VM_LINE, VM_AXLE, VM_PLANE, VM_POINT or VM_FREE */
     int mass_is_state; /* 1: the mass is a number of the state, so that streams can change it */
-    int grows;         /* 1: mass centre and inertia are numbers of the state as well */
+    int grows;         /* 1: mass centre and inertia are numbers of the state too */
     int absent;        /* 1: the body is not present until an event brings it in */
-    int positions;     /* how many numbers of its state are positions */
-    int coordinates;   /* how many are velocities */
-    /* set by vm_scene_start, and kept up to date by a run */
-    int at;      /* index into y of the first number of its state */
-    int mass_at; /* index into y of the mass, where it is a state */
+    int positions;     /* number of positions in the state of the body */
+    int coordinates;   /* number of velocities in the state of the body */
+    /* fields set by vm_scene_start and kept up to date by a run */
+    int at;      /* index in y of the first number of the body */
+    int mass_at; /* index in y of the mass, if the mass is a state */
     int away;    /* 1 while the body is not present */
-    /* What the motion needs, as pointers, so that a scene links only the motions of its bodies.
-       accelerate: the derivatives of the state from the load; returns a status.
-       begin: NULL, or what a growing body prepares before the effects of an evaluation. */
+    /* The functions of the motion. They are pointers, so that a program links only those for the motions of its bodies.
+       accelerate computes the derivatives of the state from the load and returns a status. begin is NULL, or prepares a
+       growing body in each evaluation, before the effects act. */
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
     void (*begin)(vm_scene_body *b, const vm_real *state);
-    vm_real mass; /* kg: the mass, where it is neither a state nor given by a law */
-    vm_load load; /* what acts on it at the last evaluation */
-    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes the state */
-    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads the state */
-    int (*check)(const vm_body *start); /* NULL, or a check of its inertia, which returns a status */
-    vm_body start;                      /* as it starts; of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z */
-    vm_real angle;                      /* rad: the angle at which an axle or a body in the plane starts */
-    vm_real law_offset;     /* kg: what jumps, and switching the mass law, have added to the mass by its law */
-    vm_inertia inertia;     /* kg m^2: now, body axes */
-    vm_inertia invertible;  /* kg m^2: the same with a dummy moment about each axis that has none */
-    vmi_mat3 axes;          /* of a growing body: its axes now, in inertial ones */
-    int listed_orders;      /* bits (1 << order) of the effects on it so far, while vm_scene_check runs */
-    int status;             /* VM_OK, or why the constructor could not make it */
-    vm_real noted_mass;     /* kg: the mass before an event, which switching an effect must not change */
+    vm_real mass; /* kg: the mass, if it is neither a state nor given by a law */
+    vm_load load; /* the loads on the body at the last evaluation */
+    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes *now to the state */
+    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads *now from the state */
+    int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
+    vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
+    vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
+    vm_real law_offset;     /* kg: added to the value of the mass law, which does not know of jumps and switching */
+    vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
+    vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
+    vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
+    int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
+    int status;             /* VM_OK, or the reason why the constructor could not make the body */
+    vm_real noted_mass;     /* kg: the mass before an event that must not change it */
 };
 
-/* Position (m), velocity (m/s) and acceleration (m/s^2) at time t of a point whose motion is given */
+/* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
 typedef void (*vm_moving_point)(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx);
 typedef struct VM_TAG(vm_scene) vm_scene;
 typedef struct VM_TAG(vm_effect) vm_effect;
 typedef struct VM_TAG(vm_event) vm_event;
 
-/* What a mass law M(t, x, v) returns: the mass and its partial derivatives */
+/* What a mass law M(t, x, v) returns: the mass and its partial derivatives by time t, position x and velocity v */
 typedef struct VM_TAG(vm_mass_law_values) {
-    vm_real mass; /* kg (on an axle kg m^2) */
-    vm_real by_t; /* dM/dt, kg/s (on an axle kg m^2/s) */
-    vm_real by_x; /* dM/dx, kg/m (on an axle kg m^2/rad) */
-    vm_real by_v; /* dM/dv, kg s/m (on an axle kg m^2 s/rad) */
+    vm_real mass; /* kg (on an axle kg m^2): the mass M */
+    vm_real by_t; /* kg/s (on an axle kg m^2/s): dM/dt */
+    vm_real by_x; /* kg/m (on an axle kg m^2/rad): dM/dx */
+    vm_real by_v; /* kg s/m (on an axle kg m^2 s/rad): dM/dv */
 } vm_mass_law_values;
 
-/* The place of an effect in the list of effects on its body */
+/* Where an effect has to stand in the list of effects, among the effects on its body */
 enum {
-    VMI_ORDER_MASS_LAW = 0, /* first, since the others need the mass */
+    VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
-    VMI_ORDER_LINK = 2 /* last, since its force is the reaction to the others */
+    VMI_ORDER_LINK = 2 /* links stand last, since their force is the reaction to all other forces */
 };
 
 /* What an effect needs of the mass of its body */
 enum { VMI_NEEDS_ANY_MASS = 0, VMI_NEEDS_MASS_STATE = 1, VMI_NEEDS_GROWING_BODY = 2 };
 
-/* Why an effect does not act now, as bits of vm_effect.idle */
+/* Reasons why an effect does not act now, as bits of vm_effect.idle */
 enum { VMI_IDLE_SWITCHED_OFF = 1, VMI_IDLE_BODY_AWAY = 2 };
 
-/* An effect, made by vm_effect_spring and its like. To write a new one: effects.h says how, above vmi_effect. */
+/* An effect. A constructor such as vm_effect_spring makes it. The comment above vmi_effect in effects.h explains how to
+   write a new one. */
 struct VM_TAG(vm_effect) {
-    /* set by the constructor */
+    /* fields set by the constructor */
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
-    int variant; /* which of its variants it is: the kind of mass law, a band in layers, a cord */
-    /* set by vm_scene_start, so that an evaluation need not look for it */
+    int variant; /* which variant of the effect: for example which mass law, or whether a band lies in layers */
+    /* fields set once by vm_scene_start, so that evaluations are fast */
     int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
-    int x, v;             /* indices into y: position and velocity of the coordinate on which it acts */
-    int other_x, other_v; /* indices into y: position and velocity of the coordinate that takes the reaction */
-    vm_load *load;        /* of the body */
-    vm_load *other_load;  /* of the body that takes the reaction; NULL for the ground */
-    /* set by the constructor, too */
-    int body, coordinate;        /* on what it acts */
-    int other, other_coordinate; /* against what: another body, or VM_GROUND */
-    vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their places */
-    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_force: N or N m */
-    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
-    vm_moving_point point;                                          /* of vm_effect_link: NULL, or the far end */
-    const vm_stream *stream;                                        /* of vm_effect_stream_mass and its like */
-    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* NULL, or of vm_effect_varying */
+    int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
+    int other_x, other_v; /* indices in y: position and velocity of the coordinate that takes the reaction */
+    vm_load *load;        /* load of the body on which the effect acts */
+    vm_load *other_load;  /* load of the body that takes the reaction; NULL for the ground */
+    /* further fields set by the constructor */
+    int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
+    int other, other_coordinate; /* index and coordinate of the body that takes the reaction, or VM_GROUND */
+    vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
+    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function given to vm_effect_force */
+    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function given to vm_effect_mass_law */
+    vm_moving_point point;                                          /* NULL, or the moving end of vm_effect_link */
+    const vm_stream *stream;                                        /* stream of vm_effect_stream_mass, _force, ... */
+    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function given to vm_effect_varying */
     int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
-    void *ctx;                             /* handed to the caller's function */
-    unsigned motions;                      /* bit (1 << motion) for each motion of a body on which it can act */
-    unsigned other_motions;                /* and of a body against which it can act */
-    int needs;                             /* VMI_NEEDS_... */
-    int order;                             /* VMI_ORDER_... */
+    void *ctx;                             /* pointer that the caller's function receives */
+    unsigned motions;                      /* bit (1 << motion) for each motion on which the effect can act */
+    unsigned other_motions;                /* bit (1 << motion) for each motion that can take the reaction */
+    int needs;                             /* what the effect needs of the mass of its body: VMI_NEEDS_... */
+    int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
-    int not_on_angle; /* 1: the angle of a body in the plane is no coordinate for it */
+    int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
 };
 
 /* What a jump event does */
 enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 
-/* An event: when it happens, made by vm_event_at and its like, and what happens then, by vm_then_stop and its like. */
+/* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop what it
+   does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; NULL: it happens at `time` */
-    /* What happens then; returns a status, and VM_STOPPED ends the run. NULL: the event is only counted */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or this function is 0 at the event */
+    /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
+       run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
-    vm_real time;  /* s: when it happens, where `when` is NULL; else when it last happened, or when the scene started */
-    int direction; /* > 0: `when` rises through zero; < 0: it falls; 0: both */
-    /* of events that watch a body: they happen when its coordinate, velocity or mass crosses `value` */
-    int watches; /* 1: it watches a body */
+    vm_real time;  /* s: time of the event if `when` is NULL; else when it last happened, or the start of the scene */
+    int direction; /* > 0: `when` rises through zero; < 0: `when` falls; 0: both count */
+    /* fields for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
+    int watches; /* 1: the event watches a body */
     int body, coordinate;
     vm_real value;
-    /* of events that switch an effect */
-    int switches; /* 1: it switches an effect */
+    /* fields for an event that switches an effect */
+    int switches; /* 1: the event switches an effect */
     int effect;   /* index of the effect */
-    int off;      /* 1: off; 0: on */
-    /* of jumps: check returns a status; jump computes the motion afterwards, on a line, in the plane, or anywhere */
+    int off;      /* 1: the effect is switched off; 0: on */
+    /* fields for a jump: check returns a status, and jump computes the motion after the jump on a line, in the plane,
+       or for any motion */
     int (*check)(const vm_scene *scene, const vm_event *event);
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
-    int jump_kind;       /* VMI_JUMP_... */
-    int jump_body;       /* the body that loses or gains mass */
-    int other;           /* the body that separates from it, or is attached to it */
+    int jump_kind;       /* VMI_JUMP_NONE, VMI_JUMP_SEPARATES or VMI_JUMP_ATTACHES */
+    int jump_body;       /* index of the body that loses or gains mass */
+    int other;           /* index of the body that separates from jump_body, or is attached to it */
     vm_body part;        /* the part that separates */
-    int relative;        /* 1: the motion of `part` is relative to the body, in its axes */
-    vm_impulse external; /* acts from outside during the jump; the caller may set it */
-    /* of vm_event_user and vm_then_user */
+    int relative;        /* 1: the motion of `part` is relative to the body, in body axes */
+    vm_impulse external; /* impulse from outside during the jump; the caller may set it */
+    /* fields for vm_event_user and vm_then_user */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
-    void *ctx;      /* handed to user_when */
-    void *then_ctx; /* handed to user_then */
-    /* for the caller */
-    long most;  /* it happens so often at the most; 0: without limit. The caller may set it */
-    long count; /* how often it has happened */
-    /* set by vm_scene_start, and kept up to date by a run */
-    long seen;       /* crossings that the integrator had counted when the run last looked */
-    vm_scene *scene; /* to which it belongs */
-    int status;      /* VM_OK, or why a constructor could not make it */
+    void *ctx;      /* pointer that user_when receives */
+    void *then_ctx; /* pointer that user_then receives */
+    /* fields for the caller */
+    long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
+    long count; /* how often the event has happened */
+    /* fields set by vm_scene_start and kept up to date by a run */
+    long seen;       /* number of crossings by the integrator that the run has already handled */
+    vm_scene *scene; /* the scene to which the event belongs */
+    int status;      /* VM_OK, or the reason why a constructor could not make the event */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
 
-/* The budget of momentum, angular momentum and energy: what is there, what came in from outside, and the difference.
-   vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
+/* The budget of momentum, angular momentum and energy of a scene: the amounts of the bodies, the supply from outside,
+   and the difference. vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
-    vm_vec3 impulse;          /* N s, of the effects and of the external impulses of jumps */
-    vm_vec3 angular_impulse;  /* N m s, of the same, about the origin */
+    vm_vec3 impulse;          /* N s: impulse of the effects and of the external impulses of jumps */
+    vm_vec3 angular_impulse;  /* N m s: angular impulse about the origin of effects and of external impulses of jumps */
     vm_vec3 brought;          /* N s: momentum that streams and mass laws brought */
-    vm_vec3 brought_angular;  /* N m s: angular momentum that they brought, about the origin */
-    vm_real work;             /* J, of the effects, reactive forces excepted */
+    vm_vec3 brought_angular;  /* N m s: angular momentum about the origin that streams and mass laws brought */
+    vm_real work;             /* J: work of the effects, without reactive forces */
     vm_real brought_energy;   /* J: kinetic energy that streams and mass laws brought */
-    vm_real mixing;           /* J: lost as this mass took on the velocity of the body */
-    vm_vec3 momentum;         /* N s, of all bodies that are present */
-    vm_vec3 angular_momentum; /* N m s, of all bodies that are present, about the origin */
-    vm_real energy;           /* J: their kinetic energy */
+    vm_real mixing;           /* J: kinetic energy lost as the mass of streams took on the velocity of the body */
+    vm_vec3 momentum;         /* N s: momentum of all bodies that are present */
+    vm_vec3 angular_momentum; /* N m s: angular momentum of all bodies that are present, about the origin */
+    vm_real energy;           /* J: kinetic energy of all bodies that are present */
     vm_real jump_energy;      /* J: kinetic energy that jumps have added */
-    vm_vec3 momentum_defect;  /* N s: what is there, minus what was there at the start, minus what came in */
-    vm_vec3 angular_defect;   /* N m s, likewise */
-    vm_real energy_defect;    /* J, likewise */
-    /* internal; as pointers, so that a scene without a budget links none of it */
+    vm_vec3 momentum_defect;  /* N s: momentum - momentum at the start - impulse - brought */
+    vm_vec3 angular_defect;   /* N m s: angular_momentum - its value at the start - angular_impulse - brought_angular */
+    vm_real energy_defect;    /* J: energy - energy at the start - work - brought_energy + mixing - jump_energy */
+    /* internal functions; they are pointers, so that a program without a budget does not link them */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
     void (*rates)(vm_scene *scene, const vm_real *y, vm_real *rates);
     void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *budget);
 };
 
-/* A scene. Fields that are 0 or NULL mean: there is none. */
+/* A scene. Every field that is 0 or NULL means that the scene has no such part. */
 struct VM_TAG(vm_scene) {
-    /* set by the caller before vm_scene_start */
-    vm_scene_body *bodies; /* n_bodies of them */
+    /* fields set by the caller before vm_scene_start */
+    vm_scene_body *bodies; /* array of n_bodies bodies */
     int n_bodies;
-    vm_effect *effects; /* n_effects of them */
+    vm_effect *effects; /* array of n_effects effects */
     int n_effects;
-    vm_event *events;   /* n_events of them */
-    ode_event *located; /* room for n_events, for the integrator, which locates the events */
+    vm_event *events;   /* array of n_events events */
+    ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
-    vm_budget *budget; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET_STATES numbers join the state */
-    /* called when a run starts and after each step, or at the times that follow; the run stops where it returns
-       another number than 0 */
+    vm_budget *budget; /* set by vm_scene_keep_budget: the budget at the start; it adds VM_BUDGET_STATES numbers to y */
+    /* NULL, or a function of the caller. It is called when a run starts and after each step, or only at `times` if they
+       are given. The run stops if it returns a number other than 0. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times rising times; output is then called at them, not after steps */
+    const vm_real *times; /* s: NULL, or n_times increasing times of output, which is then not called after steps */
     int n_times;
-    void *output_ctx; /* handed to output */
-    int y_size;       /* how many numbers y has room for: a start and a run then check it. 0: they do not */
-    int work_size;    /* how many numbers work has room for, likewise */
-    /* set by vm_scene_start and by a run, for the caller to read */
-    int status;     /* of the right-hand side: VM_OK, or why a body cannot be accelerated or an effect cannot act */
-    int ode_status; /* of the integrator: ODE_... */
-    int size;       /* how many numbers the state has; 0 before the start */
+    void *output_ctx; /* pointer that output receives */
+    int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
+    int work_size;    /* number of elements of work, which vm_scene_run checks; 0 means no check */
+    /* fields set by vm_scene_start and by a run, for the caller to read */
+    int status;     /* VM_OK, or why the right-hand side cannot accelerate a body or apply an effect */
+    int ode_status; /* status of the integrator: ODE_OK or another status of ode.h */
+    int size;       /* number of elements of the state; 0 before the start */
 };
 
-/* Sets of motions, a bit (1 << motion) each */
+/* Sets of motions, with the bit (1 << motion) for each motion */
 enum {
-    VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE, /* one coordinate */
+    VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE, /* motions with one coordinate */
     VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT,
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 
-/* The place of the mass among the numbers of a body, where it is a state */
+/* The index of the mass among the numbers of a body, if the mass is a state */
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
-/* How many numbers of the state belong to the body */
+/* The number of elements of the state that belong to the body */
 VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
 {
     int size = vmi_scene_mass_at(b) + (b->mass_is_state != 0);
@@ -280,19 +288,21 @@ VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
     return size;
 }
 
-/* Position on which an effect acts, relative to the coordinate that takes the reaction; the ground's position is 0 */
+/* Position of the coordinate on which an effect acts, relative to the coordinate that takes the reaction or to the
+   ground */
 VM_INLINE vm_real vmi_effect_x(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->x] - y[e->other_x] : y[e->x];
 }
 
-/* Velocity on which an effect acts, relative to the coordinate that takes the reaction; the ground's velocity is 0 */
+/* Velocity of the coordinate on which an effect acts, relative to the coordinate that takes the reaction or to the
+   ground */
 VM_INLINE vm_real vmi_effect_v(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->v] - y[e->other_v] : y[e->v];
 }
 
-/* Adds the force f to the coordinate of the effect, and -f to the one that takes the reaction */
+/* Adds the force f to the coordinate on which the effect acts, and -f to the coordinate that takes the reaction */
 VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 {
     e->load->force[e->coordinate] += f;

@@ -20,8 +20,8 @@
 #include "scene.h"
 #include "state.h"
 
-/* Whether the scene was started and its lists are still those of the start, as far as can be seen. The state may have
-   become shorter, since a budget may be given up. */
+/* Whether the scene was started, and its lists still seem to be those of the start. The state may be shorter than at
+   the start, since a scene may end its budget. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -33,7 +33,7 @@ VM_API int vmi_scene_is_started(const vm_scene *s)
     return 1;
 }
 
-/* The event function that the integrator watches; ctx is the event of the scene */
+/* The function whose zeros the integrator locates; ctx is the event of the scene */
 VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 {
     const vm_event *e = (const vm_event *)ctx;
@@ -41,7 +41,8 @@ VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
     return 1;
 }
 
-/* The integrator's event i. An event that is only counted, without limit, need not end a step: ODE_RECORD. */
+/* Prepares the event i of the integrator. If the event of the scene is only counted, and has no limit, the action is
+   ODE_RECORD, which does not end a step; else it is ODE_STOP. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -53,7 +54,8 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     if (!s->events[i].then && !s->events[i].most) located->action = ODE_RECORD;
 }
 
-/* Notes in an effect where its coordinates and loads are. Against the ground, other_coordinate may be any number. */
+/* Stores in an effect where its coordinates and loads are. If the effect acts against the ground, other_coordinate is
+   not used. */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
     vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
@@ -71,7 +73,7 @@ VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
     e->other_v = e->other_x + other->positions;
 }
 
-/* Writes the bodies as they start into the state; returns where the numbers of the budget begin */
+/* Writes the motions of all bodies at the start into the state. Returns the index of the first number of the budget. */
 VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
 {
     int i, k, at = 0;
@@ -99,10 +101,10 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
     }
 }
 
-/* Start of a scene at time t: checks it and fills its state y, vm_scene_size numbers. Returns VM_OK or what
-   vm_scene_check says, with the place of the fault in *fault_or_NULL; VM_BAD_ARGUMENT where y is NULL, VM_NOT_FINITE
-   for t, VM_SHORT_ARRAY where scene.y_size is set and too small. y is untouched if the start fails. After the start the
-   arrays of the scene must stay where they are. */
+/* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns
+   VM_OK, or a status of vm_scene_check, which writes to *fault_or_NULL where the fault is; VM_BAD_ARGUMENT if y is
+   NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the
+   start fails. After the start the arrays of the scene must stay where they are. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);

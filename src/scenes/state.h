@@ -1,7 +1,7 @@
 /* scenes/state.h - the state of a scene: its size, and the bodies in it
 
-   A scene's state y holds the numbers of each body one after the other, and at the end, where the scene keeps a budget,
-   the VM_BUDGET_STATES numbers of it. scene.h has a table of the numbers of each body.
+   The state y of a scene holds the numbers of the bodies, one body after the other. If the scene keeps a budget, its
+   VM_BUDGET_STATES numbers follow. scene.h has a table of the numbers of each body.
 
        vm_body now;
        vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y
@@ -17,22 +17,26 @@
 #include "../mechanics/vectors.h"
 #include "scene.h"
 
-enum { VM_BUDGET_STATES = 15 }; /* how many numbers a budget adds to the state */
+enum { VM_BUDGET_STATES = 15 }; /* number of elements that a budget adds to the state */
 
-/* How many numbers of work vm_scene_run needs for a state of so many numbers */
+/* The number of elements of work that vm_scene_run needs for a state of `size` numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
-/* Whether a list of so many elements can be there */
-VM_INLINE int vmi_scene_is_list(int n, const void *list) { return n == 0 || (n > 0 && list); }
+/* Whether a list can have n elements: n is not negative, and list is not NULL unless n is 0 */
+VM_INLINE int vmi_scene_is_list(int n, const void *list)
+{
+    if (n > 0) return list != NULL;
+    return n == 0;
+}
 
-/* Whether the lists that an evaluation reads can be there */
+/* Whether the lists of bodies and effects, which an evaluation reads, have possible lengths and are not NULL */
 VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
 {
     return vmi_scene_is_list(s->n_bodies, s->bodies) && vmi_scene_is_list(s->n_effects, s->effects);
 }
 
-/* How many numbers the state of a scene has. It depends on the bodies and on whether the scene keeps a budget.
-   VM_BAD_ARGUMENT where scene is NULL, its bodies are missing or their number is negative. */
+/* Number of elements of the state of a scene. It depends on the bodies and on whether the scene keeps a budget. Returns
+   VM_BAD_ARGUMENT if scene is NULL, its bodies are missing or their number is negative. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
     int i, size = 0;
@@ -51,9 +55,9 @@ VM_API void vmi_scene_body_now(const vm_scene *s, int body, const vm_real *y, vm
     b->get(b, y + b->at, now);
 }
 
-/* The motion of a body in the state y. The scene must have been started; 0 <= body < n_bodies. A mass that is given by
-   a law is that of the last evaluation of the right-hand side. All numbers of *now are NaN for an index that does not
-   exist, for NULL pointers, and before a start. */
+/* The motion of a body in the state y. The scene must have been started, and 0 <= body < n_bodies. If a law gives the
+   mass, its value is that of the last evaluation of the right-hand side. All numbers of *now are NaN if no body has
+   this index, if a pointer is NULL, and before a start. */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
 {
     const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
@@ -68,7 +72,8 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
     now->r = now->v = now->omega = none;
 }
 
-/* Writes a body that moves as `now` into the state. Its angle comes apart, since `now` does not tell complete turns. */
+/* Writes the motion `now` of a body into the state. The angle is a separate argument, since `now` does not include
+   complete turns. */
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -78,7 +83,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Makes the effects idle that act on or against a body that is not present, and the others of these not */
+/* Updates the field `idle` of all effects. An effect is idle if its body, or the body that takes the reaction, is not
+   present, or if the effect is switched off. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;

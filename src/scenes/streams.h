@@ -1,8 +1,9 @@
 /* scenes/streams.h - streams of mass into and out of the bodies of a scene
 
-   A stream changes a mass that is a state (vm_scene_body_with_mass_state). vm_effect_stream is a stream that crosses at
-   the mass centre: it changes the mass and has a reactive force. The other four are for a stream of chapter 5 that
-   crosses at a point of a growing body; each is one thing that the stream does, and each may be left out:
+   A stream carries mass into a body or out of it. It changes a mass that is a state (vm_scene_body_with_mass_state).
+   vm_effect_stream is a stream that enters or leaves at the mass centre: it changes the mass and has a reactive force.
+   Four further effects are for a vm_stream of mechanics/streams.h that enters or leaves at a point of a growing body.
+   Each of them is one action of the stream, and each may be left out:
      vm_effect_stream_mass    mass, mass centre and inertia; the mass centre then moves with r' = v + (M'/M) d
      vm_effect_stream_force   reactive force M' (u - v) (156)
      vm_effect_stream_moment  moment d x M' (u - v) about the mass centre (158)
@@ -36,9 +37,11 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_scene_reactive(e, y, s, rate, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A stream that crosses at the mass centre, with its reactive force. The mass of the body must be a state
-   (VM_MASS_IS_NO_STATE). rate in kg/s (on an axle kg m^2/s) is negative for mass that leaves; its own velocity is
-   u + (1 - reactive) v, as in vm_effect_mass_law. The inertia of the body stays as it is. */
+/* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
+   negative for mass that leaves. If reactive is 1, u is the absolute velocity of the mass; if reactive is 0, u is
+   relative to the body. In general the velocity of the mass is u + (1 - reactive) v, where v is the velocity of the
+   body. The inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body
+   is not a state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -51,13 +54,15 @@ VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real rea
     return e;
 }
 
-/* A stream at a point of a growing body: the motion of the body as the stream sees it, and the sums of chapter 5 */
+/* A stream at a point of a growing body: the motion of the body, as vmi_stream_sums needs it, and the sums that this
+   function computes */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
 } vmi_crossing;
 
-/* Fills *c. A varying stream whose motion has become unknown sets the status of the scene, which ends the run. */
+/* Fills *c with the sums of the stream of an effect. If vary has written an unknown motion to the stream, the scene
+   gets the status VM_BAD_ARGUMENT, which ends the run. */
 VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s, vmi_crossing *c)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -75,8 +80,9 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT;
 }
 
-/* Adds a reactive force and a moment or torque, inertial axes, to the load and to the budget. The budget has what the
-   stream brings together with the mass; here it loses from `mixing` the power of these loads. */
+/* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget.
+   vmi_apply_stream_mass enters in the budget the energy of the mass, and its momentum as if it had the velocity of
+   the body. This function adds force and torque to the momentum brought, and subtracts their power from `mixing`. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -133,7 +139,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Chapter 5's check of a stream, and that it has no store: a scene has no place for what is on the way to it */
+/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene neglects the momentum of mass
+   that flows between a store and the surface */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
@@ -151,40 +158,42 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Mass, mass centre and inertia that a stream brings to a growing body. The stream stays the caller's: where an event
-   changes it, the run goes on with the change. Its points are in body axes from where the mass centre was at the start.
-   The budget's `mixing` is right where the stream's mass, force, moment and torque are all listed. At the start
-   VM_BAD_ARGUMENT for a NULL pointer or an unknown motion, VM_STORED_STREAM for a stream with a store, VM_DOES_NOT_GROW
-   for a body that is not a growing one. */
+/* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes
+   it, the run continues with the change. stream->at is in body axes, from the position of the mass centre at the
+   start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
+   stream are all listed. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown,
+   VM_STORED_STREAM if it has a store, and VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
 }
 
-/* Reactive force M' (u - v) of a stream at a point of a growing body (156). Conditions and errors are those of
-   vm_effect_stream_mass. */
+/* Reactive force M' (u - v) of a stream at a point of a growing body (156). M' is the rate of the mass, u its velocity
+   and v that of the body. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_force);
 }
 
-/* Moment d x M' (u - v) of a stream on a growing body (158). It is that of the reactive force about the mass centre.
-   Conditions and errors are those of vm_effect_stream_mass. */
+/* Moment d x M' (u - v) of a stream on a growing body (158). It is the moment about the mass centre of the reactive
+   force, which acts at the point d. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_moment);
 }
 
-/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). Conditions and errors are those of
-   vm_effect_stream_mass. */
+/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). M' is the rate of the mass, kappa its
+   gyration, omega2 its angular velocity; I' is the rate of the inertia of the body, omega its angular velocity.
+   Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_torque);
 }
 
-/* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass or its like. At each evaluation
-   vary receives a copy of the stream and writes what differs at t and y: the point, which may move in the body, the
-   rate, the velocity. VM_BAD_ARGUMENT at the start where vary is NULL or the effect has no stream. */
+/* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
+   each evaluation vary receives a copy of the stream and writes what has changed at t and y: the point, which may move
+   in the body, the rate or the velocity. vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no
+   stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)

@@ -328,19 +328,18 @@ static int try_mistake(const trial *t, long mistake, search *s)
 static const int order[] = {VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN};
 enum { STATUSES = sizeof order / sizeof *order };
 
-/* The first and the last mistake of a function with each status, -1 for none */
-typedef struct examples {
-    long of[STATUSES][2];
-} examples;
+/* The mistakes of a function that have each status; 108 are the most that a function has */
+enum { MOST_MISTAKES = 512 };
+typedef struct mistakes {
+    long of[STATUSES][MOST_MISTAKES];
+    int n[STATUSES];
+} mistakes;
 
-static void keep_example(examples *seen, int status, long mistake)
+static void keep_mistake(mistakes *seen, int status, long mistake)
 {
     int i;
-    for (i = 0; i < STATUSES; i++) {
-        if (order[i] != status) continue;
-        if (seen->of[i][0] < 0) seen->of[i][0] = mistake;
-        seen->of[i][1] = mistake;
-    }
+    for (i = 0; i < STATUSES; i++)
+        if (order[i] == status && seen->n[i] < MOST_MISTAKES) seen->of[i][seen->n[i]++] = mistake;
 }
 
 /* Makes two mistakes: the later one first, since it does not change the numbers of those before it. */
@@ -364,24 +363,24 @@ static void try_two(const trial *t, int status, long mistake, long other)
     else verdict(t, &s, describe(&o), name_of(status));
 }
 
-static void try_pairs(const trial *t, const examples *seen)
+static void try_pairs(const trial *t, const mistakes *seen)
 {
-    int i, j, k;
+    int i, j, k, m;
     for (i = 0; i < STATUSES; i++)
         for (j = i + 1; j < STATUSES; j++)
-            for (k = 0; k < 4 && seen->of[i][0] >= 0 && seen->of[j][0] >= 0; k++)
-                try_two(t, order[i], seen->of[i][k % 2], seen->of[j][k / 2]);
+            for (k = 0; k < seen->n[i]; k++)
+                for (m = 0; m < seen->n[j]; m++) try_two(t, order[i], seen->of[i][k], seen->of[j][m]);
 }
 
 static void try_function(const trial *t)
 {
-    examples seen;
+    mistakes seen;
     search s;
     long k;
-    memset(&seen, -1, sizeof seen);
+    memset(&seen, 0, sizeof seen);
     if (!try_valid(t)) return;
     for (k = 0;; k++) {
-        if (try_mistake(t, k, &s)) keep_example(&seen, s.status, k);
+        if (try_mistake(t, k, &s)) keep_mistake(&seen, s.status, k);
         if (!s.mistake) break;
     }
     try_pairs(t, &seen);

@@ -1,23 +1,24 @@
-/* integrators/rk87_pair.h - coefficients of rk87, the Runge-Kutta pair of orders 8 and 7
-   Verner's "most efficient" pair [4]: 13 stages, and a continuous extension of order 8 for seven more evaluations of f
-   in each step in which it is used. Its coefficients are up to 123, so that its roundings are larger than those of
-   rk45. Users call the functions of adaptive.h.
+/* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
+   f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
+   larger than those of rk45. rk87 is the pair for a smooth f in double and small errors.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
-#ifndef VARMASS_INTEGRATORS_RK87_PAIR_H
-#define VARMASS_INTEGRATORS_RK87_PAIR_H
+#ifndef VARMASS_INTEGRATORS_RK87_H
+#define VARMASS_INTEGRATORS_RK87_H
 
 #include "../base/arrays.h"
 #include "../base/real.h"
+#include "dense.h"
+#include "loop.h"
 #include "ode.h"
 #include "options.h"
 #include "pairs.h"
 #include "runs.h"
 
-enum { VMI_RK87 = 87 }; /* the method */
+enum { VMI_RK87 = 87 }; /* the number of this pair */
 
-/* Stages 2 to 7 of [4]. Large coefficients of opposite sign belong to nearly equal times: there, here and in the late
-   stages, differences of k, which are exact, keep the roundings small. */
+/* Computes stages 2 to 7 of a step [4]. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -48,7 +49,9 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
     return 0;
 }
 
-/* Stages 8 to 13 of [4], and the new state, whose derivative is evaluated when the step is accepted */
+/* Computes stages 8 to 13 [4] and the new state, whose derivative is evaluated only after the step is accepted. Large
+   coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use the differences of such k,
+   which are exact, so that roundings remain small. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -110,7 +113,7 @@ VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new,
     return 0;
 }
 
-/* The stages of a step, for vmi_make_stages */
+/* Computes stages 2 to 13 and the new state of a step */
 VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
@@ -118,12 +121,12 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return vmi_rk87_late_stages(sys, t, t_new, h, evals);
 }
 
-/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ...
-   k13. The estimate of orders 8 and 7 hardly sees a jump between the stages at c = 0 and 0.9: its weights on either
-   side of the jump add up to 4e-4 at most, while the error is a quarter of the jump. The weights here, of order 5,
-   add up to 0.1, -0.17 and 0.25 there. In a step in which f is smooth, their sum `seen` is much smaller than
-   `change`, the change of f along the step. So the result seen^2/(seen + change) is of order 9, and below the
-   estimate of orders 8 and 7 for all but loose tolerances. */
+/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
+   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: its weights before the jump add up
+   to 4e-4 at most, while the error is a quarter of the jump. The weights used here, of order 5, add up to 0.1, -0.17 or
+   0.25. If f is smooth, the weighted sum `seen` of the k is much smaller than `change`, the change of f along the step.
+   The result seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance
+   is loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
@@ -133,8 +136,8 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest error of a component over its tolerance, by the difference of orders 8 and 7, or by what a jump of f may
-   do, whichever is larger */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 8 and 7, or the
+   error that a jump of f may cause (vmi_rk87_jump), whichever is larger. */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -156,8 +159,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: stage 13 and the new state are both at the end of the step. These are the weights of the
-   new state minus the coefficients of stage 13. */
+/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. The run evaluates f
+   for both states at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -176,11 +179,11 @@ VM_API vm_real vmi_rk87_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* How many k_i a step itself makes, and how many the continuous extension adds */
+/* Numbers of k_i: those that a step itself makes, and those that the continuous extension adds */
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
-/* The coefficient of k_{j+1} in the stage of the continuous extension that comes after k_{14+stage} */
+/* The coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage} */
 VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 {
     VM_TABLE vm_real a[7][20] = {
@@ -214,8 +217,8 @@ VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
     return VM_READ(a[stage][j]);
 }
 
-/* The seven further stages that the continuous extension of order 8 needs. They may leave the domain of f where the
-   step's own did not: ODE_NOT_FINITE. */
+/* Evaluates the seven further stages that the continuous extension of order 8 needs. Returns a status: ODE_NOT_FINITE
+   if one of them leaves the domain of f, which may happen even if no stage of the step itself does. */
 VM_API int vmi_rk87_extend(rk45 *s)
 {
     VM_TABLE vm_real c[7] = {
@@ -239,7 +242,8 @@ VM_API int vmi_rk87_extend(rk45 *s)
     return ODE_OK;
 }
 
-/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7, which keep the coefficients small [4] */
+/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7; b_{j+1} is the weight of k_{j+1} in the
+   continuous extension. Coefficients of powers of x would be larger [4]. */
 VM_API vm_real vmi_rk87_bernstein(int i, int j)
 {
     VM_TABLE vm_real c[8][21] = {
@@ -283,13 +287,14 @@ VM_API vm_real vmi_rk87_bernstein(int i, int j)
     return VM_READ(c[i][j]);
 }
 
-/* The weights of the continuous extension, of order 8 [4] */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 8 [4], at the fraction x of
+   the step */
 VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 {
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
     const int count = VMI_RK87_OWN + VMI_RK87_EXTRA;
     const vm_real u = 1 - x;
-    vm_real powers[8], power = x; /* of u, and of x */
+    vm_real powers[8], power = x; /* powers[i] is (1 - x)^i, and power is x^(i + 1) */
     int i, j;
     powers[0] = 1;
     for (i = 1; i < 8; i++) powers[i] = powers[i - 1] * u;
@@ -301,7 +306,8 @@ VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
     }
 }
 
-/* The continuous extension. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+/* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
+   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
 VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[VMI_RK87_OWN + VMI_RK87_EXTRA];
@@ -325,6 +331,70 @@ VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
     pair.inside = vmi_rk87_inside;
     pair.extend = vmi_rk87_extend;
     return pair;
+}
+
+/* Makes steps of rk87 to t_end, or only one if `single` is not 0. f and n are those of s. Returns a status. */
+VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
+{
+    vmi_rk_stepper stepper;
+    stepper.pair = vmi_rk87_pair();
+    stepper.make_stages = vmi_rk87_stages;
+    stepper.step_error = vmi_rk87_error;
+    return vmi_run(s, stepper, f, n, t_end, single);
+}
+
+/* -- Functions for users -- */
+
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
+
+/* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
+typedef rk45_options rk87_options;
+typedef rk45 rk87;
+
+/* Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45. work has RK87_WORK(n) numbers, and rtol
+   becomes at least 256 VM_EPSILON. */
+VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk87_options *options_or_NULL, vm_real *work)
+{
+    return vmi_ode_init(s, vmi_rk87_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
+}
+
+/* Continues a run of rk87 from another time or state, such as after a jump. All else is as in rk45_restart. */
+VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
+
+/* One accepted step of rk87, or the part of it before an event that ends the step. All else is as in rk45_step. */
+VM_INLINE int rk87_step(rk87 *s)
+{
+    vm_real t_end;
+    const int status = vmi_begin_step(s, VMI_RK87, &t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, s->f, s->n, t_end, 1);
+}
+
+/* Steps of rk87 to t_end, with f and n named again so that f is inlined. All else is as in rk45_solve_with. */
+VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
+{
+    const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
+    if (status) return status;
+    return vmi_rk87_run(s, f, n, t_end, 0);
+}
+
+/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
+   rk45_solve. */
+VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return rk87_solve_with(s, s->f, s->n, t_end);
+}
+
+/* State y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The first call after
+   a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t.
+   These evaluations may also give ODE_RHS_STOPPED (f stops the run) or ODE_NOT_FINITE, although the step itself has
+   succeeded. */
+VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
+{
+    if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
+    return vmi_interpolate(s, t, y);
 }
 
 #endif

@@ -1,0 +1,51 @@
+/* A nonlinear oscillator with variable mass that is solvable exactly. Snow settles on a cart with a cubic spring; its
+   mass grows as m = m0 (1 + a t)^(6/5), and the snow has no velocity before it lands, so that
+     d(m x')/dt + k x^3 = 0.
+   For this one power the disturbance G0 of the law of order five is zero at all times (docs/law.md), so that amplitude
+   and phase of x and V = x' + p x, p = a/(5 (1 + a t)), obey the mean motion without any error:
+     x = A0 s ca(psi),   x' = -(W/2) A0 s sa(psi) - p x   with s = (1 + a t)^(-1/5),
+     psi = psi0 + 5 W0 ((1 + a t)^(1/5) - 1)/a,   W = W0 (1 + a t)^(-4/5).
+   The program compares this formula with the law of order five and with integration by rk87. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "../varmass.h"
+
+static const double m0 = 2, k = 8, a = 0.05, x0 = 0.3, v0 = 0.1; /* kg, N/m^3, 1/s, m, m/s */
+
+/* The formula */
+static double exact(double t)
+{
+    const double growth = 1 + a * t, omega0 = sqrt(k / m0), p0 = a / 5;
+    double A0, psi, sa, ca, W0;
+    vm_osc_amplitude_phase(x0, v0 + p0 * x0, omega0, 3, &A0, &psi);
+    W0 = sqrt(2) * omega0 * A0;
+    psi += 5 * W0 * (pow(growth, 0.2) - 1) / a;
+    ateb_saca(psi, 3, &sa, &ca);
+    return A0 * pow(growth, -0.2) * ca;
+}
+
+int main(void)
+{
+    vm_osc_problem cart;
+    vm_osc_plan plan;
+    double t;
+    memset(&cart, 0, sizeof cart);
+    cart.alpha = 3;
+    cart.mass = vm_law_power(m0, a, 1.2);
+    cart.stiffness = vm_law_linear(k, 0);
+    cart.reactive = 1;
+    cart.x = x0;
+    cart.v = v0;
+    if (vm_osc_plan_init(&plan, &cart) != VM_OK) return 1;
+    puts("Snow on a cart with a cubic spring: d/dt(m x') + k x^3 = 0, m = m0 (1 + a t)^(6/5)");
+    puts("     t, s      mass, kg   x by the formula, m   error of order five   error of rk87");
+    for (t = 0; t <= 400; t += 50) {
+        vm_osc_motion law, rk87;
+        const double x = exact(t);
+        if (vm_osc_plan_by_route(&plan, VM_ROUTE_ORDER5, t, 0, &law) != VM_OK) return 1;
+        if (vm_osc_plan_by_route(&plan, VM_ROUTE_RK87, t, 1e-9, &rk87) < 0) return 1;
+        printf("%9.0f %12.4f %20.15f %18.1e %18.1e\n", t, m0 * pow(1 + a * t, 1.2), x, fabs(law.x - x), fabs(rk87.x - x));
+    }
+    return 0;
+}
