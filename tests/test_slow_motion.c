@@ -302,6 +302,54 @@ static void test_orders(void)
     }
 }
 
+/* ln of the mean action by an order, without damping, from the state at the start of the problem */
+static double mean_action(const vm_osc_problem *o, int order)
+{
+    vm_osc_plan plan;
+    vmi_osc_reduced state;
+    double ln_m, ln_k;
+    CHECK(vm_osc_plan_init(&plan, o) == VM_OK);
+    state = vmi_osc_reduce(&plan.slow, o->alpha, o->x, o->v);
+    state = vmi_osc_mean_of(&plan, order, &state, plan.E);
+    ln_m = log((double)plan.m0);
+    ln_k = log((double)plan.k0);
+    return ((double)o->alpha + 3) / 2 * log((double)state.A) + (ln_k + (2 * (double)o->reactive - 1) * ln_m) / 2;
+}
+
+/* By how much the mean action wanders between the five times of a motion that are known */
+static double action_wander(const slow_case *s, int order)
+{
+    const vm_osc_problem first = problem_of(&s->c);
+    const double action = mean_action(&first, order);
+    double worst = 0;
+    int i;
+    for (i = 0; i < TIMES; i++) {
+        routes_case c;
+        const vm_osc_problem o = slow_from(s, i, &c);
+        worst = fmax(worst, fabs(mean_action(&o, order) - action));
+    }
+    return worst;
+}
+
+/* The mean action is constant but for terms of the weight order + 1. The median is over the laws without damping. */
+static void test_action(void)
+{
+    enum { ALPHAS = 6, LAWS = 5 };
+    static const int laws[LAWS] = {0, 1, 3, 5, 7};
+    double slope[LAWS * ALPHAS];
+    int order, law, i;
+    if (is_float) return; /* float holds no such orders */
+    for (order = 2; order <= 5; order++) {
+        for (law = 0; law < LAWS; law++)
+            for (i = 0; i < ALPHAS; i++) {
+                const slow_case *s = slow_orders + 2 * (laws[law] * ALPHAS + i);
+                slope[law * ALPHAS + i] = log(action_wander(s, order) / action_wander(s + 1, order)) / log(4);
+            }
+        check_error("mean action", "order", "", fabs(median(slope, LAWS * ALPHAS) - order - 1), 0.3, order,
+                    median(slope, LAWS * ALPHAS));
+    }
+}
+
 /* ---- Estimates ---- */
 
 typedef struct judgement {
@@ -500,6 +548,7 @@ int main(void)
     test_law_side();
     test_reduction();
     test_orders();
+    test_action();
     test_estimates();
     test_size();
     test_solved();
