@@ -345,7 +345,7 @@ static void test_action(void)
                 const slow_case *s = slow_orders + 2 * (laws[law] * ALPHAS + i);
                 slope[law * ALPHAS + i] = log(action_wander(s, order) / action_wander(s + 1, order)) / log(4);
             }
-        check_error("mean action", "order", "", fabs(median(slope, LAWS * ALPHAS) - order - 1), 0.3, order,
+        check_error("mean action", "order", "", fabs(median(slope, LAWS * ALPHAS) - order - 1), 0.08, order,
                     median(slope, LAWS * ALPHAS));
     }
 }
