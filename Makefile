@@ -34,8 +34,8 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb rk4 pairs adaptive dense events coincidences bodies jumps jumps2 relative inverse \
     jump_equations torque_free streams flow flow1 flow2 drum drum_shaft lambert broken_rotor broken_rotor_stability \
-    lagrange lagrange_jump pendulum constant_mass laws averaging routes ladder van_der_pol jeffcott pair forced \
-    diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
+    lagrange lagrange_jump pendulum constant_mass laws averaging slow_motion collocation routes ladder van_der_pol \
+    jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
     dissertation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
 SCRIPTS = headers parts errors snippets options avr plans package scene_cost golden sweep errata documents first_steps languages readme fuzz hard_cases sanitize
@@ -262,10 +262,13 @@ data:
 	python3 tests/gen/streams.py
 	python3 tests/gen/slow.py
 	python3 tests/gen/oscillator_reference.py
+	python3 tests/gen/slow_motion.py
 	python3 tests/gen/hard_reference.py
 	@mkdir -p build && echo '*' >build/.gitignore
 	$(COMPILE) tests/gen/routes_reference.c -o build/routes_reference -lm
 	./build/routes_reference >tests/data/routes_table.h
+	$(COMPILE) tests/gen/slow_motion_reference.c -o build/slow_motion_reference -lm
+	./build/slow_motion_reference >build/slow_motions.h && mv build/slow_motions.h tests/data
 	mkdir -p build && $(CC) -std=gnu99 -O2 tests/gen/detest_reference.c -o build/detest_reference -lquadmath -lm
 	./build/detest_reference >build/detest_table.h && mv build/detest_table.h tests/data
 

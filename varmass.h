@@ -7719,6 +7719,12 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
     return (t_end - knot) * (vm_real)side > 0 ? knot : t_end;
 }
 
+/* Whether t is a point of a table inside it, where the second derivative may jump */
+VM_API int vmi_law_has_knot(const vm_law *law, vm_real t)
+{
+    return law->time && vmi_law_interval(law, t, 1) != vmi_law_interval(law, t, -1);
+}
+
 /* -- Functions of the user -- */
 
 /* Writes the Legendre series of the rate f' between t and t + length. */
@@ -7909,7 +7915,7 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real
    This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
-       int status = vmi_osc_slow_at(&problem, 0, 1, length, 1, &now); // laws at t = 0; length, s: see vmi_law_derivatives
+       int status = vmi_osc_slow_at(&problem, 0, 1, length, 1, &now); // at t = 0; length, s, as in vmi_law_derivatives
        if (!status) r = vmi_osc_reduce(&now, alpha, x, v);
    Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
@@ -8034,7 +8040,8 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
 }
 
 /* *now at t; where derivatives jump, after t for side = 1, before it for side = -1. length, s: see
-   vmi_law_derivatives; unit, s: see vmi_osc_slow. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come from the laws. */
+   vmi_law_derivatives; unit, s: see vmi_osc_slow. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come
+   from the laws. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {
@@ -8818,6 +8825,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real knots_psi[4];  /* for orders 2 to 5: sum of the squares of the errors of psi at points of tables */
     vm_real largest;       /* largest |E_0| between 0 and t, E_0 the disturbance */
     vm_real change[VMI_WALK_ORDERS]; /* integrals of |d^i E_0/dpsi^i| dpsi; 0 where closed forms are used */
+    vm_real dropped;       /* integral of the part of |E_0| dpsi that is not in `change` */
     vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
     vm_real error;         /* estimated error of `phase`, s */
 } vmi_osc_mean;
@@ -8853,6 +8861,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
         mean.knots_psi[i] = 0;
     }
     for (i = 0; i < VMI_WALK_ORDERS; i++) mean.change[i] = 0;
+    mean.dropped = 0;
     mean.shortest = VM_INFINITY;
     mean.error = 0;
     return mean;
@@ -8913,6 +8922,7 @@ typedef struct VM_TAG(vmi_osc_panel) {
     vm_real inverse[VMI_GAUSS]; /* series of 1/m */
     vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the rate of the phase over its value at t = 0 */
     vm_real E[VMI_GAUSS];       /* series of E_0 */
+    vm_real noise;              /* size of the coefficients of E that rounding errors of p' cause */
     vm_real first, second;      /* integrals of E_0 and of E_0^2 over the phase */
     vm_real cube;               /* integral of |E_0|^3 over the phase */
     vm_real largest;            /* largest |E_0| on the panel */
@@ -8949,6 +8959,10 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
+/* The factor by which rounding errors of the rates a and p become errors of p', on a panel of 1 s. In float they are as
+   large as fast changes, and are taken for these. */
+VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
+
 /* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
    start. */
 VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_real start, vm_real length,
@@ -8956,10 +8970,12 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
 {
     const int damped = p->problem.damping != 0;
     const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
+    const vm_real p_noise = vmi_osc_rate_noise() / VM_FABS(length);
     vmi_osc_panel_laws at;
     vm_real ratios[VMI_GAUSS], E[VMI_GAUSS];
     int i, status = vmi_osc_read_laws(&p->problem, vmi_time_side(length), start, length, &at, panel);
     if (status) return status;
+    panel->noise = 0;
     panel->first = 0;
     panel->second = 0;
     panel->cube = 0;
@@ -8973,6 +8989,7 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
         ratios[i] = vmi_exp(ln_Om, 0);
         W = W0 * ratios[i];
         E[i] = now->p / W * ((now->p - now->a) / W) - at.p_rate[i] / W / W;
+        panel->noise = vmi_larger(p_noise / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W), panel->noise);
         share = vmi_gauss_weight(i) / 2 * length * W;
         panel->first += share * E[i];
         panel->second += share * E[i] * E[i];
@@ -9000,15 +9017,21 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
 
 /* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, with the root mean square in place of the
    absolute value, and to mean->third the panel's part. Coefficients of E_0 that are as small as rounding errors are set
-   to 0 first. The series of E_0 is overwritten. */
+   to 0 first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], radians = W * VM_FABS(length);
-    const vm_real least = noise * VM_SQRT(vmi_legendre_square(panel->E));
+    const vm_real least = vmi_larger(noise * VM_SQRT(vmi_legendre_square(panel->E)), panel->noise);
     vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i, where x goes from -1 to 1 on the panel */
+    vm_real dropped[VMI_GAUSS];
     int i;
-    for (i = 0; i < VMI_GAUSS; i++)
-        if (VM_FABS(panel->E[i]) <= least) panel->E[i] = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        dropped[i] = 0;
+        if (VM_FABS(panel->E[i]) > least) continue;
+        dropped[i] = panel->E[i];
+        panel->E[i] = 0;
+    }
+    mean->dropped += radians * VM_SQRT(vmi_legendre_square(dropped));
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
         size[i] = rate * VM_SQRT(vmi_legendre_square(panel->E));
         mean->change[i] += radians * size[i];
@@ -9124,8 +9147,8 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
 
 /* -- The walk -- */
 
-/* Sets the mean motion at the start of a walk backward in time. The plan has the mean motion that belongs to the laws just
-   after t = 0; this is the one that belongs to the laws just before. */
+/* Sets the mean motion at the start of a walk backward in time. The plan has the mean motion that belongs to the
+   laws just after t = 0; this is the one that belongs to the laws just before. */
 VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;
@@ -9153,7 +9176,8 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     int status = VM_OK;
     *mean = vmi_osc_mean_at_0(p);
     mean->shortest = longest;
-    if (side < 0) status = vmi_osc_start_backward(p, mean);
+    if (side < 0 && (vmi_law_has_knot(mass, 0) || vmi_law_has_knot(stiffness, 0)))
+        status = vmi_osc_start_backward(p, mean);
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
         status = vmi_osc_walk_piece(p, at, next, longest, whole, mean);
@@ -9257,7 +9281,8 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real turn = r->pi / (2 * VM_PI);
-    vm_real size = (r->alpha + 3) / 4, least = VM_INFINITY; /* bound of (alpha+3)/2 |sa ca|, then of its integrals */
+    const vm_real first = (r->alpha + 3) / 4; /* bound of (alpha+3)/2 |sa ca|; its integrals have others */
+    vm_real size = first, least = VM_INFINITY;
     int i;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
         const vm_real bound = size * mean->change[i];
@@ -9265,7 +9290,7 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
         if (i == 0) size = r->scale / 4;
         else size *= turn;
     }
-    return least;
+    return least + first * mean->dropped;
 }
 
 /* The error that fast changes of the laws between 0 and t cause in every averaged solution. An error of ln J makes an
@@ -9291,31 +9316,40 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return phase + ln_A + e / (2 * (n + 2)) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that this
-   order leaves out: at the start, at t, at points of tables, and in the mean rate of the phase. Errors of ln J at the
-   start grow with the phase. A factor of 2 in the sum fits the errors that tests/test_slow_motion.c finds. */
+/* Writes how large the first terms are that the transformation of an order leaves out at t, of the phase and of ln
+   J, where the disturbances are e. Since the terms of the next weight may vanish, those of the weight after it
+   count, too. */
+VM_API void vmi_osc_left_out(const vmi_ripple *r, int order, const vm_real *e, vm_real *psi, vm_real *J)
+{
+    *psi = vmi_osc_size_psi(r, order, e);
+    *J = vmi_osc_size_J(r, order, e) + vmi_osc_size_J(r, order + 1, e);
+    if (order < 5) *psi += vmi_osc_size_psi(r, order + 1, e);
+}
+
+/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that
+   are left out: by the transformation of this order at t; and by the mean motion, which is of the order of the
+   start, at the start, at points of tables, and in the mean rate of the phase. Errors of ln J at the start grow
+   with the phase. A factor of 2 in the sum fits the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
     const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
-    const int start_order = order < p->start_order ? order : p->start_order;
     const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
-    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error, rate = mean->third;
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error;
     int i;
     vmi_osc_disturbance(&mean->now, state.W, e);
     for (i = 0; i < VMI_OSC_G; i++) {
         e0[i] = VM_FABS(p->E[i]);
         e[i] = VM_FABS(e[i]);
     }
-    start_J = vmi_osc_size_J(r, start_order + 1, e0);
-    knot_J = VM_SQRT(mean->knots_J[start_order - 2]);
-    if (order == 5) rate *= 2;
-    if (order < 4) rate = VM_FABS(mean->second) + mean->third;
     if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* the laws are not slow */
-    phase = vmi_osc_size_psi(r, order, e0) + vmi_osc_size_psi(r, order, e) + g * turns * (start_J + knot_J) + rate +
-            VM_SQRT(mean->knots_psi[start_order - 2]);
-    amplitude = vmi_osc_size_J(r, order, e) + start_J + knot_J;
+    vmi_osc_left_out(r, order, e, &phase, &amplitude);
+    start_J = vmi_osc_size_J(r, p->start_order + 1, e0);
+    knot_J = VM_SQRT(mean->knots_J[p->start_order - 2]);
+    phase += vmi_osc_size_psi(r, p->start_order, e0) + g * turns * (start_J + knot_J) + 2 * mean->third +
+             VM_SQRT(mean->knots_psi[p->start_order - 2]);
+    amplitude += start_J + knot_J;
     error = 4 / n * phase + 4 / (n + 2) * amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
     return error < largest_known ? error : VM_INFINITY;
 }
@@ -10096,7 +10130,7 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
-   Tests: tests/test_slow_motion.c, tests/test_routes.c. */
+   Tests: tests/test_collocation.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_COLLOCATION_H
 #define VARMASS_OSCILLATORS_COLLOCATION_H
 
@@ -10469,8 +10503,10 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return part;
 }
 
-/* Makes a step that ends at c->stop, in place of `beyond`, the longer step that would go past this time. */
-VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
+/* Makes a step that ends at c->stop, in place of `beyond`, the longer step that would go past this time. certain: 0
+   where `beyond` is only predicted. If it turns out that it does not reach c->stop, the course stays where it is,
+   since no step may cross a zero of x. */
+VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
     const vm_real way = (c->stop - c->t) - c->t_low;
@@ -10494,6 +10530,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
         if (VM_FABS(missing) <= c->sweep_limit) break;
         s.length += missing;
     }
+    if (!certain && VM_FABS(s.length) > VM_FABS(beyond->length)) return VM_OK;
     c->left += c->sweep_limit;
     vmi_osc_take(c, &s);
     c->t = c->stop;
@@ -10548,10 +10585,13 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
         s.waves = &inside;
         vmi_osc_course_waves(c, c->psi, s.length, &inside);
     }
-    if (vmi_osc_is_beyond(c, &s)) return vmi_osc_land(c, &s);
+    if (vmi_osc_is_beyond(c, &s)) {
+        status = vmi_osc_land(c, &s, 0);
+        if (status || c->t == c->stop) return status;
+    }
     status = vmi_osc_iterate(c, &s);
     if (status) return status;
-    if (vmi_osc_is_beyond(c, &s)) return vmi_osc_land(c, &s);
+    if (vmi_osc_is_beyond(c, &s)) return vmi_osc_land(c, &s, 1);
     vmi_osc_take(c, &s);
     if (part >= 0) vmi_osc_remember(c, part, &s.rates);
     return VM_OK;
@@ -10615,7 +10655,8 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
         apart = VM_FABS(loose->psi - strict->psi) + VM_FABS(loose->ln_A - strict->ln_A);
         if (loose->t != t && strict->t != t && loose->psi == strict->psi)
             apart += VM_FABS((loose->t - strict->t) * strict->rate);
-        if (loose->psi == strict->psi || (loose->t == t && strict->t == t)) *difference = vmi_larger(apart, *difference);
+        if (loose->psi == strict->psi || (loose->t == t && strict->t == t))
+            *difference = vmi_larger(apart, *difference);
         steps += 1;
         if (steps > most_steps) status = VM_NOT_INTEGRATED;
     }
@@ -10944,8 +10985,8 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
 }
 
 /* Motion at any time t (s) by integration, for vm_osc_plan_within where no averaged solution is good enough: by
-   collocation, and by rk87 where amplitude and phase do not describe the motion. If both miss the tolerance, the one with
-   the smaller error is taken. */
+   collocation, and by rk87 where amplitude and phase do not describe the motion. If both miss the tolerance, the
+   one with the smaller error is taken. */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_motion direct;

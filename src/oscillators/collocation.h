@@ -12,7 +12,7 @@
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
-   Tests: tests/test_slow_motion.c, tests/test_routes.c. */
+   Tests: tests/test_collocation.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_COLLOCATION_H
 #define VARMASS_OSCILLATORS_COLLOCATION_H
 
@@ -399,8 +399,10 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return part;
 }
 
-/* Makes a step that ends at c->stop, in place of `beyond`, the longer step that would go past this time. */
-VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
+/* Makes a step that ends at c->stop, in place of `beyond`, the longer step that would go past this time. certain: 0
+   where `beyond` is only predicted. If it turns out that it does not reach c->stop, the course stays where it is,
+   since no step may cross a zero of x. */
+VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
     const vm_real way = (c->stop - c->t) - c->t_low;
@@ -424,6 +426,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond)
         if (VM_FABS(missing) <= c->sweep_limit) break;
         s.length += missing;
     }
+    if (!certain && VM_FABS(s.length) > VM_FABS(beyond->length)) return VM_OK;
     c->left += c->sweep_limit;
     vmi_osc_take(c, &s);
     c->t = c->stop;
@@ -478,10 +481,13 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
         s.waves = &inside;
         vmi_osc_course_waves(c, c->psi, s.length, &inside);
     }
-    if (vmi_osc_is_beyond(c, &s)) return vmi_osc_land(c, &s);
+    if (vmi_osc_is_beyond(c, &s)) {
+        status = vmi_osc_land(c, &s, 0);
+        if (status || c->t == c->stop) return status;
+    }
     status = vmi_osc_iterate(c, &s);
     if (status) return status;
-    if (vmi_osc_is_beyond(c, &s)) return vmi_osc_land(c, &s);
+    if (vmi_osc_is_beyond(c, &s)) return vmi_osc_land(c, &s, 1);
     vmi_osc_take(c, &s);
     if (part >= 0) vmi_osc_remember(c, part, &s.rates);
     return VM_OK;
@@ -545,7 +551,8 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
         apart = VM_FABS(loose->psi - strict->psi) + VM_FABS(loose->ln_A - strict->ln_A);
         if (loose->t != t && strict->t != t && loose->psi == strict->psi)
             apart += VM_FABS((loose->t - strict->t) * strict->rate);
-        if (loose->psi == strict->psi || (loose->t == t && strict->t == t)) *difference = vmi_larger(apart, *difference);
+        if (loose->psi == strict->psi || (loose->t == t && strict->t == t))
+            *difference = vmi_larger(apart, *difference);
         steps += 1;
         if (steps > most_steps) status = VM_NOT_INTEGRATED;
     }

@@ -418,6 +418,12 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
     return (t_end - knot) * (vm_real)side > 0 ? knot : t_end;
 }
 
+/* Whether t is a point of a table inside it, where the second derivative may jump */
+VM_API int vmi_law_has_knot(const vm_law *law, vm_real t)
+{
+    return law->time && vmi_law_interval(law, t, 1) != vmi_law_interval(law, t, -1);
+}
+
 /* -- Functions of the user -- */
 
 /* Writes the Legendre series of the rate f' between t and t + length. */

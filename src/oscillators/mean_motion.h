@@ -102,7 +102,8 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real turn = r->pi / (2 * VM_PI);
-    vm_real size = (r->alpha + 3) / 4, least = VM_INFINITY; /* bound of (alpha+3)/2 |sa ca|, then of its integrals */
+    const vm_real first = (r->alpha + 3) / 4; /* bound of (alpha+3)/2 |sa ca|; its integrals have others */
+    vm_real size = first, least = VM_INFINITY;
     int i;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
         const vm_real bound = size * mean->change[i];
@@ -110,7 +111,7 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
         if (i == 0) size = r->scale / 4;
         else size *= turn;
     }
-    return least;
+    return least + first * mean->dropped;
 }
 
 /* The error that fast changes of the laws between 0 and t cause in every averaged solution. An error of ln J makes an
@@ -136,31 +137,40 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return phase + ln_A + e / (2 * (n + 2)) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that this
-   order leaves out: at the start, at t, at points of tables, and in the mean rate of the phase. Errors of ln J at the
-   start grow with the phase. A factor of 2 in the sum fits the errors that tests/test_slow_motion.c finds. */
+/* Writes how large the first terms are that the transformation of an order leaves out at t, of the phase and of ln
+   J, where the disturbances are e. Since the terms of the next weight may vanish, those of the weight after it
+   count, too. */
+VM_API void vmi_osc_left_out(const vmi_ripple *r, int order, const vm_real *e, vm_real *psi, vm_real *J)
+{
+    *psi = vmi_osc_size_psi(r, order, e);
+    *J = vmi_osc_size_J(r, order, e) + vmi_osc_size_J(r, order + 1, e);
+    if (order < 5) *psi += vmi_osc_size_psi(r, order + 1, e);
+}
+
+/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that
+   are left out: by the transformation of this order at t; and by the mean motion, which is of the order of the
+   start, at the start, at points of tables, and in the mean rate of the phase. Errors of ln J at the start grow
+   with the phase. A factor of 2 in the sum fits the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
     const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
-    const int start_order = order < p->start_order ? order : p->start_order;
     const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
-    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error, rate = mean->third;
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error;
     int i;
     vmi_osc_disturbance(&mean->now, state.W, e);
     for (i = 0; i < VMI_OSC_G; i++) {
         e0[i] = VM_FABS(p->E[i]);
         e[i] = VM_FABS(e[i]);
     }
-    start_J = vmi_osc_size_J(r, start_order + 1, e0);
-    knot_J = VM_SQRT(mean->knots_J[start_order - 2]);
-    if (order == 5) rate *= 2;
-    if (order < 4) rate = VM_FABS(mean->second) + mean->third;
     if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* the laws are not slow */
-    phase = vmi_osc_size_psi(r, order, e0) + vmi_osc_size_psi(r, order, e) + g * turns * (start_J + knot_J) + rate +
-            VM_SQRT(mean->knots_psi[start_order - 2]);
-    amplitude = vmi_osc_size_J(r, order, e) + start_J + knot_J;
+    vmi_osc_left_out(r, order, e, &phase, &amplitude);
+    start_J = vmi_osc_size_J(r, p->start_order + 1, e0);
+    knot_J = VM_SQRT(mean->knots_J[p->start_order - 2]);
+    phase += vmi_osc_size_psi(r, p->start_order, e0) + g * turns * (start_J + knot_J) + 2 * mean->third +
+             VM_SQRT(mean->knots_psi[p->start_order - 2]);
+    amplitude += start_J + knot_J;
     error = 4 / n * phase + 4 / (n + 2) * amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
     return error < largest_known ? error : VM_INFINITY;
 }

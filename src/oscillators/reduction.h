@@ -9,7 +9,7 @@
    This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
-       int status = vmi_osc_slow_at(&problem, 0, 1, length, 1, &now); // laws at t = 0; length, s: see vmi_law_derivatives
+       int status = vmi_osc_slow_at(&problem, 0, 1, length, 1, &now); // at t = 0; length, s, as in vmi_law_derivatives
        if (!status) r = vmi_osc_reduce(&now, alpha, x, v);
    Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
@@ -141,7 +141,8 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
 }
 
 /* *now at t; where derivatives jump, after t for side = 1, before it for side = -1. length, s: see
-   vmi_law_derivatives; unit, s: see vmi_osc_slow. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come from the laws. */
+   vmi_law_derivatives; unit, s: see vmi_osc_slow. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come
+   from the laws. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {

@@ -220,8 +220,8 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
 }
 
 /* Motion at any time t (s) by integration, for vm_osc_plan_within where no averaged solution is good enough: by
-   collocation, and by rk87 where amplitude and phase do not describe the motion. If both miss the tolerance, the one with
-   the smaller error is taken. */
+   collocation, and by rk87 where amplitude and phase do not describe the motion. If both miss the tolerance, the
+   one with the smaller error is taken. */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_motion direct;

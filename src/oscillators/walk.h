@@ -42,6 +42,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real knots_psi[4];  /* for orders 2 to 5: sum of the squares of the errors of psi at points of tables */
     vm_real largest;       /* largest |E_0| between 0 and t, E_0 the disturbance */
     vm_real change[VMI_WALK_ORDERS]; /* integrals of |d^i E_0/dpsi^i| dpsi; 0 where closed forms are used */
+    vm_real dropped;       /* integral of the part of |E_0| dpsi that is not in `change` */
     vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
     vm_real error;         /* estimated error of `phase`, s */
 } vmi_osc_mean;
@@ -77,6 +78,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
         mean.knots_psi[i] = 0;
     }
     for (i = 0; i < VMI_WALK_ORDERS; i++) mean.change[i] = 0;
+    mean.dropped = 0;
     mean.shortest = VM_INFINITY;
     mean.error = 0;
     return mean;
@@ -137,6 +139,7 @@ typedef struct VM_TAG(vmi_osc_panel) {
     vm_real inverse[VMI_GAUSS]; /* series of 1/m */
     vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the rate of the phase over its value at t = 0 */
     vm_real E[VMI_GAUSS];       /* series of E_0 */
+    vm_real noise;              /* size of the coefficients of E that rounding errors of p' cause */
     vm_real first, second;      /* integrals of E_0 and of E_0^2 over the phase */
     vm_real cube;               /* integral of |E_0|^3 over the phase */
     vm_real largest;            /* largest |E_0| on the panel */
@@ -173,6 +176,10 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
+/* The factor by which rounding errors of the rates a and p become errors of p', on a panel of 1 s. In float they are as
+   large as fast changes, and are taken for these. */
+VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
+
 /* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
    start. */
 VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_real start, vm_real length,
@@ -180,10 +187,12 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
 {
     const int damped = p->problem.damping != 0;
     const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
+    const vm_real p_noise = vmi_osc_rate_noise() / VM_FABS(length);
     vmi_osc_panel_laws at;
     vm_real ratios[VMI_GAUSS], E[VMI_GAUSS];
     int i, status = vmi_osc_read_laws(&p->problem, vmi_time_side(length), start, length, &at, panel);
     if (status) return status;
+    panel->noise = 0;
     panel->first = 0;
     panel->second = 0;
     panel->cube = 0;
@@ -197,6 +206,7 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
         ratios[i] = vmi_exp(ln_Om, 0);
         W = W0 * ratios[i];
         E[i] = now->p / W * ((now->p - now->a) / W) - at.p_rate[i] / W / W;
+        panel->noise = vmi_larger(p_noise / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W), panel->noise);
         share = vmi_gauss_weight(i) / 2 * length * W;
         panel->first += share * E[i];
         panel->second += share * E[i] * E[i];
@@ -224,15 +234,21 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
 
 /* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, with the root mean square in place of the
    absolute value, and to mean->third the panel's part. Coefficients of E_0 that are as small as rounding errors are set
-   to 0 first. The series of E_0 is overwritten. */
+   to 0 first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], radians = W * VM_FABS(length);
-    const vm_real least = noise * VM_SQRT(vmi_legendre_square(panel->E));
+    const vm_real least = vmi_larger(noise * VM_SQRT(vmi_legendre_square(panel->E)), panel->noise);
     vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i, where x goes from -1 to 1 on the panel */
+    vm_real dropped[VMI_GAUSS];
     int i;
-    for (i = 0; i < VMI_GAUSS; i++)
-        if (VM_FABS(panel->E[i]) <= least) panel->E[i] = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        dropped[i] = 0;
+        if (VM_FABS(panel->E[i]) > least) continue;
+        dropped[i] = panel->E[i];
+        panel->E[i] = 0;
+    }
+    mean->dropped += radians * VM_SQRT(vmi_legendre_square(dropped));
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
         size[i] = rate * VM_SQRT(vmi_legendre_square(panel->E));
         mean->change[i] += radians * size[i];
@@ -348,8 +364,8 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
 
 /* -- The walk -- */
 
-/* Sets the mean motion at the start of a walk backward in time. The plan has the mean motion that belongs to the laws just
-   after t = 0; this is the one that belongs to the laws just before. */
+/* Sets the mean motion at the start of a walk backward in time. The plan has the mean motion that belongs to the
+   laws just after t = 0; this is the one that belongs to the laws just before. */
 VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;
@@ -377,7 +393,8 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     int status = VM_OK;
     *mean = vmi_osc_mean_at_0(p);
     mean->shortest = longest;
-    if (side < 0) status = vmi_osc_start_backward(p, mean);
+    if (side < 0 && (vmi_law_has_knot(mass, 0) || vmi_law_has_knot(stiffness, 0)))
+        status = vmi_osc_start_backward(p, mean);
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
         status = vmi_osc_walk_piece(p, at, next, longest, whole, mean);

@@ -1,0 +1,196 @@
+/* Integration from zero to zero of x: Gauss' rules, motions of smooth and non-smooth forces of the spring, with tables,
+   further forces and backward in time, and the estimates of their errors. tests/gen/slow_motion_reference.c computes the
+   motions without the headers. */
+#include <stdlib.h>
+#include "../varmass.h"
+#include "check.h"
+#include "oscillator_checks.h"
+#include "routes_problems.h"
+#include "slow_motions.h"
+
+/* ---- Gauss' rules ---- */
+
+/* Chebyshev's polynomial T_k(2x - 1) on [0, 1], its derivative, and its integral from 0 to x */
+static double chebyshev(int k, double x) { return cos(k * acos(2 * x - 1)); }
+
+static double chebyshev_slope(int k, double x)
+{
+    const double angle = acos(2 * x - 1);
+    return 2 * k * sin(k * angle) / sin(angle);
+}
+
+static double chebyshev_integral(int k, double x)
+{
+    const double at_0 = k % 2 ? 1 : -1; /* T_(k+1) and T_(k-1) where x = 0 */
+    if (k == 0) return x;
+    if (k == 1) return x * x - x;
+    return (chebyshev(k + 1, x) - at_0) / (4 * (k + 1)) - (chebyshev(k - 1, x) - at_0) / (4 * (k - 1));
+}
+
+/* Weights, integrals and derivatives of a rule of n points are right for polynomials of degree 2n - 1, n - 1, n - 1. */
+static void test_rules(void)
+{
+    static vmi_gauss_rule rule;
+    int n, k, i, j;
+    for (n = 2; n <= VMI_NODES; n++) {
+        vmi_gauss_rule_init(&rule, n);
+        CHECK(rule.n == n);
+        for (k = 0; k < 2 * n; k++) {
+            double sum = 0;
+            for (j = 0; j < n; j++) sum += (double)rule.weight[j] * chebyshev(k, (double)rule.node[j]);
+            check_error("Gauss' rule", "weights", "eps", fabs(sum - (k % 2 ? 0 : 1. / (1 - k * k))) / eps, 25, n, k);
+        }
+        for (k = 0; k < n; k++)
+            for (i = 0; i < n; i++) {
+                const double x = (double)rule.node[i];
+                double integral = 0, derivative = 0;
+                for (j = 0; j < n; j++) {
+                    integral += (double)rule.integral[i][j] * chebyshev(k, (double)rule.node[j]);
+                    derivative += (double)rule.derivative[i][j] * chebyshev(k, (double)rule.node[j]);
+                }
+                check_error("Gauss' rule", "integrals", "eps", fabs(integral - chebyshev_integral(k, x)) / eps, 15, n, k);
+                check_error("Gauss' rule", "derivatives", "eps n^4",
+                            fabs(derivative - chebyshev_slope(k, x)) / (eps * pow(n, 4)), 1, n, k);
+            }
+    }
+}
+
+/* ---- Motions ---- */
+
+typedef struct judgement {
+    const char *name;
+    double sharp[4000]; /* estimate by true error */
+    int count, beyond, missed, refused;
+    double worst;
+} judgement;
+
+static int rising(const void *a, const void *b)
+{
+    const double d = *(const double *)a - *(const double *)b;
+    return d < 0 ? -1 : d > 0;
+}
+
+/* One motion that was asked for to a tolerance: its status, its true error, and what the route says of it */
+static void judge(judgement *j, int status, double error, const vm_osc_motion *m, double tolerance)
+{
+    CHECK(status == VM_OK || status == VM_TOLERANCE_MISSED || status == VM_NOT_INTEGRATED);
+    if (status == VM_NOT_INTEGRATED) {
+        j->refused++;
+        return;
+    }
+    CHECK(m->route == VM_ROUTE_COLLOCATION && m->evals > 0);
+    CHECK((status == VM_OK) == ((double)m->error <= tolerance));
+    j->missed += status == VM_TOLERANCE_MISSED;
+    j->sharp[j->count++] = (double)m->error / fmax(error, 1e-300);
+    j->beyond += error > 3 * (double)m->error;
+    j->worst = fmax(j->worst, error / (double)m->error);
+}
+
+/* sharp: the median of estimate by true error; missed: the share whose tolerance is missed, in % */
+static void report(judgement *j, double sharp, double missed)
+{
+    const int all = j->count + j->refused;
+    qsort(j->sharp, (size_t)j->count, sizeof *j->sharp, rising);
+    check_error(j->name, "true > 3 est", "%", 100. * j->beyond / j->count, 1, j->count, 0);
+    check_error(j->name, "true/est, worst", "", j->worst, 10, 0, 0);
+    check_error(j->name, "est/true, median", "", j->sharp[j->count / 2], sharp, 0, 0);
+    check_error(j->name, "missed", "%", 100. * j->missed / all, missed, j->missed, 0);
+    check_error(j->name, "not integrated", "%", 100. * j->refused / all, 1, j->refused, 0);
+}
+
+enum { TOLERANCES = 4 };
+static double tolerance_of(int i)
+{
+    static const double in_double[TOLERANCES] = {1e-4, 1e-7, 1e-10, 1e-12}, in_float[TOLERANCES] = {1e-2, 3e-3, 1e-3, 3e-4};
+    return by_precision(in_double[i], in_float[i]);
+}
+
+/* Forward to two times of each case, and backward from two times to its start. A force by the cosine of time is not
+   moved, and goes forward only. */
+static void judge_case(const slow_case *s, judgement *j)
+{
+    int k, i;
+    for (k = 0; k < TOLERANCES; k++)
+        for (i = 1; i < TIMES; i += 2) {
+            const double tolerance = tolerance_of(k);
+            vm_osc_problem o = problem_of(&s->c);
+            vm_osc_motion m = {0, 0, 0, 0, 0, 0};
+            routes_case back;
+            int status = vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, R(slow_time(s, i)), R(tolerance), &m);
+            judge(j, status, slow_error(s, &o, i, &m), &m, tolerance);
+            if (s->c.force == COSINE) continue;
+            o = slow_from(s, i, &back);
+            status = vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, R(back.T), R(tolerance), &m);
+            judge(j, status, case_error(&back, &o, m.x, m.v), &m, tolerance);
+        }
+}
+
+static void test_motions(void)
+{
+    static judgement free_motion, tables, forced;
+    int i;
+    free_motion.name = "no force";
+    tables.name = "table";
+    forced.name = "force";
+    for (i = 0; i < COUNT(slow_exact); i++) {
+        const routes_case *c = &slow_exact[i].c;
+        if (c->force) judge_case(slow_exact + i, &forced);
+        else judge_case(slow_exact + i, c->mass.kind == LAW_TABLE ? &tables : &free_motion);
+    }
+    for (i = 0; i < COUNT(slow_wide); i += 4) judge_case(slow_wide + i, &free_motion);
+    for (i = 0; i < COUNT(slow_tables); i += 2) judge_case(slow_tables + i, &tables);
+    report(&free_motion, by_precision(90, 40), by_precision(8, 1));
+    report(&tables, by_precision(70, 40), by_precision(15, 12));
+    report(&forced, by_precision(25, 60), by_precision(60, 25));
+}
+
+/* The least error, each alpha by itself. Where alpha is small or no integer, sa has a singularity of the power alpha + 1
+   at the ends of the steps; the velocity in a force brings it into the equations undiminished. */
+static void test_least_error(void)
+{
+    enum { ALPHAS = 6, EACH = 8, FREE = 3 }; /* motions of an alpha, the first three without a force */
+    static const char *const names[ALPHAS] = {"alpha = 0", "alpha = 0.1", "alpha = 0.5", "alpha = 4/3", "alpha = 2.3",
+                                              "alpha = 10"};
+    static const double free_motion[ALPHAS] = {1e-13, 3e-9, 1e-10, 3e-13, 3e-13, 3e-13};
+    static const double forced[ALPHAS] = {5e-13, 3e-5, 1.5e-6, 6e-9, 2e-10, 3e-11};
+    int i;
+    CHECK(COUNT(slow_exact) == ALPHAS * EACH);
+    for (i = 0; i < COUNT(slow_exact); i++) {
+        const slow_case *s = slow_exact + i;
+        const int alpha = i / EACH;
+        const vm_osc_problem o = problem_of(&s->c);
+        vm_osc_motion m = {0, 0, 0, 0, 0, 0};
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, R(s->c.T), R(by_precision(1e-12, 3e-5)), &m) >= 0);
+        if (i % EACH < FREE)
+            check_error(names[alpha], "no force", "A", slow_error(s, &o, TIMES - 1, &m),
+                        by_precision(free_motion[alpha], 5e-5), i, 0);
+        else
+            check_error(names[alpha], "forces", "A", slow_error(s, &o, TIMES - 1, &m), by_precision(forced[alpha], 5e-5), i,
+                        s->c.force);
+    }
+}
+
+/* Evaluations, both runs together, of alpha = 4/3, m = 1 + t/100, from rest to T = 300, which takes 24 vibrations */
+static void test_evaluations(void)
+{
+    static const double tolerances[3] = {1e-6, 1e-8, 1e-10};
+    static const long most[3] = {1500, 2000, 3500};
+    const vm_osc_problem o = problem(4. / 3, vm_law_linear(1, R(0.01)), 1, 0);
+    int i;
+    if (is_float) return;
+    for (i = 0; i < 3; i++) {
+        vm_osc_motion m = {0, 0, 0, 0, 0, 0};
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 300, R(tolerances[i]), &m) == VM_OK);
+        check_error("evaluations", "24 vibrations", "most", (double)m.evals / (double)most[i], 1, tolerances[i],
+                    (double)m.evals);
+    }
+}
+
+int main(void)
+{
+    test_rules();
+    test_motions();
+    test_least_error();
+    test_evaluations();
+    return check_finish("collocation");
+}
