@@ -664,7 +664,7 @@ static void test_masses(void)
             CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, R(end), R(by_precision(1e-7, 1e-3)), &n) >= 0);
             near(title, "x", (double)(m.x - n.x) / (double)n.amplitude, 0,
                  3 * (double)(m.error + n.error) + by_precision(0, 1e-2));
-            if (falls && !reactive) check_error(title, "estimate, fast end", "1", (double)m.error, 0.25, reactive, end);
+            if (falls && !reactive) CHECK(m.error > R(0.1)); /* the law knows that it is not good there */
             else check_error(title, "estimate", "1", (double)m.error, by_precision(1e-7, 2e-2), reactive, end);
         }
 }

@@ -206,7 +206,7 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
-    const vm_real least_rate = VM_C(0.1); /* below this ratio of the phase's rate to W there is no vibration */
+    const vm_real least_rate = VM_C(0.03); /* below this ratio of the phase's rate to W there is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
     const vm_real W = plan->Om * vmi_osc_Om_ratio(plan, now, ln_A);
     const vm_real E = (now->p * (now->p - now->a) - p_rate) / (W * W);
@@ -421,6 +421,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
         vm_real missing;
         vmi_osc_course_waves(c, c->psi, s.length, &waves);
         status = vmi_osc_iterate(c, &s);
+        if (status == VM_NOT_INTEGRATED && !certain) return VM_OK;
         if (status) return status;
         missing = (way - vmi_osc_whole_change(c, &s).t) / s.rates.t[c->rule.n - 1];
         if (VM_FABS(missing) <= c->sweep_limit) break;
