@@ -1376,16 +1376,17 @@ VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
                          (vmi_to_bits(shifted) << VMI_STORED_DIG));
 }
 
-/* The number y = 2 q d in two words, whose power y^(alpha + 1) is X; ln y is vmi_ateb_ln_of(k, t) */
+/* The number y = 2 q d in two words, where q = 1/(alpha + 1) and d is the distance from a zero of ca. The power
+   y^(alpha + 1) is X; ln y is vmi_ateb_ln_of(k, t). */
 typedef struct VM_TAG(vmi_ateb_base) {
     vm_two y;
     vm_real k, t;
 } vmi_ateb_base;
 
-/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y is 1 - q z, where
-   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; for r < d, y > 1/2. The low word of
-   y matters: where alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so
-   small that y.lo need not be scaled by 2^-k. */
+/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where
+   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; for r < d, y > 1/2. The low word of y
+   matters: where alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small
+   that y.lo need not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
@@ -1416,11 +1417,13 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
            (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
 }
 
-/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from that of ca. q is 1/(alpha + 1),
-   y = 2 q d, and ln X = (alpha + 1) ln y. The equation
-     ln X = ln x + (alpha + 1) ln(1 + q T) is solved for p. Its derivatives, with E = 1 + q T, are
+/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. Given are
+   q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1). The unknown is p = (1 - sa)/2. From p follow
+     v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
+   They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives are
      dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
-   rho is ln X minus the ln X that belongs to the guess; a Taylor series in rho gives sa and ca. */
+   The function starts from a guess of p. rho is ln X minus the ln X that belongs to the guess; a Taylor series in
+   rho gives sa and ca. */
 VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
 {
     const vm_real least_ln = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* X < eps/8 may be neglected */
@@ -2128,8 +2131,9 @@ VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d,
     return vmi_ateb_exp(vmi_larger(ln_X, least_ln));
 }
 
-/* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where base is r or 2 q d. Terms with even powers of
-   tau and terms with odd powers are added up separately, so that the processor computes both sums at once. */
+/* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where A and C are the polynomials part->odd and
+   part->even, and base is r or 2 q d. Terms with even powers of tau and terms with odd powers are added up separately,
+   so that the processor computes both sums at once. */
 VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two base, vm_real tau, vm_real *odd,
                                 vm_real *even)
 {
@@ -2228,8 +2232,8 @@ VM_INLINE void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
-/* Computes sa and ca of n arguments, each with |s| < p->longest, in a loop that compilers vectorise if length is a
-   constant. */
+/* Computes sa and ca of n arguments, each with |s| < p->longest. length is the number of terms of the polynomials.
+   Compilers vectorise the loop if length is a constant. */
 VM_INLINE void vmi_ateb_loop(const ateb_plan *p, int length, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     int i;
@@ -2241,7 +2245,7 @@ VM_INLINE void vmi_ateb_loop(const ateb_plan *p, int length, int n, const vm_rea
     }
 }
 
-/* Computes sa and ca of n arguments by the loop with the least constant length that is enough. */
+/* Computes sa and ca of n arguments by vmi_ateb_loop, with the least of a few constant lengths >= p->length. */
 VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
 #if ATEB_PLAN_LENGTH > 8
@@ -2314,7 +2318,7 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 
 /* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0 they are those of
    sa/r (odd) and ca (even) in powers of r^2; for beyond = 1 they are those of ca/(2 q d) (odd) and sa (even) in powers
-   of X = (2 q d)^(alpha+1). */
+   of X = (2 q d)^(alpha+1). r and d are the distances from the nearest zeros of sa and ca, and q = 1/(alpha + 1). */
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
@@ -2341,15 +2345,15 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Economises c_1 + c_2 tau + c_3 tau^2 + ... for 0 <= tau <= limit: writes to result a polynomial in tau/unit
-   with at most ATEB_PLAN_LENGTH terms, and returns the number of its terms. Its error is at most tolerance/limit if
-   these terms are enough. c is overwritten. */
+/* Economises c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: replaces the sum by a polynomial in x/unit with at most
+   ATEB_PLAN_LENGTH terms, and returns the number of its terms. result receives its coefficients times unit. Its error
+   is at most tolerance/limit if these terms are enough. c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* makes c limit times the polynomial, in powers of t = tau/limit */
+    for (i = 0; i <= highest; i++) { /* makes c limit times the polynomial, in powers of t = x/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
@@ -2368,8 +2372,9 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     return k + 1;
 }
 
-/* Fills part 0 or 1 (`beyond`) of the plan and returns the number of terms of its polynomials. unit is the value of X
-   at which tau is 1 in part 1; in part 0 tau is r^2 and unit is 1. */
+/* Fills part 0 or 1 (`beyond`) of the plan and returns the number of terms of its polynomials in tau. In part 0,
+   tau = r^2, where r is the distance from a zero of sa, and unit is 1. In part 1, tau = X/unit, where
+   X = (2 d/(alpha + 1))^(alpha+1) and d is the distance from a zero of ca. */
 VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_real unit,
                               vm_real tolerance)
 {
@@ -2403,9 +2408,9 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
    -1 for alpha < 0 and if a number is NaN or infinite; then the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    /* Beyond the change-over sa is computed from X, whose rounding errors enter with the factor X/(2 sa). This factor
-       is 0.33 for a change-over at r = 0.92; for one at r = 0.73 it would be 0.5, and the error 2.3 ulp. For a
-       change-over beyond 0.92 the polynomials would have too few terms. */
+    /* Beyond the change-over sa is computed from X = (2 q d)^(alpha+1), whose rounding errors enter with the factor
+       X/(2 sa). This factor is 0.33 for a change-over at r = 0.92; for one at r = 0.73 it would be 0.5, and the error
+       2.3 ulp. For a change-over beyond 0.92 the polynomials would have too few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
     vm_real tolerance = VM_EPSILON / 16, unit = 1;
     int length, length_beyond;
@@ -2559,7 +2564,8 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 }
 
 /* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. This is a times the sum over n >= 1 of (1 - b)_n/n!
-   x^n/(a + n). Term n is below the larger of x^n and (b x)^n/n!, where b x < 2. */
+   x^n/(a + n), where (z)_n = z (z + 1) ... (z + n - 1). Term n is below the larger of x^n and (b x)^n/n!, and
+   b x < 2. */
 VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
 {
     const vm_real most = 200; /* limit of the loop if x is NaN; otherwise 96 terms are enough */
@@ -2613,8 +2619,9 @@ VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
     return mirrored;
 }
 
-/* Returns ln I_x(a, b) for x <= (a + 1)/(a + b + 2). Where a is small, I_x is close to 1, and 1 - I_x must keep its
-   digits. Therefore a series is used for a <= 1: it loses no digits and has no factor y^b. */
+/* Returns ln I_x(a, b) at the point x with y = 1 - x, for x <= (a + 1)/(a + b + 2). Where a is small, I_x is close
+   to 1, and 1 - I_x must keep its digits. Therefore a series is used for a <= 1: it loses no digits and has no factor
+   y^b. */
 VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b)
 {
     vm_two f;
@@ -2625,8 +2632,8 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b)
     return vmi_two_plus(vmi_beta_ln_density(vmi_two(a, 0), vmi_two(b, 0), at.ln_x, at.ln_y), f);
 }
 
-/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where p + q = 1. The logarithm of the shorter tail of the
-   distribution is computed; the other logarithm follows from p + q = 1. */
+/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x and p + q = 1. The logarithm of the shorter
+   tail of the distribution is computed; the other logarithm follows from p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two *ln_p, vm_two *ln_q)
 {
     if (at->x * (a + b + 2) <= a + 1) {

@@ -128,7 +128,8 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 }
 
 /* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. This is a times the sum over n >= 1 of (1 - b)_n/n!
-   x^n/(a + n). Term n is below the larger of x^n and (b x)^n/n!, where b x < 2. */
+   x^n/(a + n), where (z)_n = z (z + 1) ... (z + n - 1). Term n is below the larger of x^n and (b x)^n/n!, and
+   b x < 2. */
 VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
 {
     const vm_real most = 200; /* limit of the loop if x is NaN; otherwise 96 terms are enough */
@@ -182,8 +183,9 @@ VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
     return mirrored;
 }
 
-/* Returns ln I_x(a, b) for x <= (a + 1)/(a + b + 2). Where a is small, I_x is close to 1, and 1 - I_x must keep its
-   digits. Therefore a series is used for a <= 1: it loses no digits and has no factor y^b. */
+/* Returns ln I_x(a, b) at the point x with y = 1 - x, for x <= (a + 1)/(a + b + 2). Where a is small, I_x is close
+   to 1, and 1 - I_x must keep its digits. Therefore a series is used for a <= 1: it loses no digits and has no factor
+   y^b. */
 VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b)
 {
     vm_two f;
@@ -194,8 +196,8 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b)
     return vmi_two_plus(vmi_beta_ln_density(vmi_two(a, 0), vmi_two(b, 0), at.ln_x, at.ln_y), f);
 }
 
-/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where p + q = 1. The logarithm of the shorter tail of the
-   distribution is computed; the other logarithm follows from p + q = 1. */
+/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x and p + q = 1. The logarithm of the shorter
+   tail of the distribution is computed; the other logarithm follows from p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two *ln_p, vm_two *ln_q)
 {
     if (at->x * (a + b + 2) <= a + 1) {

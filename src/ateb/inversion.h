@@ -128,16 +128,17 @@ VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
                          (vmi_to_bits(shifted) << VMI_STORED_DIG));
 }
 
-/* The number y = 2 q d in two words, whose power y^(alpha + 1) is X; ln y is vmi_ateb_ln_of(k, t) */
+/* The number y = 2 q d in two words, where q = 1/(alpha + 1) and d is the distance from a zero of ca. The power
+   y^(alpha + 1) is X; ln y is vmi_ateb_ln_of(k, t). */
 typedef struct VM_TAG(vmi_ateb_base) {
     vm_two y;
     vm_real k, t;
 } vmi_ateb_base;
 
-/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y is 1 - q z, where
-   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; for r < d, y > 1/2. The low word of
-   y matters: where alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so
-   small that y.lo need not be scaled by 2^-k. */
+/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where
+   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; for r < d, y > 1/2. The low word of y
+   matters: where alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small
+   that y.lo need not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
@@ -168,11 +169,13 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
            (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
 }
 
-/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from that of ca. q is 1/(alpha + 1),
-   y = 2 q d, and ln X = (alpha + 1) ln y. The equation
-     ln X = ln x + (alpha + 1) ln(1 + q T) is solved for p. Its derivatives, with E = 1 + q T, are
+/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. Given are
+   q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1). The unknown is p = (1 - sa)/2. From p follow
+     v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
+   They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives are
      dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
-   rho is ln X minus the ln X that belongs to the guess; a Taylor series in rho gives sa and ca. */
+   The function starts from a guess of p. rho is ln X minus the ln X that belongs to the guess; a Taylor series in
+   rho gives sa and ca. */
 VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
 {
     const vm_real least_ln = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* X < eps/8 may be neglected */

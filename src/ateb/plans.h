@@ -100,8 +100,9 @@ VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d,
     return vmi_ateb_exp(vmi_larger(ln_X, least_ln));
 }
 
-/* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where base is r or 2 q d. Terms with even powers of
-   tau and terms with odd powers are added up separately, so that the processor computes both sums at once. */
+/* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where A and C are the polynomials part->odd and
+   part->even, and base is r or 2 q d. Terms with even powers of tau and terms with odd powers are added up separately,
+   so that the processor computes both sums at once. */
 VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two base, vm_real tau, vm_real *odd,
                                 vm_real *even)
 {
@@ -200,8 +201,8 @@ VM_INLINE void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
-/* Computes sa and ca of n arguments, each with |s| < p->longest, in a loop that compilers vectorise if length is a
-   constant. */
+/* Computes sa and ca of n arguments, each with |s| < p->longest. length is the number of terms of the polynomials.
+   Compilers vectorise the loop if length is a constant. */
 VM_INLINE void vmi_ateb_loop(const ateb_plan *p, int length, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     int i;
@@ -213,7 +214,7 @@ VM_INLINE void vmi_ateb_loop(const ateb_plan *p, int length, int n, const vm_rea
     }
 }
 
-/* Computes sa and ca of n arguments by the loop with the least constant length that is enough. */
+/* Computes sa and ca of n arguments by vmi_ateb_loop, with the least of a few constant lengths >= p->length. */
 VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
 #if ATEB_PLAN_LENGTH > 8
@@ -286,7 +287,7 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 
 /* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0 they are those of
    sa/r (odd) and ca (even) in powers of r^2; for beyond = 1 they are those of ca/(2 q d) (odd) and sa (even) in powers
-   of X = (2 q d)^(alpha+1). */
+   of X = (2 q d)^(alpha+1). r and d are the distances from the nearest zeros of sa and ca, and q = 1/(alpha + 1). */
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
@@ -313,15 +314,15 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Economises c_1 + c_2 tau + c_3 tau^2 + ... for 0 <= tau <= limit: writes to result a polynomial in tau/unit
-   with at most ATEB_PLAN_LENGTH terms, and returns the number of its terms. Its error is at most tolerance/limit if
-   these terms are enough. c is overwritten. */
+/* Economises c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: replaces the sum by a polynomial in x/unit with at most
+   ATEB_PLAN_LENGTH terms, and returns the number of its terms. result receives its coefficients times unit. Its error
+   is at most tolerance/limit if these terms are enough. c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* makes c limit times the polynomial, in powers of t = tau/limit */
+    for (i = 0; i <= highest; i++) { /* makes c limit times the polynomial, in powers of t = x/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
@@ -340,8 +341,9 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     return k + 1;
 }
 
-/* Fills part 0 or 1 (`beyond`) of the plan and returns the number of terms of its polynomials. unit is the value of X
-   at which tau is 1 in part 1; in part 0 tau is r^2 and unit is 1. */
+/* Fills part 0 or 1 (`beyond`) of the plan and returns the number of terms of its polynomials in tau. In part 0,
+   tau = r^2, where r is the distance from a zero of sa, and unit is 1. In part 1, tau = X/unit, where
+   X = (2 d/(alpha + 1))^(alpha+1) and d is the distance from a zero of ca. */
 VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_real unit,
                               vm_real tolerance)
 {
@@ -375,9 +377,9 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
    -1 for alpha < 0 and if a number is NaN or infinite; then the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    /* Beyond the change-over sa is computed from X, whose rounding errors enter with the factor X/(2 sa). This factor
-       is 0.33 for a change-over at r = 0.92; for one at r = 0.73 it would be 0.5, and the error 2.3 ulp. For a
-       change-over beyond 0.92 the polynomials would have too few terms. */
+    /* Beyond the change-over sa is computed from X = (2 q d)^(alpha+1), whose rounding errors enter with the factor
+       X/(2 sa). This factor is 0.33 for a change-over at r = 0.92; for one at r = 0.73 it would be 0.5, and the error
+       2.3 ulp. For a change-over beyond 0.92 the polynomials would have too few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
     vm_real tolerance = VM_EPSILON / 16, unit = 1;
     int length, length_beyond;

@@ -114,15 +114,16 @@ VM_API const char *vm_strerror(int status)
     }
 }
 
-/* Returns the rank of an error: the error with the smaller rank is reported. The ranks follow the order at the top of
-   this file; errors that are not named there follow in the order of their numbers. */
+/* Returns the rank of an error: of two errors, the one with the smaller rank is reported. The ranks follow the order at
+   the top of this file; errors that are not named there follow in the order of their numbers. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
     return 2 * -status;
 }
 
-/* Returns the one of two statuses, VM_OK or errors, that a function returns if both apply. */
+/* Of two statuses, returns the one that takes precedence: an error before VM_OK, and of two errors the one that stands
+   first in the order of vmi_error_rank. */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;

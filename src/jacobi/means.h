@@ -24,16 +24,16 @@ VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
     const vm_real low = -2 + y * (6 + y * (-16 + 37 * y));
     const vm_real high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
-    const vm_real series = low + (y * y) * (y * y) * high;             /* is (S - 1)/q^2 */
-    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* is d/m */
-    const vm_real eta = (loss + q * series) / (256 * R * R);           /* is (delta - 1/16)/m */
+    const vm_real series = low + (y * y) * (y * y) * high;             /* (S - 1)/q^2 */
+    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* delta = d/m */
+    const vm_real eta = (loss + q * series) / (256 * R * R);           /* eta = (delta - 1/16)/m */
     *C2 = VM_C(0.5) - d;
     *C4 = (1 - 4 * d + 2 * delta) / 3;
     *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
 }
 
 /* Returns C2 by (383) from K and E, for 1 - m = c <= 1/2 and l = ln(4/k'): C2 = (E/K - c)/m. E/K is a sum of two words
-   here, because an error of C2 in a parameter near 4/5 doubles in the mean of sn^6. */
+   here, because for m near 4/5 an error of C2 is doubled in the mean of sn^6. */
 VM_API vm_real vmi_mean_from_K(vm_real c, vm_two l)
 {
     const vm_two K = vmi_K_by_log(c, l);
@@ -59,8 +59,9 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        /* for m < 0 cn(u | m) = cd(k' u | m/(m - 1)), and the means of cd are those of sn: S2 = 1 - C2, for one */
-        const vm_real ratio = m < 0 ? -1 / m : m1.hi / m; /* (1 - m)/m of the parameter m or m/(m - 1) */
+        /* For m < 0, cn(u | m) = cd(k' u | m/(m - 1)) with k' = sqrt(1 - m). cd has the same means as sn. The mean of
+           sn^2 is 1 - C2. */
+        const vm_real ratio = m < 0 ? -1 / m : m1.hi / m; /* (1 - M)/M for M = m or, if m < 0, M = m/(m - 1) */
         const vm_real second = vmi_mean_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo));
         const vm_real s2c2 = (second - ratio * (1 - 2 * second)) / 3, fourth = second - s2c2;
         const vm_real s2c4 = (fourth - ratio * (3 * second - 4 * fourth)) / 5;

@@ -121,13 +121,14 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
    In both forms four terms leave an error of 1e-19. The sums are stored as polynomials: in cos 2z in the direct form,
    in exp(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
-    vm_real decay; /* rate of the exponential per x = u/(4K) in the transformed form; 0 in the direct form */
-    vm_real shift; /* the factor e^(-i pi u y/(4KK')) turns by shift x turns */
-    vm_real Q;     /* the nome Qd; 0 in the direct form */
-    vm_real re[4], im[4];
+    vm_real decay; /* in the transformed form exp(-pi |u|/(2K')) = exp(-decay |x|), where x = u/(4K); decay = 0 means
+                      that the fields hold the direct form, the sum of cos 2nz and sin 2nz */
+    vm_real shift; /* the angle of the factor e^(-i pi u y/(4KK')) is shift x turns, where x = u/(4K) */
+    vm_real Q;     /* Qd = exp(-pi K/(2K')), the nome of the transformed form; 0 in the direct form */
+    vm_real re[4], im[4]; /* coefficients of the two polynomials, for the real and the imaginary part */
 } vmi_doubled_theta;
 
-/* Prepares the direct form; Kc is K'. */
+/* Prepares the direct form, the sum of cos 2nz and sin 2nz. Kc is K' = K(1 - m). */
 VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
 {
     vmi_doubled_theta d;
@@ -151,7 +152,8 @@ VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
     return d;
 }
 
-/* Prepares the form by Jacobi's transformation; Kc is K'. K may be infinite: then x is u itself, not u/(4K). */
+/* Prepares the transformed form, by Jacobi's transformation. Kc is K' = K(1 - m). K may be infinite: then x is u
+   itself, not u/(4K). */
 VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 {
     const int aperiodic = !VM_IS_FINITE(K);

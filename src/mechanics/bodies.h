@@ -97,7 +97,7 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
     return (body->mass * vmi_dot(body->v, body->v) + vmi_dot(body->omega, vmi_spin_momentum(body))) / 2;
 }
 
-/* ---- the plane as a part of space ---- */
+/* ---- conversion of bodies between the plane and space ---- */
 
 /* Converts a body of the plane to a body of space. Only the entry zz of its inertia is set, because motion in the plane
    needs no other entry. */

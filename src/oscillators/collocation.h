@@ -2,7 +2,7 @@
 
    The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F, are
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
-     with E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
+     with E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1); p, a and W are explained there.
    They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
    At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
 
@@ -200,7 +200,7 @@ VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_os
 }
 
 /* Writes the rates of ln A and t by the phase at node i, where ln(A/A0) is ln_A and the time is t. *now holds mass,
-   stiffness and their rates at t, and p_rate is p'. */
+   stiffness and their rates at t, and p_rate is the derivative of now->p by time. */
 VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_osc_rates *now,
                                 vm_real p_rate, vm_real ln_A, vm_real t, vm_real *ln_A_by_psi, vm_real *t_by_psi)
 {
@@ -316,8 +316,8 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 }
 
 /* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps of the same
-   part of a half period; if there are none, all are the rates at the start of the step, without the terms of
-   E and F. */
+   part of a half period; if there are none, all are the rates at the start of the step. These leave out the
+   disturbance E = (p^2 - a p - p')/W^2 and the further force F. */
 VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 {
     vmi_osc_rates now;

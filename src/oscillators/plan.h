@@ -1,4 +1,4 @@
-/* oscillators/plan.h - the plan of an oscillator: what is computed once and then used for many times of its motion
+/* oscillators/plan.h - the plan of an oscillator: what is computed once and then used at many times t
 
    A plan holds the amplitude and the phase at t = 0, the mean motion at t = 0 by the law of order five
    (oscillators/expansion.h), and the closed forms of the laws of mass and stiffness, if they have such forms:

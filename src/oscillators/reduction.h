@@ -1,7 +1,8 @@
 /* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
 
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
-   = 0, where a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
+   = 0, where a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. `reactive` is 1 where mass that joins or leaves is at
+   rest, and 0 where it has the body's velocity; b is the damping. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
    Then x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a phase psi with the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,   G_0 = p^2 - a p - p',
    where W is the rate of the phase for constant mass and stiffness. Only G_0 disturbs the slow motion A'/A = -p,

@@ -43,13 +43,13 @@ typedef struct VM_TAG(vmi_ripple) {
     vm_real alpha;
     vm_real gamma;              /* (alpha-1)/(alpha+3): the rate of the phase is proportional to (action)^gamma */
     vm_real scale;              /* L = (alpha+1)(alpha+3)/4, a factor in the law of order five */
-    vm_real pi;                 /* Pi_alpha, the period of the functions */
+    vm_real pi;                 /* Pi_alpha, the period of C, S, S2, S3 and Q */
     vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
-    vm_real variance;           /* the mean of C^2 */
+    vm_real variance;           /* the mean of C^2, where C = ca^2 - mean2 */
     int has_polynomials;        /* 1 where the fields below are set, else 0 */
-    vm_real at_sa_0, at_ca_0;   /* S2 at the phases where sa = 0, and where ca = 0 */
-    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* in 4 w - 1, w = |ca|^(alpha+1) */
-    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* in 4 y - 1, y = sa^2 */
+    vm_real at_sa_0, at_ca_0;   /* values of S2 (second integral of C) at the phases with sa = 0 and with ca = 0 */
+    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
+    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
 } vmi_ripple;
 
 /* The functions of the ripple at one phase */
@@ -63,9 +63,10 @@ typedef struct VM_TAG(vmi_ripple_values) {
 /* Coefficients i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3 times the sum of
    near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
 typedef struct VM_TAG(vmi_ripple_series) {
-    vm_real root;                 /* coefficient of (1-w)^(-1/2) */
-    vm_real power2, power3, power4; /* coefficients of (1-y)^((j-alpha)/(alpha+1)), j = 2, 3, 4 */
-    vm_real product;              /* of (1-y)^(1-nu) T: nu = 2 alpha/(alpha+1), T |sa| is the integral of ca^2 */
+    vm_real root;                 /* coefficient i of the power series of (1-w)^(-1/2) */
+    vm_real power2, power3, power4; /* coefficients i of (1-y)^((j-alpha)/(alpha+1)) for j = 2, 3, 4 */
+    vm_real product;              /* coefficient i of (1-y)^(1-nu) T, where nu = 2 alpha/(alpha+1) and
+                                     T |sa| is the integral of ca^2 from a zero of sa */
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS], near_sa_0[VMI_RIPPLE_FUNCTIONS];
 } vmi_ripple_series;
 

@@ -2,9 +2,10 @@
 
    The equation is (404), with the mass m(t) and a spring of any exponent alpha:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
-   feed > 0 feeds the vibration and c > 0 limits it, so that it tends to a limit cycle. r is the share of the reactive
-   force (`reactive`). Here are the equation of motion, the averaged equations (410), the amplitude in closed form for a
-   linear mass, and the amplitude of the limit cycle: (403) to (440), corrected.
+   feed > 0 feeds the vibration and c > 0 limits it, so that it tends to a limit cycle. r (`reactive`) is 1 where mass
+   that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
+   averaged equations (410), the amplitude in closed form for a linear mass, and the amplitude of the limit cycle: (403)
+   to (440), as corrected in docs/errata.md.
 
        vm_vdp v;
        memset(&v, 0, sizeof v);
@@ -30,11 +31,12 @@
 #include "laws.h"
 #include "slow.h"
 
-/* Methods of averaging: the motion over which means are taken */
+/* Methods of averaging. Each takes the means over one period of the motion x that is named beside it. */
 enum {
-    VM_VDP_ATEB = 0,         /* the exact motion without damping, by Ateb functions: exact to first order */
-    VM_VDP_JACOBI = 1,       /* Jacobi's cn (411)-(413): limit cycles err by at most 0.51 % for 1/3 <= alpha <= 5 */
-    VM_VDP_TRIGONOMETRIC = 2 /* the cosine: limit cycles whose amplitude does not depend on alpha */
+    VM_VDP_ATEB = 0,         /* A ca(psi), the exact motion without damping: its means are exact to first order */
+    VM_VDP_JACOBI = 1,       /* A cn with Jacobi's cn (411)-(413): the amplitude of the limit cycle is wrong by
+                                at most 0.51 % for 1/3 <= alpha <= 5 */
+    VM_VDP_TRIGONOMETRIC = 2 /* A cos(psi) for every alpha: the amplitude of the limit cycle does not depend on alpha */
 };
 
 /* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. feed and c are eps b and eps c in
@@ -50,8 +52,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 for the oscillator's method. With cn, a1 of (411) is simplified by
-   (1 - m) + m C4 = 2 a2. */
+/* Writes the mean values a1, a2, a3 for the oscillator's method. For VM_VDP_JACOBI, a1 of (411) is simplified
+   by (1 - m) + m C4 = 2 a2, where m is the parameter of cn and C4 the mean of cn^4. */
 VM_API void vmi_vdp_means(vm_vdp *v)
 {
     v->a1 = 1;
@@ -94,7 +96,7 @@ VM_API int vm_vdp_init(vm_vdp *v)
     return VM_OK;
 }
 
-/* The drive 2 feed - (2r - 1) m', N s/m, which on average feeds energy to a small vibration */
+/* The drive 2 feed - (2 reactive - 1) m', N s/m, which on average feeds energy to a small vibration */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);

@@ -3,7 +3,8 @@
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
    these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
    the second derivatives of the laws jump, so that the mean motion jumps, too. The walk also gathers what the estimates
-   of the error need: how large the disturbance E_0 (oscillators/expansion.h) and its derivatives are.
+   of the error need: how large E_0 = G_0/W^2 and its derivatives are. E_0 measures how much changes of mass and
+   stiffness, and the damping, disturb the motion (oscillators/expansion.h).
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
@@ -24,31 +25,33 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* For how many derivatives of E_0 by the phase the size is gathered: from the zeroth to the sixth */
+/* The number of derivatives of E_0 by the phase whose sizes are gathered: from the zeroth to the sixth */
 enum { VMI_WALK_ORDERS = 7 };
 
 /* The mean motion at one time t, and what its errors depend on. By the adiabatic law, which keeps the action constant,
    A/A0 = exp(ln_A), and the rate of the phase is `ratio` times its value at t = 0. */
 typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
-    vm_real ln_A, ratio;   /* ln(A/A0), and ratio of the rates of the phase, by the adiabatic law */
+    vm_real ln_A, ratio;   /* ln(A/A0), and the phase rate divided by its value at t = 0, both by the adiabatic law */
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
     vm_real phase;         /* the integral of ratio dt from 0 to t, s */
     vm_real psi;           /* the mean phase */
     vm_real ln_J;          /* ln of the mean action over its value at t = 0; it changes only at points of tables */
-    vm_real first;         /* the part of psi that is proportional to the disturbance E_0 */
-    vm_real second, third; /* the part of psi proportional to E_0^2; bound of the part that order five leaves out */
+    vm_real first;         /* the part of psi that is proportional to E_0, see `largest` */
+    vm_real second, third; /* the part of psi proportional to E_0^2; a bound of what order five leaves out of psi */
     vm_real knots_J[4];    /* for orders 2 to 5: sum of the squares of the errors of ln J at points of tables */
     vm_real knots_psi[4];  /* for orders 2 to 5: sum of the squares of the errors of psi at points of tables */
-    vm_real largest;       /* largest |E_0| between 0 and t, E_0 the disturbance */
-    vm_real change[VMI_WALK_ORDERS]; /* integrals of |d^i E_0/dpsi^i| dpsi; 0 where closed forms are used */
-    vm_real dropped;       /* integral of the part of |E_0| dpsi that is not in `change` */
+    vm_real largest;       /* largest |E_0| between 0 and t; E_0 = G_0/W^2 measures how much the motion is disturbed */
+    /* Element i, from 0 to 6, is the integral of |d^i E_0/dpsi^i| dpsi from time 0 to t, where d^i/dpsi^i is the ith
+       derivative by the phase. All elements are 0 where closed forms of the laws are used. */
+    vm_real change[VMI_WALK_ORDERS];
+    vm_real dropped;       /* integral over psi of the part of |E_0| that is not in `change` */
     vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
     vm_real error;         /* estimated error of `phase`, s */
 } vmi_osc_mean;
 
 /* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase. ln_m = ln(m/m0),
-   ln_k = ln(k/k0), and decay is the integral of b/m. */
+   ln_k = ln(k/k0), and decay is the integral of b/m over time, where b is the damping. */
 VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
                               vm_real *ln_Om)
 {
@@ -97,7 +100,8 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
 
 /* -- What the law of order five leaves out -- */
 
-/* How large the terms of weight w, 2 to 6, of vmi_expansion_J are, where e[k] is the absolute value of E_k */
+/* How large the terms of weight w, 2 to 6, of vmi_expansion_J are. They are of order epsilon^w, where epsilon is the
+   relative change of mass and stiffness within a radian. e[k] is the absolute value of E_k = G_k/W^(k+2). */
 VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
@@ -110,7 +114,8 @@ VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
     return L / 4 * e[w - 2] * power + more;
 }
 
-/* How large the terms of weight w, 2 to 5, of vmi_expansion_psi are, where e[k] is the absolute value of E_k */
+/* How large the terms of weight w, 2 to 5, of vmi_expansion_psi are. They are of order epsilon^w, where epsilon is the
+   relative change of mass and stiffness within a radian. e[k] is the absolute value of E_k = G_k/W^(k+2). */
 VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
@@ -135,10 +140,10 @@ VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real 
 
 /* A panel of the walk: Legendre series of the laws on it, and what it adds to integrals along the laws */
 typedef struct VM_TAG(vmi_osc_panel) {
-    vm_real edge;               /* largest relative difference at the panel's ends: of 1/m and k from their series */
+    vm_real edge;               /* largest relative difference between 1/m or k and its series at the panel's ends */
     vm_real inverse[VMI_GAUSS]; /* series of 1/m */
-    vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the rate of the phase over its value at t = 0 */
-    vm_real E[VMI_GAUSS];       /* series of E_0 */
+    vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the phase rate divided by its value at t = 0 */
+    vm_real E[VMI_GAUSS];       /* series of E_0 = G_0/W^2 */
     vm_real noise;              /* size of the coefficients of E that rounding errors of p' cause */
     vm_real first, second;      /* integrals of E_0 and of E_0^2 over the phase */
     vm_real cube;               /* integral of |E_0|^3 over the phase */
@@ -148,7 +153,7 @@ typedef struct VM_TAG(vmi_osc_panel) {
 /* Mass, stiffness and rates at the points of Gauss' rule of a panel */
 typedef struct VM_TAG(vmi_osc_panel_laws) {
     vmi_osc_rates rates[VMI_GAUSS];
-    vm_real p_rate[VMI_GAUSS]; /* p', 1/s^2 */
+    vm_real p_rate[VMI_GAUSS]; /* the derivatives of p in `rates` by time, 1/s^2 */
 } vmi_osc_panel_laws;
 
 /* Reads the laws at the points of Gauss' rule. Writes the series of 1/m and of k, and how far they are from the laws at
@@ -217,8 +222,9 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. No panel with a kink of a law is, so a panel also counts as short
-   enough if the terms that its series leaves out do not matter. `whole` is the length of the walk, s. */
+/* Whether the panel is short enough for its series. A panel on which a law has a kink never is; therefore a panel also
+   counts as short enough if the terms that its series leaves out do not matter. `whole` is the
+   length of the walk, s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;

@@ -132,8 +132,8 @@ VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
-/* Reads a body in the plane. Motion in the plane does not depend on the moments of inertia about x and y. They get
-   the sum zz, as in a lamina, so that a body with this inertia is possible. */
+/* Reads a body in the plane. Motion in the plane does not depend on the moments of inertia about x and y. Both are
+   set to zz/2, as for a thin plate, so that a body with this inertia is possible. */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
@@ -176,7 +176,8 @@ VM_API int vmi_point_body_check(const vm_body *start)
     return VM_BAD_INERTIA;
 }
 
-/* Computes r' and v' of a point, or of a free body, in whose state q stands between r and v */
+/* Computes r' and v' of a point or of a free body. The state of a point is {r, v}. The state of a free body is
+   {r, q, v, ...} with the quaternion q; vmi_free_accelerate computes q'. */
 VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
@@ -321,8 +322,8 @@ VM_INLINE int vmi_scene_directions(int motion)
     return motion == VM_PLANE ? 2 : 3;
 }
 
-/* The array a has a number for each coordinate. Returns the vector of those for the motion of the mass centre, in
-   inertial axes. */
+/* The array a has a number for each coordinate, for example its velocity or the force on it. Returns the numbers for
+   the motion of the mass centre as a vector in inertial axes. */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -331,8 +332,8 @@ VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
     return vmi_get3(a);
 }
 
-/* The array a has a number for each coordinate. Returns the vector of those for the rotation of the body, in the axes
-   in which the array has them. */
+/* The array a has a number for each coordinate, for example its velocity or the torque on it. Returns the numbers for
+   the rotation of the body as a vector, in the axes in which the array has them. */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
@@ -351,8 +352,8 @@ VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
     return vmi_times(&axes, omega);
 }
 
-/* The array a has a number for each coordinate. Adds the vector `moving` to those for the motion of the mass centre
-   and the vector `turning` to those for the rotation. vmi_scene_moving and vmi_scene_turning read these numbers. */
+/* The array a has a number for each coordinate. Adds the vector `moving` to the numbers for the motion of the mass
+   centre and the vector `turning` to the numbers for the rotation. vmi_scene_moving and vmi_scene_turning read them. */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {

@@ -20,8 +20,8 @@
 #include "scene.h"
 #include "state.h"
 
-/* Whether the scene was started, and its lists still seem to be those of the start. The state may be shorter than at
-   the start, since a scene may end its budget. */
+/* Returns 1 if vm_scene_start has started the scene and its lists have not visibly changed since then, else 0. The
+   state may be shorter than at the start, since a scene may end its budget. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -33,7 +33,8 @@ VM_API int vmi_scene_is_started(const vm_scene *s)
     return 1;
 }
 
-/* The function whose zeros the integrator locates; ctx is the event of the scene */
+/* The function whose zeros the integrator locates. ctx points to a vm_event of the scene. For an event at a set time
+   the function is 1, so that it has no zeros. */
 VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 {
     const vm_event *e = (const vm_event *)ctx;
@@ -41,8 +42,8 @@ VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
     return 1;
 }
 
-/* Prepares the event i of the integrator. If the event of the scene is only counted, and has no limit, the action is
-   ODE_RECORD, which does not end a step; else it is ODE_STOP. */
+/* Prepares s->located[i], the integrator's event for the event s->events[i] of the scene. If s->events[i] is only
+   counted and may happen without limit, the action is ODE_RECORD, which does not end a step; else it is ODE_STOP. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -54,8 +55,8 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     if (!s->events[i].then && !s->events[i].most) located->action = ODE_RECORD;
 }
 
-/* Stores in an effect where its coordinates and loads are. If the effect acts against the ground, other_coordinate is
-   not used. */
+/* Stores in an effect the indices of its coordinates in the state and the pointers to the loads of its bodies. If the
+   effect acts against the ground, other_coordinate is not used. */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
     vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
