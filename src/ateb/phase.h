@@ -38,8 +38,8 @@ VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
 
 /* Returns the distance r of s from the zero of sa for w = sa^2 >= 0.302, from h = ln(w/x), where x = 1 - w, e = e^-|h|
    and sum = 1 + e. u = x^q, which is ca, is computed from ln x = -ln(1 + e^h). Where u is well below 1, r is a quarter
-   of the period minus d = u (n + T)/2; for other u, 1 - u is computed without loss of digits, and r = (n
-   (1 - u) + g - u T)/2. n and g are fields of *c, T is the result of vmi_ateb_T. */
+   of the period minus d = u (n + T)/2; for other u, 1 - u is computed without loss of digits, and
+   r = (n (1 - u) + g - u T)/2. n and g are fields of *c, T is the result of vmi_ateb_T. */
 VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, const vmi_ateb *c)
 {
     const vm_real large_ln = VM_C(0.69) * VMI_BIAS, n = c->n.hi, smaller = e / sum, larger = 1 / sum;

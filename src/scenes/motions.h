@@ -132,8 +132,8 @@ VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
-/* Reads a body in the plane. Motion in the plane does not depend on the moments of inertia about x and y. They get
-   the sum zz, as in a lamina, so that a body with this inertia is possible. */
+/* Reads a body in the plane. Motion in the plane does not depend on the moments of inertia about x and y. Each of them
+   gets the value zz/2, as in a lamina, so that a body with this inertia is possible. */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
@@ -321,8 +321,8 @@ VM_INLINE int vmi_scene_directions(int motion)
     return motion == VM_PLANE ? 2 : 3;
 }
 
-/* The array a has a number for each coordinate. Returns the vector of those for the motion of the mass centre, in
-   inertial axes. */
+/* The array a has a number for each coordinate. Returns, as a vector in inertial axes, the numbers for the motion of
+   the mass centre. */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -331,8 +331,8 @@ VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
     return vmi_get3(a);
 }
 
-/* The array a has a number for each coordinate. Returns the vector of those for the rotation of the body, in the axes
-   in which the array has them. */
+/* The array a has a number for each coordinate. Returns, as a vector, the numbers for the rotation of the body. The
+   vector has the same axes as these numbers in the array. */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
@@ -351,8 +351,9 @@ VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
     return vmi_times(&axes, omega);
 }
 
-/* The array a has a number for each coordinate. Adds the vector `moving` to those for the motion of the mass centre
-   and the vector `turning` to those for the rotation. vmi_scene_moving and vmi_scene_turning read these numbers. */
+/* The array a has a number for each coordinate. Adds the vector `moving` to the numbers for the motion of the mass
+   centre, and the vector `turning` to the numbers for the rotation. vmi_scene_moving and vmi_scene_turning read these
+   numbers. */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {

@@ -33,7 +33,8 @@ VM_API int vmi_scene_is_started(const vm_scene *s)
     return 1;
 }
 
-/* The function whose zeros the integrator locates; ctx is the event of the scene */
+/* The function whose zeros the integrator locates. ctx is the event of the scene; for an event at a time there are no
+   zeros. */
 VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 {
     const vm_event *e = (const vm_event *)ctx;
@@ -41,8 +42,8 @@ VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
     return 1;
 }
 
-/* Prepares the event i of the integrator. If the event of the scene is only counted, and has no limit, the action is
-   ODE_RECORD, which does not end a step; else it is ODE_STOP. */
+/* Prepares element i of scene.located, by which the integrator locates event i of the scene. If this event is only
+   counted, and without limit, the action is ODE_RECORD, which does not end a step; else it is ODE_STOP. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
