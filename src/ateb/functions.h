@@ -28,8 +28,8 @@ typedef struct VM_TAG(vmi_ateb_place) {
     int quarter;
 } vmi_ateb_place;
 
-/* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large or close to a zero.
-   c->quarter is replaced by two words with a relative error of 2^-102 (float 2^-44). If the result is so small that
+/* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large, or close to a zero of sa or
+   ca. c->quarter is replaced by two words with a relative error of 2^-102 (float 2^-44). If the result is so small that
    this error would matter, three words are used. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {

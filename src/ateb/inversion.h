@@ -33,8 +33,9 @@
 /* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
      e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
      e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
-   Two levels gain 7 bits or more for z < 0.303. e_j tends to z/4, which gives a start for the last Y. VMI_ATEB_W_LEVELS
-   and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w and of the fraction in p. */
+   Two further levels of the fraction give at least 7 more bits for z < 0.303. e_j tends to z/4, which gives a start for
+   the last Y. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w and of the
+   fraction in p. */
 enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
 /* Computes Y_1 = P/Q from Y, the value after the last level, and from e_(j+1)/z = e_by_z[j], without a division. The

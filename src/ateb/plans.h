@@ -245,9 +245,9 @@ VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real 
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
    ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend
-   on the index in the array. Arguments are copied in blocks of 64; arguments that are too long or not finite are
-   computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors with wide vector
-   registers (docs/cost.md has the times). */
+   on the index in the array. Arguments are copied in blocks of 64; arguments with |s| >= p->longest, and those that are
+   not finite, are computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors
+   with wide vector registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     enum { BLOCK = 64 };

@@ -24,7 +24,8 @@
 /* The index of the mass centre in the state of a growing body; the mass centre follows the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
-/* The index of the inertia in the state of a growing body; the inertia follows the mass centre (2 or 3 numbers) */
+/* The index of the inertia in the state of a growing body; the inertia follows the mass centre, which has 2 or 3
+   numbers */
 VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
 {
     const int directions = b->motion == VM_PLANE ? 2 : 3;

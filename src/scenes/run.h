@@ -128,10 +128,10 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 }
 
 /* Finds the reason why a run ends: whether a mass or an inertia would soon reach 0 if the state continued at its
-   present rates. It tries longer and longer steps, up to 1e-6 of the time (float: 1e-3). The first failure becomes
-   s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that no step
-   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is
-   over, so that parts of the integrator's work space are free for a state and its rates. */
+   present rates. It tries longer and longer steps, up to 1e-6 of the time t or t_end (float: 1e-3). The first failure
+   becomes s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that
+   the steps end before 0 is reached, and because shorter steps after a refused step may have set s->status to VM_OK
+   again. The run is over, so that parts of the integrator's work space are free for a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -173,8 +173,9 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
-/* Prepares rk45 for the scene. Each number of the state has its tolerance. The numbers of the budget have none, so that
-   the bodies alone determine the steps. The tolerances are stored in work after the numbers of the integrator. */
+/* Prepares rk45 for the scene. Each number of a body has its tolerance. The numbers of the budget have none (VM_MAX),
+   so that the bodies alone determine the steps. The tolerances are stored in work after the numbers of the
+   integrator. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {

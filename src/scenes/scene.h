@@ -215,7 +215,7 @@ struct VM_TAG(vm_event) {
     long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
     long count; /* how often the event has happened */
     /* fields set by vm_scene_start and kept up to date by a run */
-    long seen;       /* number of crossings by the integrator that the run has already handled */
+    long seen;       /* number of crossings found by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
 };
@@ -273,7 +273,7 @@ struct VM_TAG(vm_scene) {
 /* Sets of motions, with the bit (1 << motion) for each motion */
 enum {
     VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE, /* motions with one coordinate */
-    VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT,
+    VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT, /* a body in the plane, and a point in space */
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 

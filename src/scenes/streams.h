@@ -140,8 +140,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene neglects the momentum of mass
-   that flows between a store and the surface */
+/* Checks a stream by vmi_check_stream, and refuses a stream with a store (stream->from), since a scene neglects the
+   momentum of mass that flows between a store and the surface of the body */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
