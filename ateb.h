@@ -710,22 +710,23 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 #endif
 /* ateb/period.h - Pi_alpha, half the period of the Ateb functions
 
-   sa and ca have the period 2 Pi_alpha, where Pi_alpha = B(1/(alpha + 1), 1/2) by (277). It is 2 for alpha = 0 and pi
-   for alpha = 1. ateb_pi returns Pi_alpha; the internal functions return a quarter of the period, Pi_alpha/2, in as
-   many words as the reduction of an argument needs.
+   sa and ca have the period 2 Pi_alpha, where Pi_alpha = B(1/(alpha + 1), 1/2) by (277) and B is the complete beta
+   function. Pi_alpha is 2 for alpha = 0 and pi for alpha = 1. ateb_pi returns Pi_alpha; the internal functions return a
+   quarter of the period, Pi_alpha/2, in as many words as the reduction of an argument needs.
 
        vm_real period = 2 * ateb_pi(3);
 
-   Two methods: a table of polynomials for Pi_alpha - (alpha + 1), which is quick and enough for most arguments, and
-   one polynomial of degree 33 (float 17) in two or three words. In the comments of this file n = alpha + 1 and
-   q = 1/n. The tables are computed by tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
+   There are two methods. A table of polynomials gives Pi_alpha - (alpha + 1); it is quick, and accurate enough for most
+   arguments of sa and ca. For the other arguments one polynomial of degree 33 (float 17) is evaluated in two or three
+   words. In the comments of this file n = alpha + 1 and q = 1/n. The tables are computed by
+   tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
 
 /* Returns coefficient i of the polynomial in t = 2q - 1 that equals (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha, between 1 and 2 for 0 < q <= 1.
-   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A
-   coefficient has up to three words; which_word = 0 selects the largest. Words that would change nothing are 0. */
+   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A coefficient
+   has up to three words; which_word = 0 selects the largest. Words that are too small to change the result are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
@@ -830,7 +831,8 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 }
 
 /* The columns of the table of g(q) = Pi_alpha - (alpha + 1): the low words of g and of its slope at q = row/32, g and
-   its slope at that q, and the further coefficients of the Taylor series. The slope has half of the digits. */
+   its slope at that q, and the further coefficients of the Taylor series. The slope has only half of the digits of a
+   vm_real, so that a product with it can be exact. */
 enum {
     VMI_ATEB_G_LOW,
     VMI_ATEB_G_SLOPE_LOW,
@@ -1050,8 +1052,8 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
 }
 
 /* Returns g(q) = Pi_alpha - (alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute error below 2^-66
-   (float 2^-36). g is computed as a polynomial in the distance h of q from the nearest multiple of 1/32. Its low word
-   may be as large as 2^-13. */
+   (float 2^-36). g is computed as a polynomial in the distance h of q from the nearest multiple of 1/32. The low word
+   of the result may be as large as 2^-13. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24
@@ -1077,8 +1079,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* The numbers that the functions need for one alpha. A low word may exceed an ulp of its high word where a function
-   says so. */
+/* The numbers that sa, ca and Pi_alpha need for one alpha. A low word exceeds an ulp of its high word only after a
+   function whose comment says so. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -1101,8 +1103,9 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets the fields g and quarter, whose low words may be as large as 2^-13. The absolute error of Pi_alpha enters the
-   phase. It is small for a large alpha too, since Pi_alpha is the sum of n and g. */
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. An argument is reduced with the absolute
+   error of Pi_alpha. This error is small for a large alpha too, since Pi_alpha is computed as the sum of n = alpha + 1
+   and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -1132,7 +1135,8 @@ VM_API vm_real ateb_pi(vm_real alpha)
     return 2 * vmi_fast_two_sum(c.quarter.hi, c.quarter.lo).hi;
 }
 
-/* Returns 1 if alpha is so large that three terms of g(q) at q = 0 give the quarter period in two words, else 0. */
+/* Returns 1 if alpha is so large that three terms of the Taylor series of g(q) at q = 0 give the quarter period in two
+   words, else 0. */
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
 /* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
@@ -1157,8 +1161,8 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 /* ateb/powers.h - a logarithm and an exponential that are quicker and have one word only
 
    vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
-   of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in the inversion of
-   the incomplete beta function and in plans.
+   of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in ateb/inversion.h and
+   in ateb/plans.h.
 
        vm_real y = vmi_ateb_exp(vmi_ateb_ln(3) / 2); // the square root of 3
 
@@ -1237,7 +1241,7 @@ VM_API vm_real vmi_ateb_exp_series(vm_real z)
 #endif
 }
 
-/* Returns e^x if this is a normal number. Method: x = k ln 2 + z, so that e^x = 2^k (1 + z + z^2 E(z)). */
+/* Returns e^x if e^x is a normal number. Method: x = k ln 2 + z, so that e^x = 2^k (1 + z + z^2 E(z)). */
 VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;
@@ -1259,6 +1263,7 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
      r, d    distances of s from the zero of sa and from the zero of ca; r + d = Pi_alpha/2
      v, u    sa and ca
      w, x    v^2 and 1 - w = u^(alpha+1)
+     y, X    2 q d and y^(alpha+1)
      p       (1 - v)/2
    They satisfy two equations, the second by the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF 15.8(iii):
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
@@ -1280,8 +1285,9 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 /* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
      e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
      e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
-   Two levels gain 7 bits or more for z < 0.303. e_j tends to z/4, which gives a start for the last Y. The constants
-   are the numbers of levels of the two fractions, in w and in p. */
+   Two further levels of the fraction give at least 7 more bits for z < 0.303. e_j tends to z/4, which gives a start for
+   the last Y. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w and of the
+   fraction in p. */
 enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
 /* Computes Y_1 = P/Q from Y, the value after the last level, and from e_(j+1)/z = e_by_z[j], without a division. The
@@ -1477,12 +1483,12 @@ typedef struct VM_TAG(vmi_ateb_place) {
     int quarter;
 } vmi_ateb_place;
 
-/* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large or close to a zero.
-   c->quarter is replaced by two words with a relative error of 2^-102 (float 2^-44). If the result is so small that
+/* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large, or close to a zero of sa or
+   ca. c->quarter is replaced by two words with a relative error of 2^-102 (float 2^-44). If the result is so small that
    this error would matter, three words are used. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
-    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* about 2^-44 (float 2^-16) */
+    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* a smaller rest/s needs three words */
     vm_real rest, count;
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
@@ -1502,9 +1508,9 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
      1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
-     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero. Its products with the
-        number of quarters are exact. This number comes from the high word of c->quarter alone, so that the rest may be
-        a little longer than half a quarter.
+     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its products
+        with the number of quarters are exact. The number of quarters comes from the high word of c->quarter alone, so
+        that the rest may be a little longer than half a quarter.
      3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
@@ -1549,9 +1555,10 @@ VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real
 }
 
 /* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. s is any real number and alpha >= 0; both are pure
-   numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 eps for
-   |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, next to the zeros too. The results are NaN for
-   alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275), (276). */
+   numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 VM_EPSILON
+   for |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, also next to the zeros of sa and ca. The
+   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275),
+   (276). */
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     vmi_ateb c;
@@ -1925,7 +1932,7 @@ VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
 /* Returns the distance r of s from the zero of sa for w = sa^2 >= 0.302, from h = ln(w/x), where x = 1 - w, e = e^-|h|
    and sum = 1 + e. u = x^q, which is ca, is computed from ln x = -ln(1 + e^h). Where u is well below 1, r is a quarter
    of the period minus d = u (n + T)/2; for other u, 1 - u is computed without loss of digits, and
-   r = (n (1 - u) + g - u T)/2. */
+   r = (n (1 - u) + g - u T)/2. n and g are fields of *c, T is the result of vmi_ateb_T. */
 VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, const vmi_ateb *c)
 {
     const vm_real large_ln = VM_C(0.69) * VMI_BIAS, n = c->n.hi, smaller = e / sum, larger = 1 / sum;
@@ -1960,9 +1967,10 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 
 /* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
    The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
-   every lambda > 0. Therefore -x' sqrt((alpha+1)/2)/omega and x of an oscillator can be given as sa and ca. Returns 0
-   for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is returned with an error of at most 8 ulp plus the
-   change of s that 6 ulp of sa and of ca make. Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
+   every lambda > 0. Therefore sa and ca may be -x' sqrt((alpha+1)/2)/omega and x of the oscillator x'' = -omega^2
+   x|x|^(alpha-1). Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is returned with an error of
+   at most 8 ulp plus the change of s that 6 ulp of sa and of ca make. Returns NaN for alpha < 0, alpha > 1e30, NaN and
+   infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
@@ -2070,16 +2078,17 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 #define ATEB_PLAN_LENGTH 8
 #endif
 
-/* The polynomials of one part of a quarter: odd is A, for the function that has its zero in this part, and even is C,
-   for the other function. The constant terms come first; coefficients that are not used are 0. */
+/* The polynomials of one part of a quarter: odd holds A, for the function that has its zero in this part; even holds C,
+   for the other function. The comment at the top defines A and C. The constant terms come first; coefficients that are
+   not used are 0. */
 typedef struct VM_TAG(vmi_ateb_part) {
     vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
 
-/* One alpha, prepared by ateb_plan_init. All fields are pure numbers. */
+/* What sa and ca need for one alpha. ateb_plan_init fills it. All fields are pure numbers. */
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
-    vm_real quarter_parts[3]; /* numbers with the sum quarter; the first two have half of the digits or less */
+    vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
     vm_real longest;          /* for |s| < longest the products of quarter_parts and a number of quarters are exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
@@ -2161,13 +2170,13 @@ VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *
 }
 
 /* sa and ca of the argument s for the plan's alpha.
-   s may be any number. For alpha up to 1e6 and the s for which ateb_saca has a bound in ulp, the error of a full plan
-   is at most 2 ulp; a shorter plan has the accuracy that it was made for. The results are NaN for infinite and NaN s.
+   s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha, the error of a plan of full accuracy is at most 2
+   ulp; any other plan has the accuracy that was given to ateb_plan_init_to. The results are NaN for infinite and NaN s.
    docs/cost.md has the time. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost;
-    vm_real r, r_lo, d, d_lo; /* the distances from the zeros of sa and of ca; one of them is rounded */
+    vm_real r, r_lo, d, d_lo; /* distances of s from the zeros of sa, ca, and their rounding errors */
     vmi_bits quarter;
     if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
     else if (VM_IS_FINITE(s)) {
@@ -2266,8 +2275,8 @@ VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real 
     else vmi_ateb_loop(p, 4, n, s, sa, ca);
 }
 
-/* Is 1 on processors with wide vector registers. With narrow ones, computing both parts takes longer than a branch
-   and one part. */
+/* VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, computing both parts takes
+   longer than a branch and one part. */
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
 #else
@@ -2276,9 +2285,9 @@ VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real 
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
    ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend
-   on the index in the array. Arguments are copied in blocks of 64; arguments that are too long or not finite are
-   computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors with wide vector
-   registers (docs/cost.md has the times). */
+   on the index in the array. Arguments are copied in blocks of 64; arguments with |s| >= p->longest, and those that are
+   not finite, are computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors
+   with wide vector registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     enum { BLOCK = 64 };
@@ -2322,7 +2331,7 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
-    vm_real w[VMI_ATEB_TERMS];        /* the series of ca to the power alpha */
+    vm_real w[VMI_ATEB_TERMS];        /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond */
     int j;
     if (alpha > large) {
         alpha = large;
@@ -2357,7 +2366,7 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), the change for c[k] = 1 */
+    for (k = highest; k > 0; k--) { /* removing c[k] adds an error of |c[k]| height, height = 2^(1-2k) */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
         vmi_remove_highest(c, k, 0);
@@ -2391,8 +2400,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Sets the fields for the reduction: the quarter period as a sum, and the s up to which products with its terms are
-   exact. */
+/* Sets the fields for the reduction: the quarter period as a sum, and in `longest` the s up to which the products with
+   the terms of this sum are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
     p->quarter = vmi_ateb_fine_quarter(c);
@@ -2455,10 +2464,12 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). If this sum is not large, no large
-   terms cancel in it. No product overflows or underflows, since i, j, k <= 10.
+   where delta is the remainder of Stirling's formula and (a)_i = a (a + 1) ... (a + i - 1). If this sum is not large,
+   no large terms cancel in it. The products (a)_i, (b)_j and (a+b)_k neither overflow nor underflow, since i, j and
+   k are at most 10.
 
-   Source of the fraction: Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests: tests/test_ateb.c. */
+   Source of the continued fraction (vmi_beta_fraction): Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests:
+   tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_H
 #define VARMASS_ATEB_BETA_H
 
@@ -2540,10 +2551,10 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
     return vmi_exp(l.hi, l.lo);
 }
 
-/* Returns I_x(a, b) B(a, b)/(x^a y^b) for y = 1 - x, a > 1 and x <= (a + 1)/(a + b + 2). This is 1/f_0 of the continued
-   fraction of Didonato and Morris, f_n = constant + ratio/f_(n+1), which is evaluated from its end. All terms are
-   positive except for the last ones. Where a and b are large, digits cancel in excess = a y - b x; therefore the excess
-   is computed in two words. */
+/* Returns I_x(a, b) B(a, b)/(x^a y^b) for y = 1 - x, a > 1 and x <= (a + 1)/(a + b + 2). The result is 1/f_0 of the
+   continued fraction f_n = constant + ratio/f_(n+1) of Didonato and Morris. The loop evaluates it from its end; m is
+   the index n. All terms are positive except for the last ones. Where a and b are large, digits cancel in
+   excess = a y - b x; therefore `excess` is computed in two words. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
@@ -2579,7 +2590,8 @@ VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
     return a * sum;
 }
 
-/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). If k = 0, 1 - e^l is -p, which has lost no digits. */
+/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). If k = 0, the number 1 - e^l is -p, so that no digits are
+   lost. */
 VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
 {
     vm_two rest = {0, 0};
@@ -2695,8 +2707,8 @@ VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
     return p;
 }
 
-/* Returns the point with x/y = e^t, where y = 1 - x. The logarithms belong to the rounded value of e^-|t|, so that
-   x + y = 1 in two words. */
+/* Returns the point with x/y = e^t, where y = 1 - x. ln x and ln y are computed from the rounded value of e^-|t|, so
+   that x + y = 1 in two words. */
 VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 {
     const vm_real size = VM_FABS(t), e = vmi_exp(-size, 0);
@@ -2712,9 +2724,9 @@ VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 }
 
 /* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. Newton's method is used for ln I_x as a function of
-   t = ln(x/y). This function is concave. The start is the point where the asymptote of the function for t to -infinity
-   equals ln p. It lies left of the solution, so that all steps go to the right. The last step changes x, y, ln x
-   and ln y directly instead of t. */
+   t = ln(x/y). This function is concave. The first t is the one where the asymptote of ln I_x for t to -infinity equals
+   ln p. This t lies left of the solution, so that all steps go to the right. The last step changes x, y, ln x and ln y
+   directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* a step shorter than this is the last one */
@@ -2824,8 +2836,9 @@ VM_API int vmi_ateb_index_is_in_domain(vm_real n) { return n == 0 || (n >= VM_C(
 /* Returns 1/(n + 1) in two words. */
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
-/* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). Each term is at most half of the
-   one before it, so that 2 VM_MANT_DIG terms are enough for two words. */
+/* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). B_(1/2) is the incomplete beta
+   function at x = 1/2. Each term of the series is at most half of the one before it, so that 2 VM_MANT_DIG terms are
+   enough for two words. */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {
     const vm_two one = {1, 0}, c = vmi_two_plus(a, b);
@@ -2840,8 +2853,8 @@ VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 }
 
 /* Returns Pi(n, m) = B(a, b) for a = 1/(n + 1) and b = 1/(m + 1), with a relative error of 2^-102 (float 2^-44); the
-   logarithms of ateb/beta.h would give 2^-64. It is B_(1/2)(a, b) + B_(1/2)(b, a), where 2^(a+b) = e^y comes from its
-   power series. */
+   logarithms of ateb/beta.h would give 2^-64. Pi(n, m) is B_(1/2)(a, b) + B_(1/2)(b, a). vmi_ateb_half_beta returns
+   each of them times 2^(a+b); therefore the sum is divided by 2^(a+b) = e^y, which comes from its power series. */
 VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
 {
     enum { TERMS = VM_MANT_DIG > 24 ? 32 : 18 };
@@ -2879,9 +2892,9 @@ VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 }
 
 /* sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices. s is any real number; each index is 0 or lies
-   between 1e-3 and 1e3. All are pure numbers. The errors are at most 8 ulp plus the change that an error of 2^-102 |s|
-   (float 2^-44 |s|) in s makes. Indices between 1e-4 and 1e5 are allowed too, with less accuracy. The results are NaN
-   for other indices and for NaN and infinite s. */
+   between 1e-3 and 1e3. s, sa and ca are pure numbers. The errors are at most 8 ulp plus the change that an error of
+   2^-102 |s| (float 2^-44 |s|) in s makes. Indices between 1e-4 and 1e5 are allowed too, with less accuracy. The
+   results are NaN for other indices and for NaN and infinite s. */
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
 {
     vm_real a, b, rest, r, d; /* r and d: the distances of s from the nearest zeros of sa and ca */

@@ -345,8 +345,8 @@
        vm_scene_body_absent           A body like `body` that is not present until an event brings it in
 
      scenes/growing: bodies whose mass centre and inertia change
-       vm_scene_body_growing_plane    A growing body in the plane, made of a body by vm_scene_body_plane
-       vm_scene_body_growing_free     A growing body in space, made of a body by vm_scene_body_free
+       vm_scene_body_growing_plane    A growing body in the plane
+       vm_scene_body_growing_free     A growing body in space
 
      scenes/forces: the forces of effects, as functions of numbers
        vm_force_spring                The force of a spring, -k x |x|^(alpha-1) (248)
@@ -358,7 +358,7 @@
        vm_force_gravity               The weight of a mass, mass g
        vm_force_shaft                 The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y)
        vm_force_unbalance             The force of a rotating unbalance, m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase
-       vm_force_gyroscopic            The gyroscopic force normal to a velocity in the plane, 2 gyro (-vy, vx)
+       vm_force_gyroscopic            The gyroscopic force normal to the velocity (vx, vy) in the plane, 2 gyro (-vy, vx)
 
      scenes/effects: springs, dampers, motors and other forces on a coordinate
        vm_effect_gravity              Gravity along a coordinate, the force M g
@@ -374,7 +374,7 @@
        vm_effect_custom               An effect that the caller's function applies
        vm_effect_shaft                An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y)
        vm_effect_unbalance            A rotating unbalance, the force m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase
-       vm_effect_gyroscopic           A gyroscopic force normal to the velocity, 2 gyro (-vy, vx)
+       vm_effect_gyroscopic           A gyroscopic force normal to the velocity (vx, vy), 2 gyro (-vy, vx)
 
      scenes/mass: mass that follows a law, and its reactive force
        vm_effect_mass_law             A mass law M(t, x, v) that the caller's function returns
@@ -12690,13 +12690,13 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 #endif
 /* scenes/scene.h - what a scene is made of: bodies, effects, events
 
-   A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that
-   change them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers
-   only to the functions that its body, effect or event needs, so that the executable holds no others. All arrays are
-   the caller's.
+   A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that change
+   them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers only to the
+   functions that its body, effect or event needs, so that the executable holds no others. The caller provides all
+   arrays.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
-       vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s, which keeps its velocity
+       vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s without a reactive force
                               vm_effect_spring(0, 0, VM_GROUND, 0, 50, 3, 0)};
        vm_scene scene;
        vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                          // 2 = vm_scene_size(&scene)
@@ -12797,7 +12797,7 @@ struct VM_TAG(vm_scene_body) {
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
     int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
-    vm_real noted_mass;     /* kg: the mass before an event that must not change it */
+    vm_real noted_mass;     /* kg: the mass that the body must have after an event */
 };
 
 /* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
@@ -12850,8 +12850,8 @@ struct VM_TAG(vm_effect) {
     void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function given to vm_effect_varying */
     int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
     void *ctx;                             /* pointer that the caller's function receives */
-    unsigned motions;                      /* bit (1 << motion) for each motion on which the effect can act */
-    unsigned other_motions;                /* bit (1 << motion) for each motion that can take the reaction */
+    unsigned motions;                      /* bit (1 << motion) for each motion that `body` may have */
+    unsigned other_motions;                /* bit (1 << motion) for each motion that `other` may have */
     int needs;                             /* what the effect needs of the mass of its body: VMI_NEEDS_... */
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
@@ -12864,7 +12864,7 @@ enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 /* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop what it
    does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or this function is 0 at the event */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or a function that is 0 at an event */
     /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
        run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
@@ -12898,7 +12898,7 @@ struct VM_TAG(vm_event) {
     long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
     long count; /* how often the event has happened */
     /* fields set by vm_scene_start and kept up to date by a run */
-    long seen;       /* number of crossings by the integrator that the run has already handled */
+    long seen;       /* number of crossings found by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
 };
@@ -12942,7 +12942,7 @@ struct VM_TAG(vm_scene) {
     /* NULL, or a function of the caller. It is called when a run starts and after each step, or only at `times` if they
        are given. The run stops if it returns a number other than 0. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times increasing times of output, which is then not called after steps */
+    const vm_real *times; /* s: NULL, or n_times increasing times at which output is called, instead of after steps */
     int n_times;
     void *output_ctx; /* pointer that output receives */
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
@@ -12956,7 +12956,7 @@ struct VM_TAG(vm_scene) {
 /* Sets of motions, with the bit (1 << motion) for each motion */
 enum {
     VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE, /* motions with one coordinate */
-    VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT,
+    VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT, /* a body in the plane, and a point in space */
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 
@@ -13373,7 +13373,8 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
 /* The index of the mass centre in the state of a growing body; the mass centre follows the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
-/* The index of the inertia in the state of a growing body; the inertia follows the mass centre (2 or 3 numbers) */
+/* The index of the inertia in the state of a growing body; the inertia follows the mass centre, which has 2 or 3
+   numbers */
 VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
 {
     const int directions = b->motion == VM_PLANE ? 2 : 3;
@@ -13436,8 +13437,8 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
     vmi_plane_get(b, state, now);
 }
 
-/* A growing body in the plane, made of a body by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when the inertia
-   is no longer positive. vm_scene_start returns VM_BAD_MOTION for any other body. */
+/* A growing body in the plane. The argument is a body made by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when
+   the inertia is no longer positive. vm_scene_start returns VM_BAD_MOTION for any other body. */
 VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -13493,9 +13494,9 @@ VM_API int vmi_free_growing_check(const vm_body *start)
     return VM_OK;
 }
 
-/* A growing body in space, made of a body by vm_scene_body_free. A run ends with VM_BAD_INERTIA when the inertia
-   becomes one that no body can have. vm_scene_start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for
-   a rod or a point. */
+/* A growing body in space. The argument is a body made by vm_scene_body_free. A run ends with VM_BAD_INERTIA when the
+   inertia becomes one that no body can have. vm_scene_start returns VM_BAD_MOTION for any other body, and
+   VM_BAD_INERTIA for a rod or a point. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -13511,10 +13512,10 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 #endif
 /* scenes/forces.h - the forces of effects, as functions of numbers
 
-   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well.
-   They return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v
-   the rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6
-   VM_EPSILON times the sum of the absolute values of the terms, if the angle of a sine or cosine is exact.
+   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
+   return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v the
+   rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6 VM_EPSILON
+   times the sum of the absolute values of the terms of the force, if the angle of a sine or cosine is exact.
 
        vm_real x = VM_C(0.1), v = 2, mass = 3;
        vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
@@ -13559,9 +13560,9 @@ VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real freque
     return amplitude * c;
 }
 
-/* The reactive force of a stream, rate (u - reactive v). The stream brings mass at the rate in kg/s; a negative rate
-   takes mass away. The velocity of this mass is u + (1 - reactive) v: the absolute velocity u for reactive = 1, and u
-   relative to the body, whose velocity is v, for reactive = 0. */
+/* The reactive force of a stream, rate (u - reactive v). The stream brings `rate` kg of mass per second; a negative
+   rate takes mass away. The mass has the velocity u + (1 - reactive) v, where v is the velocity of the body: u is
+   absolute if reactive is 1, and relative to the body if it is 0. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
     return rate * (u - reactive * v);
@@ -13595,9 +13596,9 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force normal to a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor,
-   whose equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are
-   written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
+/* The gyroscopic force normal to the velocity (vx, vy) in the plane, 2 gyro (-vy, vx). gyro in kg/s is the coefficient
+   in the term 2 i gyro z' of the equation of Laval's rotor, where z is its complex deflection. The force does no work.
+   The components are written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -13618,9 +13619,9 @@ VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real
                               vm_effect_damper(1, 0, 0, 0, 5)};                     // 5 N s/m between bodies 1 and 0
 
    In all constructors of this file `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
-   their coordinates (scene.h has a list). A constructor checks only whether a function is missing; vm_scene_check and
-   vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN or outside their
-   domain.
+   their coordinates (scene.h has a list). A constructor checks only whether a function of the caller is NULL;
+   vm_scene_check and vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN
+   or outside their domain.
 
    Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_EFFECTS_H
@@ -13717,7 +13718,7 @@ VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real
 }
 
 /* A linear spring, the force -k (x - rest). The stiffness k in N/m may have either sign; rest is in m or rad. Unlike
-   vm_effect_spring, this effect does not link the power function. */
+   vm_effect_spring, this effect does not make a program link the power function. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
 {
@@ -13736,7 +13737,8 @@ VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* A linear damper, the force -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
+/* A linear damper, the force -damping v. v is the velocity of the coordinate relative to other_coordinate of the body
+   `other`. damping is in N s/m; if it is positive, the damper takes energy out. */
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
     vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
@@ -13772,8 +13774,8 @@ VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *
     vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
-/* Van der Pol's damper, the force (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in N s/m^3
-   takes energy out at large amplitudes. */
+/* Van der Pol's damper, the force (b - c x^2) v (404). x and v are the position and velocity of the coordinate. A
+   positive b in N s/m feeds energy in; a positive c in N s/m^3 takes energy out at large amplitudes. */
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_van_der_pol);
@@ -13859,9 +13861,9 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
      effect->load->mass                the present mass;
      effect->load->force               the sum of the forces of the effects that stand before it in the list;
      effect->p, effect->ctx            parameters, and a pointer of the caller.
-   Therefore a stop that is listed last can take away the force that presses on it. other is another body, or
-   VM_GROUND. The effect acts only while both bodies are present; effect->other_load, effect->other_x and
-   effect->other_v belong to the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
+   Therefore a rigid obstacle that is listed last can take away the force that presses the body against it. other is
+   another body, or VM_GROUND. The effect acts only while both bodies are present; effect->other_load, effect->other_x
+   and effect->other_v belong to the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -13933,9 +13935,9 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force normal to the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation
-   has the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the
-   plane or of a point. It does no work. */
+/* A gyroscopic force normal to the velocity (vx, vy), 2 gyro (-vy, vx). gyro in kg/s is the coefficient in the term 2 i
+   gyro z' of the equation of Laval's rotor, where z is its complex deflection. The effect acts on coordinates 0 and 1
+   of a body in the plane or of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
@@ -13950,8 +13952,8 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
    A mass law M(t, x, v) gives the mass of a body at any time; the mass is then not a number of the state. The mass
    that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. Therefore the
    equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
-     reactive = 1  the absolute velocity u: the full reactive force (156), with u = 0 Levi-Civita's (167)-(169);
-     reactive = 0  the velocity u relative to the body: no reactive force if u = 0 (166).
+     reactive = 1  the absolute velocity u: the reactive force is M' (u - v) (156), for u = 0 Levi-Civita's (167)-(169);
+     reactive = 0  the velocity u relative to the body: the reactive force is M' u, which is 0 if u = 0 (166).
    Only on a line or an axle may a law depend on position x and velocity v; on an axle it gives the moment of inertia
    J from the angle or the angular velocity. u is in m/s. On a line and on an axle only u.x is used, on an axle in
    rad/s.
@@ -14084,7 +14086,7 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 
        vm_vec3 zero = {0, 0, 0};
        vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
-       vm_effect leak = vm_effect_mass_of_time(0, &mass, zero, 0);     // what leaves keeps the velocity of body 0
+       vm_effect leak = vm_effect_mass_of_time(0, &mass, zero, 0);     // lost mass keeps the velocity of body 0
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_OF_TIME_H
@@ -14199,8 +14201,9 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
 }
 
 /* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget.
-   vmi_apply_stream_mass enters in the budget the energy of the mass, and its momentum as if it had the velocity of
-   the body. This function adds force and torque to the momentum brought, and subtracts their power from `mixing`. */
+   vmi_apply_stream_mass enters in the budget the energy of the mass of the stream, and the momentum that this mass
+   would have at the velocity of the body. This function adds force and torque to the momentum that the stream brings,
+   and subtracts their power from `mixing`. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -14257,8 +14260,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene neglects the momentum of mass
-   that flows between a store and the surface */
+/* Checks a stream by vmi_check_stream, and refuses a stream with a store (stream->from), since a scene neglects the
+   momentum of mass that flows between a store and the surface of the body */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
@@ -14294,24 +14297,25 @@ VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
 }
 
 /* Moment d x M' (u - v) of a stream on a growing body (158). It is the moment about the mass centre of the reactive
-   force, which acts at the point d. Conditions and errors are those of vm_effect_stream_mass. */
+   force M' (u - v) of vm_effect_stream_force. The vector d leads from the mass centre to the point of the stream.
+   Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_moment);
 }
 
-/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). M' is the rate of the mass, kappa its
-   gyration, omega2 its angular velocity; I' is the rate of the inertia of the body, omega its angular velocity.
-   Conditions and errors are those of vm_effect_stream_mass. */
+/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). M' is the rate of the mass, kappa the inertia
+   of this mass per kg, omega2 its angular velocity; I' is the rate of the inertia of the body, omega its angular
+   velocity. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_torque);
 }
 
 /* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
-   each evaluation vary receives a copy of the stream and writes what has changed at t and y: the point, which may move
-   in the body, the rate or the velocity. vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no
-   stream. */
+   each evaluation vary receives a copy of the stream and writes the values of its fields for the time t and the state
+   y: the point, which may move in the body, the rate or the velocity. vm_scene_start returns VM_BAD_ARGUMENT if vary is
+   NULL or the effect has no stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)
@@ -14361,10 +14365,10 @@ typedef struct VM_TAG(vm_band_now) {
     vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
 } vm_band_now;
 
-/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass
-   and inertia are line times the integrals of the radius and of its cube over phi; over n complete layers these
-   integrals are 2 pi times the sums of R + i h and of (R + i h)^3 for i = 0 ... n - 1. The sums of i, i^2 and i^3 are
-   sum1, sum2 and sum1^2. */
+/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass and
+   inertia are line times the integrals of the radius and of its cube over phi. n is the number of complete layers; over
+   them these integrals are 2 pi times the sums of R + i h and of (R + i h)^3 for i = 0 ... n - 1. The sums of i, i^2
+   and i^3 are sum1, sum2 and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -14436,8 +14440,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the speed of
-   the band divided by its radius, an angular velocity about the axle. */
+/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the speed of the
+   band divided by the radius at which it comes, an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -14594,8 +14598,9 @@ VM_API int vmi_link_check(const vm_effect *e)
    is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested
    for a cord of 1 m at 6 m/s.
    vm_scene_start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass
-   centre moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the
-   ends are in one place or cannot move along the link. */
+   centre moves in the body, VM_TWO_LINKS for a second link on a body, VM_LINK_NOT_LAST if another effect on the body
+   follows the link, and VM_SAME_BODY for a link of a body with itself. A run ends with VM_SINGULAR if the ends are in
+   one place or cannot move along the link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {
@@ -14720,8 +14725,8 @@ VM_API void vmi_scene_presence(vm_scene *s)
 
 #include <string.h>
 
-/* Prepares the load of a body before the effects add to it: the mass is the present one, and all sums are 0. Of the
-   forces it sets only those on coordinates that the body has. */
+/* Prepares the load of a body before the effects add to it: the mass becomes the present mass, and all sums become 0.
+   Only forces on coordinates that the body has are set. */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -14782,7 +14787,7 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
     if (before) s->status = before;
 }
 
-/* Writes the derivatives of a body that is not there: 0 */
+/* Sets the derivatives of a body that is not present to 0 */
 VMI_APART void vmi_scene_clear_derivatives(const vm_scene_body *b, vm_real *dydt)
 {
     int k;
@@ -14827,9 +14832,9 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #ifndef VARMASS_SCENES_CHECK_H
 #define VARMASS_SCENES_CHECK_H
 
-/* The part of a scene that is wrong */
+/* The part of a scene in which a fault is */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect" or "event"; "scene" for a fault of its arrays and if nothing is wrong */
+    const char *kind; /* "body", "effect" or "event"; "scene" if an array of the scene, or nothing, is wrong */
     int index;        /* index of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
@@ -14854,9 +14859,9 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
     return VM_OK;
 }
 
-/* Checks where an effect stands in the list, among the effects on a body: a mass law stands first and a link last,
-   and there is at most one of each. b->listed_orders has a bit for the order of each effect on the body that stands
-   before. */
+/* Checks where an effect stands in the list, among the effects on a body: a mass law stands first and a link last, and
+   there is at most one of each. b->listed_orders has a bit for the order of each effect on the body that stands earlier
+   in the list. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
@@ -14913,7 +14918,8 @@ VM_API int vmi_scene_can_jump(int motion, int other)
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Checks a jump. A part that separates must be possible as the body of the scene that it becomes. */
+/* Checks a jump. For a part that separates, also checks that the absent body of the scene which it becomes can have the
+   mass, inertia and motion of the part. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -15142,7 +15148,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 
 #include <string.h>
 
-/* Indices of the sums of the budget among its VM_BUDGET_STATES numbers of the state */
+/* Indices of the sums of the budget among the VM_BUDGET_STATES numbers that it adds to the state */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -15178,8 +15184,8 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds the contribution of a body to the rates of the budget's sums. For a mass law M(v) the term dM/dv v' of the
-   mass rate is added only here, because the acceleration v' is not known before. */
+/* Adds the contribution of a body to the rates of the budget's sums. For a mass law M(v) the term dM/dv v' of the mass
+   rate is added only here, because v' is known only after all effects have added their forces. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -15193,7 +15199,7 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
     vmi_scene_enter_loads(b, y, rates);
 }
 
-/* Computes the rates of the budget's sums after an evaluation of the loads */
+/* Computes the rates of the budget's sums. The loads in the state y must have been evaluated before. */
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
@@ -15253,11 +15259,11 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t. It has the momentum and energy of the bodies, the supply from
-   outside since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
-   constraints: a line, an axle and the plane hold their bodies. Returns VM_BAD_ARGUMENT if the scene keeps no budget,
-   a pointer is NULL or a count is negative, VM_NOT_STARTED before a start, VM_NOT_FINITE if the state is not finite,
-   and else VM_OK. */
+/* The budget of a scene in the state y at time t. It has the momentum and energy of the bodies, the supply from outside
+   since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
+   constraints: a line, an axle and the plane hold a body by reactions, which the supply does not include. Returns
+   VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative, VM_NOT_STARTED before a
+   start, VM_NOT_FINITE if the state is not finite, and else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
@@ -15500,14 +15506,14 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 
    Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
    give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as
-   vm_then_separate and vm_then_attach for these motions only, and link less code (docs/scene-sizes.md). A point that
-   takes up a body at another place loses the angular momentum of the two about their mass centre; angular_defect of
-   the budget shows this.
+   vm_then_separate and vm_then_attach for these motions only, and link less code (docs/scene-sizes.md). If a point
+   takes up a body at another place, the angular momentum of both about their common mass centre is lost, since a point
+   does not rotate; angular_defect of the budget shows this loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
    jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
-   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a
-   body.
+   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and the status of vm_scene_check for a part
+   that cannot be a body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
@@ -15599,8 +15605,8 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* Updates the position of the mass centre in body axes after a jump, which has moved the mass centre of a growing
-   body to r */
+/* After a jump has moved the mass centre of a growing body to r, updates the position of the mass centre in body
+   axes */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -15776,7 +15782,7 @@ typedef struct VM_TAG(vmi_scene_pace) {
 enum {
     VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more would cause each other without end */
     VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants with a gap too short for the precision of time */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, so that the next is seen even if gaps shrink */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, so that no later event is missed */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
@@ -15819,12 +15825,12 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
 }
 
 /* Applies all events of an instant, including those that an event causes at the same instant. Events may follow each
-   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the precision of the
-   time no longer separates them. Until then the step after such an event is made so short that the next event is
-   seen. */
+   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the time has too few
+   digits to tell these events apart. Until then the step after such an event is made so short that the next event is
+   not missed. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap has fewer than two digits */
+    const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap between events has fewer than two digits */
     const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
     pace->happened = 0;
@@ -15872,10 +15878,10 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 }
 
 /* Finds the reason why a run ends: whether a mass or an inertia would soon reach 0 if the state continued at its
-   present rates. It tries longer and longer steps, up to 1e-6 of the time (float: 1e-3). The first failure becomes
-   s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that no step
-   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is
-   over, so that parts of the integrator's work space are free for a state and its rates. */
+   present rates. It tries longer and longer steps, up to 1e-6 of the time t or t_end (float: 1e-3). The first failure
+   becomes s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that
+   the steps end before 0 is reached, and because shorter steps after a refused step may have set s->status to VM_OK
+   again. The run is over, so that parts of the integrator's work space are free for a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -15917,8 +15923,9 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
-/* Prepares rk45 for the scene. Each number of the state has its tolerance. The numbers of the budget have none, so that
-   the bodies alone determine the steps. The tolerances are stored in work after the numbers of the integrator. */
+/* Prepares rk45 for the scene. Each number of a body has its tolerance. The numbers of the budget have none (VM_MAX),
+   so that the bodies alone determine the steps. The tolerances are stored in work after the numbers of the
+   integrator. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {
@@ -15957,7 +15964,7 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
    VM_OK at t_end, VM_STOPPED if an event or the output ended the run, or
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
-                           if a mass or an inertia ran out, even if the steps became too short just before that;
+                           if a mass or an inertia reached 0, even if the steps became too short just before that;
      VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN;
      VM_SINGULAR           if a link cannot act;
      VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession an

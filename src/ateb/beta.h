@@ -13,10 +13,12 @@
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). If this sum is not large, no large
-   terms cancel in it. No product overflows or underflows, since i, j, k <= 10.
+   where delta is the remainder of Stirling's formula and (a)_i = a (a + 1) ... (a + i - 1). If this sum is not large,
+   no large terms cancel in it. The products (a)_i, (b)_j and (a+b)_k neither overflow nor underflow, since i, j and
+   k are at most 10.
 
-   Source of the fraction: Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests: tests/test_ateb.c. */
+   Source of the continued fraction (vmi_beta_fraction): Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests:
+   tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_H
 #define VARMASS_ATEB_BETA_H
 
@@ -104,10 +106,10 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
     return vmi_exp(l.hi, l.lo);
 }
 
-/* Returns I_x(a, b) B(a, b)/(x^a y^b) for y = 1 - x, a > 1 and x <= (a + 1)/(a + b + 2). This is 1/f_0 of the continued
-   fraction of Didonato and Morris, f_n = constant + ratio/f_(n+1), which is evaluated from its end. All terms are
-   positive except for the last ones. Where a and b are large, digits cancel in excess = a y - b x; therefore the excess
-   is computed in two words. */
+/* Returns I_x(a, b) B(a, b)/(x^a y^b) for y = 1 - x, a > 1 and x <= (a + 1)/(a + b + 2). The result is 1/f_0 of the
+   continued fraction f_n = constant + ratio/f_(n+1) of Didonato and Morris. The loop evaluates it from its end; m is
+   the index n. All terms are positive except for the last ones. Where a and b are large, digits cancel in
+   excess = a y - b x; therefore `excess` is computed in two words. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
@@ -143,7 +145,8 @@ VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
     return a * sum;
 }
 
-/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). If k = 0, 1 - e^l is -p, which has lost no digits. */
+/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). If k = 0, the number 1 - e^l is -p, so that no digits are
+   lost. */
 VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
 {
     vm_two rest = {0, 0};
@@ -259,8 +262,8 @@ VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
     return p;
 }
 
-/* Returns the point with x/y = e^t, where y = 1 - x. The logarithms belong to the rounded value of e^-|t|, so that
-   x + y = 1 in two words. */
+/* Returns the point with x/y = e^t, where y = 1 - x. ln x and ln y are computed from the rounded value of e^-|t|, so
+   that x + y = 1 in two words. */
 VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 {
     const vm_real size = VM_FABS(t), e = vmi_exp(-size, 0);
@@ -276,9 +279,9 @@ VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 }
 
 /* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. Newton's method is used for ln I_x as a function of
-   t = ln(x/y). This function is concave. The start is the point where the asymptote of the function for t to -infinity
-   equals ln p. It lies left of the solution, so that all steps go to the right. The last step changes x, y, ln x
-   and ln y directly instead of t. */
+   t = ln(x/y). This function is concave. The first t is the one where the asymptote of ln I_x for t to -infinity equals
+   ln p. This t lies left of the solution, so that all steps go to the right. The last step changes x, y, ln x and ln y
+   directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5); /* a step shorter than this is the last one */

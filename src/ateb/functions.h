@@ -28,12 +28,12 @@ typedef struct VM_TAG(vmi_ateb_place) {
     int quarter;
 } vmi_ateb_place;
 
-/* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large or close to a zero.
-   c->quarter is replaced by two words with a relative error of 2^-102 (float 2^-44). If the result is so small that
+/* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large, or close to a zero of sa or
+   ca. c->quarter is replaced by two words with a relative error of 2^-102 (float 2^-44). If the result is so small that
    this error would matter, three words are used. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
-    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* about 2^-44 (float 2^-16) */
+    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* a smaller rest/s needs three words */
     vm_real rest, count;
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
@@ -53,9 +53,9 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
      1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
-     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero. Its products with the
-        number of quarters are exact. This number comes from the high word of c->quarter alone, so that the rest may be
-        a little longer than half a quarter.
+     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its products
+        with the number of quarters are exact. The number of quarters comes from the high word of c->quarter alone, so
+        that the rest may be a little longer than half a quarter.
      3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
@@ -100,9 +100,10 @@ VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real
 }
 
 /* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. s is any real number and alpha >= 0; both are pure
-   numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 eps for
-   |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, next to the zeros too. The results are NaN for
-   alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275), (276). */
+   numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 VM_EPSILON
+   for |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, also next to the zeros of sa and ca. The
+   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275),
+   (276). */
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     vmi_ateb c;

@@ -4,6 +4,7 @@
      r, d    distances of s from the zero of sa and from the zero of ca; r + d = Pi_alpha/2
      v, u    sa and ca
      w, x    v^2 and 1 - w = u^(alpha+1)
+     y, X    2 q d and y^(alpha+1)
      p       (1 - v)/2
    They satisfy two equations, the second by the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF 15.8(iii):
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
@@ -32,8 +33,9 @@
 /* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
      e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
      e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
-   Two levels gain 7 bits or more for z < 0.303. e_j tends to z/4, which gives a start for the last Y. The constants
-   are the numbers of levels of the two fractions, in w and in p. */
+   Two further levels of the fraction give at least 7 more bits for z < 0.303. e_j tends to z/4, which gives a start for
+   the last Y. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w and of the
+   fraction in p. */
 enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
 /* Computes Y_1 = P/Q from Y, the value after the last level, and from e_(j+1)/z = e_by_z[j], without a division. The

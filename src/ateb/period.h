@@ -1,14 +1,15 @@
 /* ateb/period.h - Pi_alpha, half the period of the Ateb functions
 
-   sa and ca have the period 2 Pi_alpha, where Pi_alpha = B(1/(alpha + 1), 1/2) by (277). It is 2 for alpha = 0 and pi
-   for alpha = 1. ateb_pi returns Pi_alpha; the internal functions return a quarter of the period, Pi_alpha/2, in as
-   many words as the reduction of an argument needs.
+   sa and ca have the period 2 Pi_alpha, where Pi_alpha = B(1/(alpha + 1), 1/2) by (277) and B is the complete beta
+   function. Pi_alpha is 2 for alpha = 0 and pi for alpha = 1. ateb_pi returns Pi_alpha; the internal functions return a
+   quarter of the period, Pi_alpha/2, in as many words as the reduction of an argument needs.
 
        vm_real period = 2 * ateb_pi(3);
 
-   Two methods: a table of polynomials for Pi_alpha - (alpha + 1), which is quick and enough for most arguments, and
-   one polynomial of degree 33 (float 17) in two or three words. In the comments of this file n = alpha + 1 and
-   q = 1/n. The tables are computed by tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
+   There are two methods. A table of polynomials gives Pi_alpha - (alpha + 1); it is quick, and accurate enough for most
+   arguments of sa and ca. For the other arguments one polynomial of degree 33 (float 17) is evaluated in two or three
+   words. In the comments of this file n = alpha + 1 and q = 1/n. The tables are computed by
+   tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
 
@@ -19,8 +20,8 @@
 
 /* Returns coefficient i of the polynomial in t = 2q - 1 that equals (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha, between 1 and 2 for 0 < q <= 1.
-   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A
-   coefficient has up to three words; which_word = 0 selects the largest. Words that would change nothing are 0. */
+   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A coefficient
+   has up to three words; which_word = 0 selects the largest. Words that are too small to change the result are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
@@ -125,7 +126,8 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 }
 
 /* The columns of the table of g(q) = Pi_alpha - (alpha + 1): the low words of g and of its slope at q = row/32, g and
-   its slope at that q, and the further coefficients of the Taylor series. The slope has half of the digits. */
+   its slope at that q, and the further coefficients of the Taylor series. The slope has only half of the digits of a
+   vm_real, so that a product with it can be exact. */
 enum {
     VMI_ATEB_G_LOW,
     VMI_ATEB_G_SLOPE_LOW,
@@ -345,8 +347,8 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
 }
 
 /* Returns g(q) = Pi_alpha - (alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute error below 2^-66
-   (float 2^-36). g is computed as a polynomial in the distance h of q from the nearest multiple of 1/32. Its low word
-   may be as large as 2^-13. */
+   (float 2^-36). g is computed as a polynomial in the distance h of q from the nearest multiple of 1/32. The low word
+   of the result may be as large as 2^-13. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24
@@ -372,8 +374,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* The numbers that the functions need for one alpha. A low word may exceed an ulp of its high word where a function
-   says so. */
+/* The numbers that sa, ca and Pi_alpha need for one alpha. A low word exceeds an ulp of its high word only after a
+   function whose comment says so. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -396,8 +398,9 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets the fields g and quarter, whose low words may be as large as 2^-13. The absolute error of Pi_alpha enters the
-   phase. It is small for a large alpha too, since Pi_alpha is the sum of n and g. */
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. An argument is reduced with the absolute
+   error of Pi_alpha. This error is small for a large alpha too, since Pi_alpha is computed as the sum of n = alpha + 1
+   and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -427,7 +430,8 @@ VM_API vm_real ateb_pi(vm_real alpha)
     return 2 * vmi_fast_two_sum(c.quarter.hi, c.quarter.lo).hi;
 }
 
-/* Returns 1 if alpha is so large that three terms of g(q) at q = 0 give the quarter period in two words, else 0. */
+/* Returns 1 if alpha is so large that three terms of the Taylor series of g(q) at q = 0 give the quarter period in two
+   words, else 0. */
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
 /* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha

@@ -39,7 +39,7 @@ VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
 /* Returns the distance r of s from the zero of sa for w = sa^2 >= 0.302, from h = ln(w/x), where x = 1 - w, e = e^-|h|
    and sum = 1 + e. u = x^q, which is ca, is computed from ln x = -ln(1 + e^h). Where u is well below 1, r is a quarter
    of the period minus d = u (n + T)/2; for other u, 1 - u is computed without loss of digits, and
-   r = (n (1 - u) + g - u T)/2. */
+   r = (n (1 - u) + g - u T)/2. n and g are fields of *c, T is the result of vmi_ateb_T. */
 VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, const vmi_ateb *c)
 {
     const vm_real large_ln = VM_C(0.69) * VMI_BIAS, n = c->n.hi, smaller = e / sum, larger = 1 / sum;
@@ -74,9 +74,10 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 
 /* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
    The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
-   every lambda > 0. Therefore -x' sqrt((alpha+1)/2)/omega and x of an oscillator can be given as sa and ca. Returns 0
-   for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is returned with an error of at most 8 ulp plus the
-   change of s that 6 ulp of sa and of ca make. Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
+   every lambda > 0. Therefore sa and ca may be -x' sqrt((alpha+1)/2)/omega and x of the oscillator x'' = -omega^2
+   x|x|^(alpha-1). Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is returned with an error of
+   at most 8 ulp plus the change of s that 6 ulp of sa and of ca make. Returns NaN for alpha < 0, alpha > 1e30, NaN and
+   infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;

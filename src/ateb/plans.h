@@ -39,16 +39,17 @@
 #define ATEB_PLAN_LENGTH 8
 #endif
 
-/* The polynomials of one part of a quarter: odd is A, for the function that has its zero in this part, and even is C,
-   for the other function. The constant terms come first; coefficients that are not used are 0. */
+/* The polynomials of one part of a quarter: odd holds A, for the function that has its zero in this part; even holds C,
+   for the other function. The comment at the top defines A and C. The constant terms come first; coefficients that are
+   not used are 0. */
 typedef struct VM_TAG(vmi_ateb_part) {
     vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
 
-/* One alpha, prepared by ateb_plan_init. All fields are pure numbers. */
+/* What sa and ca need for one alpha. ateb_plan_init fills it. All fields are pure numbers. */
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
-    vm_real quarter_parts[3]; /* numbers with the sum quarter; the first two have half of the digits or less */
+    vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
     vm_real longest;          /* for |s| < longest the products of quarter_parts and a number of quarters are exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
@@ -130,13 +131,13 @@ VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *
 }
 
 /* sa and ca of the argument s for the plan's alpha.
-   s may be any number. For alpha up to 1e6 and the s for which ateb_saca has a bound in ulp, the error of a full plan
-   is at most 2 ulp; a shorter plan has the accuracy that it was made for. The results are NaN for infinite and NaN s.
+   s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha, the error of a plan of full accuracy is at most 2
+   ulp; any other plan has the accuracy that was given to ateb_plan_init_to. The results are NaN for infinite and NaN s.
    docs/cost.md has the time. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost;
-    vm_real r, r_lo, d, d_lo; /* the distances from the zeros of sa and of ca; one of them is rounded */
+    vm_real r, r_lo, d, d_lo; /* distances of s from the zeros of sa, ca, and their rounding errors */
     vmi_bits quarter;
     if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
     else if (VM_IS_FINITE(s)) {
@@ -235,8 +236,8 @@ VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real 
     else vmi_ateb_loop(p, 4, n, s, sa, ca);
 }
 
-/* Is 1 on processors with wide vector registers. With narrow ones, computing both parts takes longer than a branch
-   and one part. */
+/* VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, computing both parts takes
+   longer than a branch and one part. */
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
 #else
@@ -245,9 +246,9 @@ VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real 
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
    ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend
-   on the index in the array. Arguments are copied in blocks of 64; arguments that are too long or not finite are
-   computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors with wide vector
-   registers (docs/cost.md has the times). */
+   on the index in the array. Arguments are copied in blocks of 64; arguments with |s| >= p->longest, and those that are
+   not finite, are computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors
+   with wide vector registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     enum { BLOCK = 64 };
@@ -291,7 +292,7 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
-    vm_real w[VMI_ATEB_TERMS];        /* the series of ca to the power alpha */
+    vm_real w[VMI_ATEB_TERMS];        /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond */
     int j;
     if (alpha > large) {
         alpha = large;
@@ -326,7 +327,7 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* height = 2^(1-2k), the change for c[k] = 1 */
+    for (k = highest; k > 0; k--) { /* removing c[k] adds an error of |c[k]| height, height = 2^(1-2k) */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
         vmi_remove_highest(c, k, 0);
@@ -360,8 +361,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Sets the fields for the reduction: the quarter period as a sum, and the s up to which products with its terms are
-   exact. */
+/* Sets the fields for the reduction: the quarter period as a sum, and in `longest` the s up to which the products with
+   the terms of this sum are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
     p->quarter = vmi_ateb_fine_quarter(c);

@@ -1,8 +1,8 @@
 /* ateb/powers.h - a logarithm and an exponential that are quicker and have one word only
 
    vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
-   of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in the inversion of
-   the incomplete beta function and in plans.
+   of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in ateb/inversion.h and
+   in ateb/plans.h.
 
        vm_real y = vmi_ateb_exp(vmi_ateb_ln(3) / 2); // the square root of 3
 
@@ -85,7 +85,7 @@ VM_API vm_real vmi_ateb_exp_series(vm_real z)
 #endif
 }
 
-/* Returns e^x if this is a normal number. Method: x = k ln 2 + z, so that e^x = 2^k (1 + z + z^2 E(z)). */
+/* Returns e^x if e^x is a normal number. Method: x = k ln 2 + z, so that e^x = 2^k (1 + z + z^2 E(z)). */
 VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;

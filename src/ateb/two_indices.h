@@ -26,8 +26,9 @@ VM_API int vmi_ateb_index_is_in_domain(vm_real n) { return n == 0 || (n >= VM_C(
 /* Returns 1/(n + 1) in two words. */
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
-/* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). Each term is at most half of the
-   one before it, so that 2 VM_MANT_DIG terms are enough for two words. */
+/* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). B_(1/2) is the incomplete beta
+   function at x = 1/2. Each term of the series is at most half of the one before it, so that 2 VM_MANT_DIG terms are
+   enough for two words. */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {
     const vm_two one = {1, 0}, c = vmi_two_plus(a, b);
@@ -42,8 +43,8 @@ VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 }
 
 /* Returns Pi(n, m) = B(a, b) for a = 1/(n + 1) and b = 1/(m + 1), with a relative error of 2^-102 (float 2^-44); the
-   logarithms of ateb/beta.h would give 2^-64. It is B_(1/2)(a, b) + B_(1/2)(b, a), where 2^(a+b) = e^y comes from its
-   power series. */
+   logarithms of ateb/beta.h would give 2^-64. Pi(n, m) is B_(1/2)(a, b) + B_(1/2)(b, a). vmi_ateb_half_beta returns
+   each of them times 2^(a+b); therefore the sum is divided by 2^(a+b) = e^y, which comes from its power series. */
 VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
 {
     enum { TERMS = VM_MANT_DIG > 24 ? 32 : 18 };
@@ -81,9 +82,9 @@ VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 }
 
 /* sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices. s is any real number; each index is 0 or lies
-   between 1e-3 and 1e3. All are pure numbers. The errors are at most 8 ulp plus the change that an error of 2^-102 |s|
-   (float 2^-44 |s|) in s makes. Indices between 1e-4 and 1e5 are allowed too, with less accuracy. The results are NaN
-   for other indices and for NaN and infinite s. */
+   between 1e-3 and 1e3. s, sa and ca are pure numbers. The errors are at most 8 ulp plus the change that an error of
+   2^-102 |s| (float 2^-44 |s|) in s makes. Indices between 1e-4 and 1e5 are allowed too, with less accuracy. The
+   results are NaN for other indices and for NaN and infinite s. */
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
 {
     vm_real a, b, rest, r, d; /* r and d: the distances of s from the nearest zeros of sa and ca */

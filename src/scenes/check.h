@@ -17,9 +17,9 @@
 #include "../mechanics/vectors.h"
 #include "scene.h"
 
-/* The part of a scene that is wrong */
+/* The part of a scene in which a fault is */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect" or "event"; "scene" for a fault of its arrays and if nothing is wrong */
+    const char *kind; /* "body", "effect" or "event"; "scene" if an array of the scene, or nothing, is wrong */
     int index;        /* index of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
@@ -44,9 +44,9 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
     return VM_OK;
 }
 
-/* Checks where an effect stands in the list, among the effects on a body: a mass law stands first and a link last,
-   and there is at most one of each. b->listed_orders has a bit for the order of each effect on the body that stands
-   before. */
+/* Checks where an effect stands in the list, among the effects on a body: a mass law stands first and a link last, and
+   there is at most one of each. b->listed_orders has a bit for the order of each effect on the body that stands earlier
+   in the list. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
@@ -103,7 +103,8 @@ VM_API int vmi_scene_can_jump(int motion, int other)
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Checks a jump. A part that separates must be possible as the body of the scene that it becomes. */
+/* Checks a jump. For a part that separates, also checks that the absent body of the scene which it becomes can have the
+   mass, inertia and motion of the part. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);

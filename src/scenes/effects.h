@@ -10,9 +10,9 @@
                               vm_effect_damper(1, 0, 0, 0, 5)};                     // 5 N s/m between bodies 1 and 0
 
    In all constructors of this file `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
-   their coordinates (scene.h has a list). A constructor checks only whether a function is missing; vm_scene_check and
-   vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN or outside their
-   domain.
+   their coordinates (scene.h has a list). A constructor checks only whether a function of the caller is NULL;
+   vm_scene_check and vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN
+   or outside their domain.
 
    Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_EFFECTS_H
@@ -116,7 +116,7 @@ VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real
 }
 
 /* A linear spring, the force -k (x - rest). The stiffness k in N/m may have either sign; rest is in m or rad. Unlike
-   vm_effect_spring, this effect does not link the power function. */
+   vm_effect_spring, this effect does not make a program link the power function. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
 {
@@ -135,7 +135,8 @@ VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* A linear damper, the force -damping v. damping is in N s/m; if it is positive, the damper takes energy out. */
+/* A linear damper, the force -damping v. v is the velocity of the coordinate relative to other_coordinate of the body
+   `other`. damping is in N s/m; if it is positive, the damper takes energy out. */
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
     vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
@@ -171,8 +172,8 @@ VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *
     vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
-/* Van der Pol's damper, the force (b - c x^2) v (404). A positive b in N s/m feeds energy in; a positive c in N s/m^3
-   takes energy out at large amplitudes. */
+/* Van der Pol's damper, the force (b - c x^2) v (404). x and v are the position and velocity of the coordinate. A
+   positive b in N s/m feeds energy in; a positive c in N s/m^3 takes energy out at large amplitudes. */
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_van_der_pol);
@@ -258,9 +259,9 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
      effect->load->mass                the present mass;
      effect->load->force               the sum of the forces of the effects that stand before it in the list;
      effect->p, effect->ctx            parameters, and a pointer of the caller.
-   Therefore a stop that is listed last can take away the force that presses on it. other is another body, or
-   VM_GROUND. The effect acts only while both bodies are present; effect->other_load, effect->other_x and
-   effect->other_v belong to the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
+   Therefore a rigid obstacle that is listed last can take away the force that presses the body against it. other is
+   another body, or VM_GROUND. The effect acts only while both bodies are present; effect->other_load, effect->other_x
+   and effect->other_v belong to the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -332,9 +333,9 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force normal to the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation
-   has the term 2 i gyro z' for the complex deflection z. The effect acts on coordinates 0 and 1 of a body in the
-   plane or of a point. It does no work. */
+/* A gyroscopic force normal to the velocity (vx, vy), 2 gyro (-vy, vx). gyro in kg/s is the coefficient in the term 2 i
+   gyro z' of the equation of Laval's rotor, where z is its complex deflection. The effect acts on coordinates 0 and 1
+   of a body in the plane or of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);

@@ -18,8 +18,8 @@
 #include "scene.h"
 #include "state.h"
 
-/* Prepares the load of a body before the effects add to it: the mass is the present one, and all sums are 0. Of the
-   forces it sets only those on coordinates that the body has. */
+/* Prepares the load of a body before the effects add to it: the mass becomes the present mass, and all sums become 0.
+   Only forces on coordinates that the body has are set. */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -80,7 +80,7 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
     if (before) s->status = before;
 }
 
-/* Writes the derivatives of a body that is not there: 0 */
+/* Sets the derivatives of a body that is not present to 0 */
 VMI_APART void vmi_scene_clear_derivatives(const vm_scene_body *b, vm_real *dydt)
 {
     int k;

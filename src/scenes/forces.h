@@ -1,9 +1,9 @@
 /* scenes/forces.h - the forces of effects, as functions of numbers
 
-   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well.
-   They return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v
-   the rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6
-   VM_EPSILON times the sum of the absolute values of the terms, if the angle of a sine or cosine is exact.
+   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
+   return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v the
+   rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6 VM_EPSILON
+   times the sum of the absolute values of the terms of the force, if the angle of a sine or cosine is exact.
 
        vm_real x = VM_C(0.1), v = 2, mass = 3;
        vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
@@ -53,9 +53,9 @@ VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real freque
     return amplitude * c;
 }
 
-/* The reactive force of a stream, rate (u - reactive v). The stream brings mass at the rate in kg/s; a negative rate
-   takes mass away. The velocity of this mass is u + (1 - reactive) v: the absolute velocity u for reactive = 1, and u
-   relative to the body, whose velocity is v, for reactive = 0. */
+/* The reactive force of a stream, rate (u - reactive v). The stream brings `rate` kg of mass per second; a negative
+   rate takes mass away. The mass has the velocity u + (1 - reactive) v, where v is the velocity of the body: u is
+   absolute if reactive is 1, and relative to the body if it is 0. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
     return rate * (u - reactive * v);
@@ -89,9 +89,9 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force normal to a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor,
-   whose equation has the term 2 i gyro z' for the complex deflection z. The force does no work. The components are
-   written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
+/* The gyroscopic force normal to the velocity (vx, vy) in the plane, 2 gyro (-vy, vx). gyro in kg/s is the coefficient
+   in the term 2 i gyro z' of the equation of Laval's rotor, where z is its complex deflection. The force does no work.
+   The components are written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;

@@ -24,7 +24,8 @@
 /* The index of the mass centre in the state of a growing body; the mass centre follows the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
-/* The index of the inertia in the state of a growing body; the inertia follows the mass centre (2 or 3 numbers) */
+/* The index of the inertia in the state of a growing body; the inertia follows the mass centre, which has 2 or 3
+   numbers */
 VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
 {
     const int directions = b->motion == VM_PLANE ? 2 : 3;
@@ -87,8 +88,8 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
     vmi_plane_get(b, state, now);
 }
 
-/* A growing body in the plane, made of a body by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when the inertia
-   is no longer positive. vm_scene_start returns VM_BAD_MOTION for any other body. */
+/* A growing body in the plane. The argument is a body made by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when
+   the inertia is no longer positive. vm_scene_start returns VM_BAD_MOTION for any other body. */
 VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -144,9 +145,9 @@ VM_API int vmi_free_growing_check(const vm_body *start)
     return VM_OK;
 }
 
-/* A growing body in space, made of a body by vm_scene_body_free. A run ends with VM_BAD_INERTIA when the inertia
-   becomes one that no body can have. vm_scene_start returns VM_BAD_MOTION for any other body, and VM_BAD_INERTIA for
-   a rod or a point. */
+/* A growing body in space. The argument is a body made by vm_scene_body_free. A run ends with VM_BAD_INERTIA when the
+   inertia becomes one that no body can have. vm_scene_start returns VM_BAD_MOTION for any other body, and
+   VM_BAD_INERTIA for a rod or a point. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;

@@ -19,14 +19,14 @@
 
    Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
    give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as
-   vm_then_separate and vm_then_attach for these motions only, and link less code (docs/scene-sizes.md). A point that
-   takes up a body at another place loses the angular momentum of the two about their mass centre; angular_defect of
-   the budget shows this.
+   vm_then_separate and vm_then_attach for these motions only, and link less code (docs/scene-sizes.md). If a point
+   takes up a body at another place, the angular momentum of both about their common mass centre is lost, since a point
+   does not rotate; angular_defect of the budget shows this loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
    jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
-   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and an error for a part that cannot be a
-   body.
+   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and the status of vm_scene_check for a part
+   that cannot be a body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
@@ -132,8 +132,8 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* Updates the position of the mass centre in body axes after a jump, which has moved the mass centre of a growing
-   body to r */
+/* After a jump has moved the mass centre of a growing body to r, updates the position of the mass centre in body
+   axes */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;

@@ -122,8 +122,9 @@ VM_API int vmi_link_check(const vm_effect *e)
    is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested
    for a cord of 1 m at 6 m/s.
    vm_scene_start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass
-   centre moves in the body, and VM_TWO_LINKS, VM_LINK_NOT_LAST or VM_SAME_BODY. A run ends with VM_SINGULAR if the
-   ends are in one place or cannot move along the link. */
+   centre moves in the body, VM_TWO_LINKS for a second link on a body, VM_LINK_NOT_LAST if another effect on the body
+   follows the link, and VM_SAME_BODY for a link of a body with itself. A run ends with VM_SINGULAR if the ends are in
+   one place or cannot move along the link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {

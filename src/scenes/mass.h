@@ -3,8 +3,8 @@
    A mass law M(t, x, v) gives the mass of a body at any time; the mass is then not a number of the state. The mass
    that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. Therefore the
    equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
-     reactive = 1  the absolute velocity u: the full reactive force (156), with u = 0 Levi-Civita's (167)-(169);
-     reactive = 0  the velocity u relative to the body: no reactive force if u = 0 (166).
+     reactive = 1  the absolute velocity u: the reactive force is M' (u - v) (156), for u = 0 Levi-Civita's (167)-(169);
+     reactive = 0  the velocity u relative to the body: the reactive force is M' u, which is 0 if u = 0 (166).
    Only on a line or an axle may a law depend on position x and velocity v; on an axle it gives the moment of inertia
    J from the angle or the angular velocity. u is in m/s. On a line and on an axle only u.x is used, on an axle in
    rad/s.

@@ -7,7 +7,7 @@
 
        vm_vec3 zero = {0, 0, 0};
        vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
-       vm_effect leak = vm_effect_mass_of_time(0, &mass, zero, 0);     // what leaves keeps the velocity of body 0
+       vm_effect leak = vm_effect_mass_of_time(0, &mass, zero, 0);     // lost mass keeps the velocity of body 0
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_OF_TIME_H

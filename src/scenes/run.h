@@ -32,7 +32,7 @@ typedef struct VM_TAG(vmi_scene_pace) {
 enum {
     VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more would cause each other without end */
     VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants with a gap too short for the precision of time */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, so that the next is seen even if gaps shrink */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, so that no later event is missed */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
@@ -75,12 +75,12 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
 }
 
 /* Applies all events of an instant, including those that an event causes at the same instant. Events may follow each
-   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the precision of the
-   time no longer separates them. Until then the step after such an event is made so short that the next event is
-   seen. */
+   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the time has too few
+   digits to tell these events apart. Until then the step after such an event is made so short that the next event is
+   not missed. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap has fewer than two digits */
+    const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap between events has fewer than two digits */
     const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
     pace->happened = 0;
@@ -128,10 +128,10 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 }
 
 /* Finds the reason why a run ends: whether a mass or an inertia would soon reach 0 if the state continued at its
-   present rates. It tries longer and longer steps, up to 1e-6 of the time (float: 1e-3). The first failure becomes
-   s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that no step
-   gets beyond 0, and because shorter steps after a refused step may have set s->status to VM_OK again. The run is
-   over, so that parts of the integrator's work space are free for a state and its rates. */
+   present rates. It tries longer and longer steps, up to 1e-6 of the time t or t_end (float: 1e-3). The first failure
+   becomes s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that
+   the steps end before 0 is reached, and because shorter steps after a refused step may have set s->status to VM_OK
+   again. The run is over, so that parts of the integrator's work space are free for a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -173,8 +173,9 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
-/* Prepares rk45 for the scene. Each number of the state has its tolerance. The numbers of the budget have none, so that
-   the bodies alone determine the steps. The tolerances are stored in work after the numbers of the integrator. */
+/* Prepares rk45 for the scene. Each number of a body has its tolerance. The numbers of the budget have none (VM_MAX),
+   so that the bodies alone determine the steps. The tolerances are stored in work after the numbers of the
+   integrator. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {
@@ -213,7 +214,7 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
    VM_OK at t_end, VM_STOPPED if an event or the output ended the run, or
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
-                           if a mass or an inertia ran out, even if the steps became too short just before that;
+                           if a mass or an inertia reached 0, even if the steps became too short just before that;
      VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN;
      VM_SINGULAR           if a link cannot act;
      VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession an

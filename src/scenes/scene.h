@@ -1,12 +1,12 @@
 /* scenes/scene.h - what a scene is made of: bodies, effects, events
 
-   A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that
-   change them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers
-   only to the functions that its body, effect or event needs, so that the executable holds no others. All arrays are
-   the caller's.
+   A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that change
+   them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers only to the
+   functions that its body, effect or event needs, so that the executable holds no others. The caller provides all
+   arrays.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
-       vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s, which keeps its velocity
+       vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s without a reactive force
                               vm_effect_spring(0, 0, VM_GROUND, 0, 50, 3, 0)};
        vm_scene scene;
        vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                          // 2 = vm_scene_size(&scene)
@@ -114,7 +114,7 @@ struct VM_TAG(vm_scene_body) {
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
     int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
-    vm_real noted_mass;     /* kg: the mass before an event that must not change it */
+    vm_real noted_mass;     /* kg: the mass that the body must have after an event */
 };
 
 /* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
@@ -167,8 +167,8 @@ struct VM_TAG(vm_effect) {
     void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function given to vm_effect_varying */
     int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
     void *ctx;                             /* pointer that the caller's function receives */
-    unsigned motions;                      /* bit (1 << motion) for each motion on which the effect can act */
-    unsigned other_motions;                /* bit (1 << motion) for each motion that can take the reaction */
+    unsigned motions;                      /* bit (1 << motion) for each motion that `body` may have */
+    unsigned other_motions;                /* bit (1 << motion) for each motion that `other` may have */
     int needs;                             /* what the effect needs of the mass of its body: VMI_NEEDS_... */
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
@@ -181,7 +181,7 @@ enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 /* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop what it
    does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or this function is 0 at the event */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or a function that is 0 at an event */
     /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
        run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
@@ -215,7 +215,7 @@ struct VM_TAG(vm_event) {
     long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
     long count; /* how often the event has happened */
     /* fields set by vm_scene_start and kept up to date by a run */
-    long seen;       /* number of crossings by the integrator that the run has already handled */
+    long seen;       /* number of crossings found by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
 };
@@ -259,7 +259,7 @@ struct VM_TAG(vm_scene) {
     /* NULL, or a function of the caller. It is called when a run starts and after each step, or only at `times` if they
        are given. The run stops if it returns a number other than 0. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times increasing times of output, which is then not called after steps */
+    const vm_real *times; /* s: NULL, or n_times increasing times at which output is called, instead of after steps */
     int n_times;
     void *output_ctx; /* pointer that output receives */
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
@@ -273,7 +273,7 @@ struct VM_TAG(vm_scene) {
 /* Sets of motions, with the bit (1 << motion) for each motion */
 enum {
     VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE, /* motions with one coordinate */
-    VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT,
+    VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT, /* a body in the plane, and a point in space */
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 

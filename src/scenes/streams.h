@@ -81,8 +81,9 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
 }
 
 /* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget.
-   vmi_apply_stream_mass enters in the budget the energy of the mass, and its momentum as if it had the velocity of
-   the body. This function adds force and torque to the momentum brought, and subtracts their power from `mixing`. */
+   vmi_apply_stream_mass enters in the budget the energy of the mass of the stream, and the momentum that this mass
+   would have at the velocity of the body. This function adds force and torque to the momentum that the stream brings,
+   and subtracts their power from `mixing`. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -139,8 +140,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Checks a stream by vmi_check_stream, and refuses a stream with a store, since a scene neglects the momentum of mass
-   that flows between a store and the surface */
+/* Checks a stream by vmi_check_stream, and refuses a stream with a store (stream->from), since a scene neglects the
+   momentum of mass that flows between a store and the surface of the body */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
@@ -176,24 +177,25 @@ VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
 }
 
 /* Moment d x M' (u - v) of a stream on a growing body (158). It is the moment about the mass centre of the reactive
-   force, which acts at the point d. Conditions and errors are those of vm_effect_stream_mass. */
+   force M' (u - v) of vm_effect_stream_force. The vector d leads from the mass centre to the point of the stream.
+   Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_moment);
 }
 
-/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). M' is the rate of the mass, kappa its
-   gyration, omega2 its angular velocity; I' is the rate of the inertia of the body, omega its angular velocity.
-   Conditions and errors are those of vm_effect_stream_mass. */
+/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). M' is the rate of the mass, kappa the inertia
+   of this mass per kg, omega2 its angular velocity; I' is the rate of the inertia of the body, omega its angular
+   velocity. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_torque);
 }
 
 /* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
-   each evaluation vary receives a copy of the stream and writes what has changed at t and y: the point, which may move
-   in the body, the rate or the velocity. vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no
-   stream. */
+   each evaluation vary receives a copy of the stream and writes the values of its fields for the time t and the state
+   y: the point, which may move in the body, the rate or the velocity. vm_scene_start returns VM_BAD_ARGUMENT if vary is
+   NULL or the effect has no stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)
