@@ -1531,7 +1531,7 @@ VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
     return result;
 }
 
-/* The tensor that has these principal moments and axes */
+/* The tensor that has the principal moments and axes *p */
 VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
 {
     vm_inertia i = {0, 0, 0, 0, 0, 0};
@@ -1548,7 +1548,7 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have these principal moments: none is larger than the sum of the other two plus slack, in kg
+/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack, in kg
    m^2. It follows that no moment is below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
@@ -1560,7 +1560,7 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
 /* Returns 1 if a moment about an axis is smaller than the rounding errors of its tensor, and also if it is negative or
-   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sizes of these terms. */
+   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sums of the terms' sizes. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
@@ -3626,8 +3626,8 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
 }
 
 /* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. column is an
-   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all these numbers are
-   positive. k*, G, D are as in the comment of vm_broken_rotor_characteristic, and the statuses are the same. */
+   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all numbers of
+   the column are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -3728,10 +3728,10 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
    It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
    |s|/4 is the second term of r for a large r/|s|. Terms of order s^2/r and the time until psi' reaches omega are
-   neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s)
-   after 400 s, this radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1
-   rad/s. Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The
-   solution of R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
+   neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s, this
+   radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN
+   below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
+   R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
@@ -5220,8 +5220,8 @@ enum {
     VM_FLOW_BALANCED_STATES = 30 /* states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7 integrals */
 };
 
-/* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
-   stays zero has no effect. */
+/* The streams and loads of a body: the ctx of the right-hand sides below. Set the whole struct to zero first; a field
+   that stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
     vm_stream *streams; /* n streams, kept by the caller */
@@ -5604,7 +5604,7 @@ typedef struct VM_TAG(vm_stream2) {
     vm_real gyration; /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2 */
 } vm_stream2;
 
-/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
+/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set the whole struct to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
     vm_stream2 *streams; /* n streams, kept by the caller */
@@ -5811,7 +5811,7 @@ typedef struct VM_TAG(vm_stream1) {
     int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
 } vm_stream1;
 
-/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set all of it to zero first. */
+/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set the whole struct to 0 first. */
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
     vm_stream1 *streams; /* n streams, kept by the caller */
@@ -6374,8 +6374,8 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 
 /* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle explains a, b, f, x, y.
    For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0
-   this p is too large, and so is ln(1 + a p + a^2/b)/a; the smaller of the two is taken. For a < 0 this p is too small,
-   and so is |a|/(|a| + b); the larger of the two is taken. */
+   this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value. For a < 0 this p is too
+   small, and so is |a|/(|a| + b); the function takes the larger value. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));

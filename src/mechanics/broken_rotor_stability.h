@@ -106,8 +106,8 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
 }
 
 /* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. column is an
-   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all these numbers are
-   positive. k*, G, D are as in the comment of vm_broken_rotor_characteristic, and the statuses are the same. */
+   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all numbers of
+   the column are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -208,10 +208,10 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
    It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
    |s|/4 is the second term of r for a large r/|s|. Terms of order s^2/r and the time until psi' reaches omega are
-   neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s)
-   after 400 s, this radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1
-   rad/s. Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The
-   solution of R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
+   neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s, this
+   radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN
+   below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
+   R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;

@@ -309,8 +309,8 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 
 /* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle explains a, b, f, x, y.
    For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0
-   this p is too large, and so is ln(1 + a p + a^2/b)/a; the smaller of the two is taken. For a < 0 this p is too small,
-   and so is |a|/(|a| + b); the larger of the two is taken. */
+   this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value. For a < 0 this p is too
+   small, and so is |a|/(|a| + b); the function takes the larger value. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));

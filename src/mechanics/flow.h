@@ -69,8 +69,8 @@ enum {
     VM_FLOW_BALANCED_STATES = 30 /* states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7 integrals */
 };
 
-/* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
-   stays zero has no effect. */
+/* The streams and loads of a body: the ctx of the right-hand sides below. Set the whole struct to zero first; a field
+   that stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
     vm_stream *streams; /* n streams, kept by the caller */

@@ -49,7 +49,7 @@ typedef struct VM_TAG(vm_stream1) {
     int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
 } vm_stream1;
 
-/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set all of it to zero first. */
+/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set the whole struct to 0 first. */
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
     vm_stream1 *streams; /* n streams, kept by the caller */

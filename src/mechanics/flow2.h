@@ -45,7 +45,7 @@ typedef struct VM_TAG(vm_stream2) {
     vm_real gyration; /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2 */
 } vm_stream2;
 
-/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
+/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set the whole struct to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
     vm_stream2 *streams; /* n streams, kept by the caller */

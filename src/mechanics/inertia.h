@@ -208,7 +208,7 @@ VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
     return result;
 }
 
-/* The tensor that has these principal moments and axes */
+/* The tensor that has the principal moments and axes *p */
 VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
 {
     vm_inertia i = {0, 0, 0, 0, 0, 0};
@@ -225,7 +225,7 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have these principal moments: none is larger than the sum of the other two plus slack, in kg
+/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack, in kg
    m^2. It follows that no moment is below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
@@ -237,7 +237,7 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
 /* Returns 1 if a moment about an axis is smaller than the rounding errors of its tensor, and also if it is negative or
-   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sizes of these terms. */
+   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sums of the terms' sizes. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
