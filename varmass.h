@@ -142,7 +142,7 @@
      mechanics/inverse: how a part must leave, so that the rest moves as wanted
        vm_separation_for_rest         How a part must leave, so that the rest moves as wanted
        vm_separation_for_rest2        How a part must leave in the plane, so that the rest moves as wanted
-       vm_separation_for_spin2        Velocity of a part that leaves the rest with a wanted spin, in the plane, (Table 3, 7)
+       vm_separation_for_spin2        Velocity of a part that leaves the rest with a wanted spin, in the plane (Table 3, case 7)
 
      mechanics/jump_energy: the kinetic energy that a jump adds or takes
        vm_energy_gain                 Energy gained at a separation, J
@@ -230,7 +230,7 @@
        vm_drum_angle_lambert          Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected
        vm_drum_shaft_init             Coefficients of the elastic shaft in the first approximation, (213), (214)
        vm_drum_deflection             Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected
-       vm_drum_shaft_valid            Whether the shaft's frequency stays real for the whole first layer (226)
+       vm_drum_shaft_valid            Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
        vm_lagrange_rhs                Right-hand side of Lagrange's equations with variable mass (247)
@@ -1356,7 +1356,7 @@ VM_API vm_vec3 vmi_inertia_times(const vm_inertia *i, vm_vec3 a)
                     i->xz * a.x + i->yz * a.y + i->zz * a.z);
 }
 
-/* The tensor a + c b */
+/* The tensor a + c b, where a, b are tensors and c is a number */
 VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
 {
     a.xx += c * b.xx;
@@ -1416,7 +1416,7 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 /* The sum |xx| + |yy| + |zz|, which is the trace if i is the inertia of a body */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Reads six numbers of a state as an inertia tensor. vmi_set_inertia writes a tensor to a state. */
+/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes it there. */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -1439,8 +1439,8 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* The tolerance, in kg m^2, for the rounding errors of an inertia tensor. `i` is this tensor itself, or has as entries
-   the sizes of the terms that were added up to this tensor. */
+/* The tolerance, in kg m^2, for the rounding errors of an inertia tensor. `i` is this tensor itself. If its entries are
+   sums, `i` may be the tensor of the sizes of their terms (vmi_inertia_sizes) instead. */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). The matrix tr(i)/2 E - i, with the
@@ -1449,7 +1449,7 @@ VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON *
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
-    vm_real x, y, z, yz; /* the pivots x, y, z; yz is minus the off-diagonal entry that remains */
+    vm_real x, y, z, yz; /* the pivots x, y, z; yz: minus the entry yz of the matrix after one elimination */
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -1469,7 +1469,7 @@ VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 }
 
 /* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
-   is the inertia about the mass centre, P(d) = |d|^2 E - d d^T, and d is in m. A call with -mass undoes the shift.
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). -mass undoes the shift.
    Returns NaN for a null pointer, and in every entry that depends on a NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
@@ -1532,7 +1532,7 @@ VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
     return result;
 }
 
-/* The tensor that has these principal moments and axes */
+/* The tensor that has the principal moments and axes *p */
 VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
 {
     vm_inertia i = {0, 0, 0, 0, 0, 0};
@@ -1549,7 +1549,7 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have these principal moments: none is larger than the sum of the other two plus slack, in kg
+/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack, in kg
    m^2. It follows that no moment is below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
@@ -1557,11 +1557,11 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A principal moment is a sum. If it is smaller than this share of its terms, it is only their rounding error. */
+/* A computed sum is only a rounding error if it is smaller than this share of the sum of its terms' sizes. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
 /* Returns 1 if a moment about an axis is smaller than the rounding errors of its tensor, and also if it is negative or
-   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sizes of these terms. */
+   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sums of the terms' sizes. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
@@ -1598,9 +1598,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     return omega;
 }
 
-/* Solves i omega = h, with inertia i and angular momentum h, for the angular velocity *omega, with one refinement.
-   About an axis with zero moment (of a rod or a point) the angular velocity keeps its value in `before`. Returns 1 if h
-   has a component larger than noise along such an axis, which the body cannot carry. Returns 0 otherwise. */
+/* Solves i omega = h, with inertia i and angular momentum h, for the angular velocity *omega, and refines it once.
+   About an axis with zero moment (of a rod or a point) the angular velocity keeps its value in `before`. The body
+   cannot have angular momentum about it: returns 1 if h has a component larger than noise there, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -1699,7 +1699,7 @@ typedef struct VM_TAG(vm_body) {
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
-/* An impulse that acts on a body at an instant. All vectors are along inertial axes. */
+/* An impulse that acts on a body at an instant. All vectors are in inertial axes. */
 typedef struct VM_TAG(vm_impulse) {
     vm_vec3 linear; /* the impulse of forces, N s */
     vm_vec3 couple; /* an impulsive couple in addition to the moment of `linear`, N m s */
@@ -1723,16 +1723,16 @@ typedef struct VM_TAG(vm_impulse2) {
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* Balance across an instant: the momentum, angular momentum and energy of some bodies after it less those before it.
-   The impulse that acted on the bodies is subtracted from the two momenta. They are then zero except for rounding
-   errors if the bodies obey the laws of mechanics. */
+/* Balance across an instant: the total momentum, angular momentum and energy of the bodies after it minus those before
+   it. The external impulse and its moment are subtracted, too, so that the changes of momentum and angular momentum are
+   zero, except for rounding errors, if the bodies obey the laws of mechanics. */
 typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
     vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
     vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
     /* The sum over all bodies of tr(I) |omega| + (|r| + |r - about|) M |v|, with inertia I, mass M and the point
-       `about`, plus a term for the impulse, N m s. |r| is in it because the rounding error eps |r| of a position
-       changes the angular momentum about any point by eps |r| M |v|. */
+       `about`, plus a term for the impulse, N m s. It contains |r| M |v|, because the rounding error eps |r| of the
+       position r changes the angular momentum about any point by eps |r| M |v|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -1786,7 +1786,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body of space to a body of the plane: its mass, position, motion, inertia.zz, and the given angle */
+/* Converts a body of space to one of the plane, with the given angle. Motion out of the plane is left out. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -1890,7 +1890,7 @@ VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
     return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
 }
 
-/* Adds sign times the body's momenta and energy to a balance, and their sizes to its scales */
+/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
@@ -1920,7 +1920,7 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
 }
 
 /* Balance of momentum, angular momentum and energy across an instant. *balance has the sums over the n_after bodies
-   less those over the n_before bodies, less the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
+   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
    momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
    bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
    bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
@@ -1968,7 +1968,7 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
 }
 
 /* A body of the plane as a lamina of space in the plane z = 0. Its inertia has xx = yy = zz/2, its quaternion q has
-   length 1, and it moves as the body of the plane does. The body is not checked. A null pointer gives NaN. */
+   length 1, and it moves as *body does. *body is not checked. A null pointer gives NaN. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -2633,8 +2633,8 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 
        vm_vec3 none = {0, 0, 0};
        vm_body moving; // whole and part are vm_bodies
-       int status = vm_separation_for_rest(&whole, &part, NULL, NULL, &none, &moving); // VM_OK: with this omega of
-                                                                                      // part the rest does not turn
+       int status = vm_separation_for_rest(&whole, &part, NULL, NULL, &none, &moving); // VM_OK: the rest does not
+                                                                                      // turn if the part is `moving`
 
    Tests: tests/test_inverse.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_INVERSE_H
@@ -2701,12 +2701,12 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
    velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and with the angular velocity that gives the rest
    *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part keeps its own velocity. If rest_omega_or_NULL is
    NULL, it keeps its own angular velocity.
-     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, 5 and 7; Table 4, 2).
-     - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, 6 and 8).
-     - If both have the values of the whole, the rest moves on as the whole did (Table 3, 7).
+     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, cases 5 and 7; Table 4, case 2).
+     - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
+     - If both have the values of the whole, the rest moves on as the whole did (Table 3, case 7).
 
    Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. *moving
-   then meets the wish as far as possible. The other statuses are those of vm_separate. */
+   then brings the rest as close to the wanted motion as possible. The other statuses are those of vm_separate. */
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
@@ -2806,11 +2806,11 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of a part that leaves the rest with a wanted spin, in the plane, (Table 3, 7). The rest then turns with
-   rest_omega (rad/s), while the part keeps its own spin. S and S2 are the mass centres of whole and part. *moving has
-   the smallest velocity v_r relative to the whole that does this. It is orthogonal to the line SS2; any velocity along
-   SS2 may be added to it. The velocity in *part is not read. Returns VM_SINGULAR if S and S2 are one point, so that no
-   velocity turns the rest. The other statuses are those of vm_separate2. */
+/* Velocity of a part that leaves the rest with a wanted spin, in the plane (Table 3, case 7). The rest then turns with
+   rest_omega (rad/s), while the part keeps its own spin. S and S2 are the mass centres of whole and part. The velocity
+   of *moving relative to the whole, v_r, is the smallest that causes this spin. v_r is orthogonal to the line SS2; any
+   velocity along SS2 may be added to it. The velocity in *part is not read. Returns VM_SINGULAR if S and S2 are one
+   point, so that no velocity turns the rest. The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -2825,7 +2825,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     b = *part;
     dx = b.x - whole->x; /* the vector SS2 */
     dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy; /* the part moves as the whole does: v_r = 0 */
+    b.vx = whole->vx - whole->omega * dy; /* first v_r = 0: the part moves as the whole does */
     b.vy = whole->vy + whole->omega * dx;
     parts = vmi_bodies_in_plane(1, &b);
     status = vmi_check_jump2(whole, &parts, external_or_NULL);
@@ -2975,8 +2975,8 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
     vm_real dragging;                      /* speed v_S2d of S2 before the break (52), (61), m/s */
-    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; it is
-                                              right also if S moves */
+    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; the
+                                              velocity of S is taken into account */
     vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
     vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
@@ -2985,11 +2985,11 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_real spin_piece;                    /* Omega_r, the angular velocity of the piece relative to the whole, rad/s:
                                               Omega_r = T/AS2 (57), (63) */
     vm_real spin_rest;                     /* Omega_r1, angular velocity of the remainder relative to the whole, rad/s:
-                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where the
-                                              vector v_T has the component T [(58) corrected] */
-    vm_real stop_inertia;                  /* the I_S2 for which the remainder would not turn, kg m^2. If it is < 0 or
-                                              not finite, there is none. For alpha = 0 it is I_S (R - SS2)/R
-                                              [after (64), corrected] */
+                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where v_T
+                                              is the vector of size T perpendicular to S2A [(58) corrected] */
+    vm_real stop_inertia;                  /* the inertia I_S2 for which the remainder would stop turning, kg m^2. There
+                                              is none if the value is < 0 or not finite. For alpha = 0 it is
+                                              I_S (R - SS2)/R [after (64), corrected] */
 } vm_broken_rotor_break;
 
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
@@ -3028,8 +3028,8 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor. The statuses
-   are those of vm_broken_rotor_rhs, and VM_DOMAIN, which ends the run, if r is not positive. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor. Returns a
+   status of vm_broken_rotor_rhs, or VM_DOMAIN, which ends the run, if r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -3161,8 +3161,8 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
 }
 
 /* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
-   distance AS2. d is the vector SS2, and v is the velocity of S before the break. The x axis of all vectors is along
-   SA, and the y axis is 90 degrees counterclockwise from it. */
+   distance AS2. d is the vector SS2, v the velocity of S and `spin` the angular velocity of the whole before the break.
+   The x axis of all vectors is along SA, and the y axis is 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
@@ -3188,9 +3188,9 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole at the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
-   VM_BAD_MASS if the mass of the piece is not between 0 and M, VM_BAD_STIFFNESS for a negative stiffness,
-   VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN if the whole
-   has s != 0 or if the mass centre S2 of the piece is at A, and VM_OK otherwise. */
+   VM_BAD_MASS if the mass of the piece is not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative
+   stiffness, VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN
+   if the whole has s != 0 or if the piece's mass centre is at the point of contact A, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {
@@ -3232,8 +3232,9 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 
    This chapter computes the motion at any time without an integrator. Before the break the shaft passes through the
    mass centre, and the solution (46)-(51) is exact. After the break the linearised equations (69) hold for short times,
-   while the angle psi of the remainder is small. One function solves them completely. Another one has the solution
-   (70)-(72) of the dissertation, which leaves out a term. For long times integrate vm_broken_rotor_rhs.
+   while the angle psi of the remainder is small. vm_broken_rotor_linear solves them completely.
+   vm_broken_rotor_linear_uncoupled has the solution (70)-(72) of the dissertation [1], which leaves out the term
+   s p^2 omega^2 y. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
@@ -3253,7 +3254,7 @@ typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real coupling;            /* the factor s p^2 omega^2 of y in (69); 0 if this term is left out */
 } vmi_broken_rotor_linear;
 
-/* Indices of y, psi and their rates in z, the array of the coupled states */
+/* Indices in z, the array of those states that (69) couples: y, psi and their rates */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -3282,8 +3283,8 @@ VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 
 /* Sets `change` to the change of the states z within the time h, by the Taylor series in h. The time must be short: |h|
    times the rate vmi_broken_rotor_rate is at most 1. Then the n-th terms of y and of s psi are at most 1/n! times the
-   first terms, and the number of terms is enough. y0, y1, y2 are three successive terms of y; psi0, psi1, psi2 are
-   three successive terms of psi. */
+   first terms, so that the number `terms` of terms is enough. y0, y1, y2 are three successive terms of y; psi0, psi1,
+   psi2 are three successive terms of psi. */
 VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -3327,8 +3328,8 @@ VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_
         }
 }
 
-/* Advances the states z by the time t, for any coefficients. The Taylor series gives the matrix for the time t/2^n, for
-   which it converges fast. Then n doublings of the time follow. */
+/* Advances the states z by the time t, for any coefficients. The time is halved until the Taylor series converges fast.
+   The series gives the matrix for this short time h, and every doubling of the time squares the matrix. */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
@@ -3405,11 +3406,11 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Advances the states z by the time t by (71), (72), without the coupling term and with M* instead of k* Omega. It is
-   used if |t| times the rate vmi_broken_rotor_rate exceeds 1. With w = omega and k = k*, psi = psi0 + psi0' E1 + M* E2,
-   where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The motion of y is driven by -s psi. The functions g0, g1, g2 start
-   from rest and solve g'' + w^2 g = F, where F is w^2 E1' for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1
-   and g1' = g0. */
+/* Advances the states z by the time t by (71), (72), without the coupling term s p^2 omega^2 y. Where [1] has k* Omega,
+   this function has M*. It is used if |t| times the rate vmi_broken_rotor_rate exceeds 1. With w = omega and k = k*,
+   psi = psi0 + psi0' E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The motion of y is driven by -s psi.
+   The functions g0, g1, g2 start from rest and solve g'' + w^2 g = F, where F is w^2 E1' for g0, w^2 E1 for g1 and
+   w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -3428,7 +3429,7 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
-/* Checks the arguments of the public motions and returns their status. */
+/* Checks the arguments of vm_broken_rotor_linear and of the two functions after it. Returns their status. */
 VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
                                          const vm_real *end)
 {
@@ -3437,8 +3438,8 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the three public motions. If coupled = 1, it solves all of (69). If coupled = 0, it leaves out the last term
-   of (69). */
+/* Computes the results of the three public functions below. If coupled = 1, it solves all of (69). If coupled = 0, it
+   leaves out the last term of (69), -s p^2 omega^2 y. */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -3469,7 +3470,7 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 /* State of the remainder t seconds after start, by the complete linearised equations (69).
    The result holds for short times, while |psi| << 1. t may have any sign. The arrays start and end have
    VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields damping, stiffness and s may be 0. The error is at
-   most twice the change that rounding every input, t included, would make. Solutions of (69) grow exponentially.
+   most twice the change that rounding every input, t included, would make. Solutions of (69) grow exponentially with t.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS
    for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
@@ -3533,7 +3534,7 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
    circle (76), (77). This chapter computes
      - the radius of this circle,
-     - the characteristic polynomial (81) of small motions about the steady motion, its roots, and Routh's column,
+     - the characteristic polynomial (81) of small motions about the steady motion, its roots, and Routh's first column,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
      - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
    The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
@@ -3548,8 +3549,8 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
 
 #include <string.h>
 
-/* The detuning (omega^2 - Omega^2) mass. It is computed in two words, so that its sign is right even if the rotor turns
-   very close to resonance. */
+/* The detuning (omega^2 - Omega^2) mass. It is computed as the sum of two numbers, so that its sign is right even if
+   the rotor turns very close to resonance. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
@@ -3626,8 +3627,8 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
 }
 
 /* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. column is an
-   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all these numbers are
-   positive. k*, G, D are as in the comment of vm_broken_rotor_characteristic, and the statuses are the same. */
+   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all numbers of
+   the column are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -3688,9 +3689,9 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* The value ln(1 + x) - x + x^2/2 for x >= 0. For x <= 1 digits would cancel in this form. Then the value
-   x^3/3 - x^4/4 + ... is summed as a series in w = x/(2 + x) <= 1/3 with positive terms only. It is twice the sum over
-   n >= 3 of c_n w^n, where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
+/* The value ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0. For x <= 1 the left form would lose digits, and
+   the value is summed as a series in w = x/(2 + x) <= 1/3 with positive terms only: twice the sum over n >= 3 of
+   c_n w^n, where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21;
@@ -3707,7 +3708,7 @@ VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 }
 
 /* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method starts from
-   x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root, and therefore decreases x until it reaches the root. */
+   x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. Therefore every step decreases x until x is the root. */
 VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -3722,15 +3723,16 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 }
 
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
-   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' is captured at omega, and the
-   surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where R(0) = 0 and R R' = k*
-   (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
+   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' stays at omega, and the surplus
+   of the torque makes the orbit grow. The radius is r = |s|/4 + R, where R(0) = 0 and
+     R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R).
+   It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the term of next order in the expansion. Terms of order s^2/r and the time until the capture are neglected.
-   The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) at t = 400 s, this radius differs
-   by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN below
-   resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of R R' = A + B/R is
-   t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
+   |s|/4 is the second term of r for a large r/|s|. Terms of order s^2/r and the time until psi' reaches omega are
+   neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s, this
+   radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN
+   below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
+   R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
@@ -3769,9 +3771,9 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
    domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
    These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
 
-   External loads are given by their resultant and their moment. A stream with the mass rate M' is given by the force
-   M' u at the point where the mass enters or leaves with the velocity u, and by the moment M' kappa omega2. kappa is
-   the inertia of this mass per unit mass, and omega2 is its angular velocity. */
+   External loads are given by their resultant and their moment about r. A stream with the mass rate M' is given by the
+   force M' u at the point where the mass enters or leaves with the velocity u, and by the moment M' kappa omega2. kappa
+   is the inertia of this mass per unit mass, and omega2 is its angular velocity. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
@@ -5136,7 +5138,7 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 
        vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
        vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
-       vm_real rates[4];          // of w, x, y, z
+       vm_real rates[4];          // w', x', y', z' of q
        vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
 
    Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
@@ -5144,8 +5146,8 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 #define VARMASS_MECHANICS_ATTITUDE_H
 
 /* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
-   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1. Its
-   rate is below that of the rotation itself, so that it does not make a slow rotation stiff. */
+   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1, but
+   more slowly than the body rotates. Therefore it does not make the equations of a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
@@ -5160,10 +5162,10 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
 /* mechanics/flow.h - a free body in space with streams of mass
 
    These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
-   moves. There are three cases: streams cause the change (151), (152); functions of time give it (170); or the mass
-   that is lost or gained moves with the body (166). In the first two cases momentum and angular momentum are states,
-   from which velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and
-   the rate of a stream may jump.
+   moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs all three are given functions of
+   time (170). In vm_flow_carried_rhs the mass that is lost or gained moves with the body (166). In the first two
+   functions momentum and angular momentum are states, from which velocity and angular velocity follow. Therefore a
+   momentum that is conserved stays exactly constant, and the rate of a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -5192,10 +5194,11 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
    attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R
    is the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the
-   length of q back to 1, and integrators keep their order. In (152), [1] prints I' omega2 instead of M' kappa omega2.
-   If a stream has a store at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and P(d); the
-   gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the momentum
-   M' (s - at) and the angular momentum M' d x d_s.
+   length of q back to 1 and does not lower the order of an integrator. In (152), [1] prints I' omega2 instead of
+   M' kappa omega2.
+   If a stream has a store (vm_store) at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and
+   P(d); the gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the
+   momentum M' (s - at) and the angular momentum M' d x d_s.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
@@ -5218,8 +5221,8 @@ enum {
     VM_FLOW_BALANCED_STATES = 30 /* states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7 integrals */
 };
 
-/* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
-   stays zero has no effect. */
+/* The streams and loads of a body: the ctx of the right-hand sides below. Set the whole struct to zero first; a field
+   that stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
     vm_stream *streams; /* n streams, kept by the caller */
@@ -5228,7 +5231,7 @@ typedef struct VM_TAG(vm_flow) {
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
        state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
        that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
-       vm_flow_carried_rhs. (These laws are one function and not vm_laws, because their ten numbers belong together.) It
+       vm_flow_carried_rhs. (One function gives all ten numbers of these laws, because they belong together.) It
        returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
        smooth function of t and y. To switch something at an instant, use an event with the action ODE_RESTART and its
        function `change`. */
@@ -5244,7 +5247,7 @@ typedef struct VM_TAG(vm_flow) {
        motion, where the mass is zero or negative or no body can have the inertia. The derivatives are then NaN, so that
        the integrator shortens its step. An event should stop the run before this happens. */
     int status;
-    /* Number of elements of y, VM_LENGTH(y), which all functions below check; 0 if it is unknown. vm_flow_start writes
+    /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
        VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
        VM_FLOW_BALANCED_STATES, it writes the zeros of the balance too. */
     int y_size;
@@ -5261,8 +5264,8 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation in *kept and returns it. After several failures in a row *kept is the first one,
-   because its NaN causes the later ones. */
+/* Stores the status of an evaluation in *kept and returns it. After several failures in a row *kept is the status of
+   the first one, because the NaN that it returned causes the later failures. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
@@ -5328,8 +5331,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     return VM_OK;
 }
 
-/* Sets the seven rates from VM_Y_BALANCE on: momentum, angular momentum and energy that the streams take out, minus
-   those that the outer loads put in */
+/* Sets dydt[0] ... dydt[6], the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
+   and energy that the streams take out of the body per second, minus those that the outer loads put in */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
@@ -5400,12 +5403,13 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
    zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
    out, minus those that the outer loads put in. The sum of an integral and the body's own quantity stays constant.
    (There are two exceptions if a stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the
-   energy does not balance.) The rate T' of the kinetic energy is the limit of (113), (118) for a continuous stream
-   with either sign of M'. With the letters of the equations at the top of mechanics/flow.h:
+   energy does not balance.) The rate T' of the kinetic energy follows from (113), (118), which hold for sudden
+   changes, in the limit of a continuous stream, for M' > 0 and M' < 0. With the letters of the equations at the top of
+   mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
-   The first sum is the power that the streams bring. The second term is the power of engines (M' < 0), or the power
-   that plastic impact takes (M' > 0). The errors are those of vm_flow_rhs. */
+   The first sum is the power that the streams bring. The second sum, with its minus sign, is the power of engines
+   (M' < 0), or minus the power that plastic impact takes (M' > 0). The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5545,9 +5549,9 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 
 /* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
    The pivots are those of the factorization L D L^T. The event stops a run before the inertia becomes singular, which
-   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The triangle
-   inequality is not watched, because the inertia of thin bodies is always close to its limit. Returns NaN for a null
-   pointer or an inertia that is not finite. */
+   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The event does not
+   watch the triangle inequality of the moments, because thin bodies are always close to its limit. Returns NaN for a
+   null pointer or an inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5601,7 +5605,7 @@ typedef struct VM_TAG(vm_stream2) {
     vm_real gyration; /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2 */
 } vm_stream2;
 
-/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
+/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set the whole struct to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
     vm_stream2 *streams; /* n streams, kept by the caller */
@@ -5614,9 +5618,9 @@ typedef struct VM_TAG(vm_flow2) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) the reduction of x by j
-   quarter turns is shorter than that of vmi_sincos. It takes pi/2 as the sum of two numbers: `first` has 33 (float
-   14) bits, so that j times `first` is exact, and `second` makes the error of the sum 2^-87 (float 2^-38). The
+/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) j quarter turns are subtracted
+   from x in fewer operations than vmi_sincos needs. pi/2 is taken as the sum of two numbers: `first` has 33 (float 14)
+   bits, so that j times `first` is exact. The sum of `first` and `second` differs from pi/2 by 2^-87 (float 2^-38). The
    product j times `second` has a rounding error of 2^-67 (float 2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
@@ -5799,16 +5803,16 @@ enum {
     VM_FLOW1_STATES = 3
 };
 
-/* A stream of mass onto or off a body on a line, or an axle. For an axle let M' be the mass per time, rho the
-   distance of the mass from the axle and kappa its gyration (inertia per unit mass). Then `rate` is
-   M' (kappa + rho^2), and `velocity` is the angular momentum of the stream per unit mass divided by kappa + rho^2. */
+/* A stream of mass that enters or leaves a body on a line or an axle. For an axle let M' be the mass per time, rho the
+   distance of the mass from the axle and kappa its gyration (inertia per unit mass). Then `rate` is M' (kappa + rho^2),
+   and `velocity` is the angular momentum of the stream per unit mass divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
     int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
 } vm_stream1;
 
-/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set all of it to zero first. */
+/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set the whole struct to 0 first. */
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
     vm_stream1 *streams; /* n streams, kept by the caller */
@@ -5820,8 +5824,8 @@ typedef struct VM_TAG(vm_flow1) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-/* The velocity u of a stream's mass, where v is the velocity of the body and `given` that of the stream, all along
-   the same axes */
+/* The velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the stream.
+   All three vectors have the same axes. */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
@@ -6128,8 +6132,8 @@ enum {
     VM_DRUM_ANGLE_STATES = 4
 };
 
-/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b). With ' = d/dphi, the
-   deflection x satisfies
+/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b), with the letters of vm_drum,
+   j = mu R^2 and e = mu v R - D. With ' = d/dphi, the deflection x satisfies
      x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213).
    The equation for y has mu v/(M0 Omega_b) on the right instead of 0 (214). */
 typedef struct VM_TAG(vm_drum_shaft) {
@@ -6153,11 +6157,11 @@ VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm
 typedef struct VM_TAG(vmi_drum_mass) {
     vm_real M;       /* mass of drum and band, kg */
     vm_real J;       /* inertia of drum and band about the axle, kg m^2 */
-    vm_real steiner; /* M (S S1)^2, kg m^2; J - steiner is then the inertia about the mass centre S1 */
+    vm_real steiner; /* M (S S1)^2, with the axle S and the mass centre S1, kg m^2; J - steiner: inertia about S1 */
 } vmi_drum_mass;
 
-/* Sets *m for the angle phi, where s is sin(phi/2). A call with s = 0 neglects the distance S S1. Returns VM_OK,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
+/* Sets *m for the angle phi of the drum, where s is sin(phi/2). A call with s = 0 neglects the distance from the axle
+   to the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -6205,9 +6209,9 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 }
 
 /* Right-hand side of the drum on an elastic shaft, exact.
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), in which the drift of the mass
-   centre is missing and the torque of the shaft has the wrong sign. With the deflection rS = (xS, yS), the unit vector
-   k along z and q = mu R (sin phi, 1 - cos phi), the equations are
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), which leave out that the mass
+   centre moves inside the drum, and give the torque of the shaft the wrong sign. With the deflection rS = (xS, yS), the
+   unit vector k along z and q = mu R (sin phi, 1 - cos phi), the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
    Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE,
@@ -6266,7 +6270,7 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Returns 1 if the drum can turn on a rigid shaft: the fields that matter are finite and have the signs given in
+/* Returns 1 if the drum can turn on a rigid shaft: the fields that it needs are finite and have the signs given in
    vm_drum. Returns 0 otherwise. */
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
@@ -6299,8 +6303,8 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
    The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's fields are taken
-   as exact and products of the fields do not overflow or underflow. This includes e = 0, k1 = 1 - e/(j Omega_b) = 0
-   and angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and if
+   as exact and products of the fields do not overflow or underflow. This holds for e = 0 and e = j Omega_b, too, and
+   for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and if
    inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
@@ -6313,9 +6317,9 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 }
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum. The independent variable is phi, and the angular
-   velocity phi' is that on a rigid shaft (196). Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if
-   the drum does not reach phi, and the errors of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum. The independent variable is phi. The angular velocity
+   phi' is the one that the drum has on a rigid shaft (196). Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer,
+   VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6340,8 +6344,8 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e < 0.
-   The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN as vm_drum_rate
-   does. */
+   The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN for a drum for
+   which vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_stop(const vm_drum *d)
 {
     vm_two e;
@@ -6353,7 +6357,7 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
    With x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2] for every sign of
-   e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN as vm_drum_rate does. */
+   e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN where vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -6371,8 +6375,8 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 
 /* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle explains a, b, f, x, y.
    For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0
-   this p is too large, and so is ln(1 + a p + a^2/b)/a; the smaller of the two is taken. For a < 0 this p is too small,
-   and so is |a|/(|a| + b); the larger of the two is taken. */
+   this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value. For a < 0 this p is too
+   small, and so is |a|/(|a| + b); the function takes the larger value. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -6383,9 +6387,9 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
-   Accuracy and NaN are those of vm_drum_rate. With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and
-   y = a p = ln(1 + x) the equation of vm_drum_time is
-     p + b f^2 (x - y)/x^2 = 1,   x = e^y - 1,   f = p x/y.
+   Accuracy and NaN are those of vm_drum_rate. With x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0,
+   b = j Omega_b t/J0, f = phi/(Omega_b t) and the unknown p = y/a the equation of vm_drum_time is
+     p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
    Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
@@ -6420,7 +6424,7 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
    r - k1 ln r = f1. The solution is r = -k1 W(x), x = -exp(-f1/k1)/k1, with the branch W_-1 for 0 < k1 < 1 and the
    branch W_0 for other k1. This function is for comparison; vm_drum_angle is better. Near e = 0 this form loses all
    digits, because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows
-   near k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0 and k1 = 0, and as vm_drum_rate does. */
+   near k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate does. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -6482,7 +6486,7 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
     return a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0) * cosine + particular / square;
 }
 
-/* Whether the shaft's frequency stays real for the whole first layer (226).
+/* Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226).
    Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
@@ -6733,13 +6737,14 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
    The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
    the line of nodes, and by phi about its own z axis. This chapter computes
      - the quaternion of three angles,
-     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the axes about which the angles turn the body (Lagrange's equations need them as domega/dq'_i),
      - the rates psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
 
    Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, an angle carries no phase information. Tests: tests/test_lagrange.c. */
+   the number of binary digits of vm_real, a result has no meaning: neighbouring angles differ by 1 rad or more.
+   Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
@@ -6754,8 +6759,8 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 }
 
 /* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2], so that axis[i] is domega/dq'_i. A call with a null pointer
-   does nothing. */
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i, where q'_i is the rate of
+   angle i. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
     vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */

@@ -25,7 +25,7 @@ typedef struct VM_TAG(vm_body) {
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
-/* An impulse that acts on a body at an instant. All vectors are along inertial axes. */
+/* An impulse that acts on a body at an instant. All vectors are in inertial axes. */
 typedef struct VM_TAG(vm_impulse) {
     vm_vec3 linear; /* the impulse of forces, N s */
     vm_vec3 couple; /* an impulsive couple in addition to the moment of `linear`, N m s */
@@ -49,16 +49,16 @@ typedef struct VM_TAG(vm_impulse2) {
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* Balance across an instant: the momentum, angular momentum and energy of some bodies after it less those before it.
-   The impulse that acted on the bodies is subtracted from the two momenta. They are then zero except for rounding
-   errors if the bodies obey the laws of mechanics. */
+/* Balance across an instant: the total momentum, angular momentum and energy of the bodies after it minus those before
+   it. The external impulse and its moment are subtracted, too, so that the changes of momentum and angular momentum are
+   zero, except for rounding errors, if the bodies obey the laws of mechanics. */
 typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
     vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
     vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
     /* The sum over all bodies of tr(I) |omega| + (|r| + |r - about|) M |v|, with inertia I, mass M and the point
-       `about`, plus a term for the impulse, N m s. |r| is in it because the rounding error eps |r| of a position
-       changes the angular momentum about any point by eps |r| M |v|. */
+       `about`, plus a term for the impulse, N m s. It contains |r| M |v|, because the rounding error eps |r| of the
+       position r changes the angular momentum about any point by eps |r| M |v|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -112,7 +112,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body of space to a body of the plane: its mass, position, motion, inertia.zz, and the given angle */
+/* Converts a body of space to one of the plane, with the given angle. Motion out of the plane is left out. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -216,7 +216,7 @@ VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
     return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
 }
 
-/* Adds sign times the body's momenta and energy to a balance, and their sizes to its scales */
+/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
@@ -246,7 +246,7 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
 }
 
 /* Balance of momentum, angular momentum and energy across an instant. *balance has the sums over the n_after bodies
-   less those over the n_before bodies, less the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
+   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
    momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
    bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
    bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */

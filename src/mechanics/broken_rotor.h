@@ -75,8 +75,8 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
     vm_real dragging;                      /* speed v_S2d of S2 before the break (52), (61), m/s */
-    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; it is
-                                              right also if S moves */
+    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; the
+                                              velocity of S is taken into account */
     vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
     vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
@@ -85,11 +85,11 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_real spin_piece;                    /* Omega_r, the angular velocity of the piece relative to the whole, rad/s:
                                               Omega_r = T/AS2 (57), (63) */
     vm_real spin_rest;                     /* Omega_r1, angular velocity of the remainder relative to the whole, rad/s:
-                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where the
-                                              vector v_T has the component T [(58) corrected] */
-    vm_real stop_inertia;                  /* the I_S2 for which the remainder would not turn, kg m^2. If it is < 0 or
-                                              not finite, there is none. For alpha = 0 it is I_S (R - SS2)/R
-                                              [after (64), corrected] */
+                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where v_T
+                                              is the vector of size T perpendicular to S2A [(58) corrected] */
+    vm_real stop_inertia;                  /* the inertia I_S2 for which the remainder would stop turning, kg m^2. There
+                                              is none if the value is < 0 or not finite. For alpha = 0 it is
+                                              I_S (R - SS2)/R [after (64), corrected] */
 } vm_broken_rotor_break;
 
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
@@ -128,8 +128,8 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor. The statuses
-   are those of vm_broken_rotor_rhs, and VM_DOMAIN, which ends the run, if r is not positive. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor. Returns a
+   status of vm_broken_rotor_rhs, or VM_DOMAIN, which ends the run, if r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -261,8 +261,8 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
 }
 
 /* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
-   distance AS2. d is the vector SS2, and v is the velocity of S before the break. The x axis of all vectors is along
-   SA, and the y axis is 90 degrees counterclockwise from it. */
+   distance AS2. d is the vector SS2, v the velocity of S and `spin` the angular velocity of the whole before the break.
+   The x axis of all vectors is along SA, and the y axis is 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
@@ -288,9 +288,9 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole at the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
-   VM_BAD_MASS if the mass of the piece is not between 0 and M, VM_BAD_STIFFNESS for a negative stiffness,
-   VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN if the whole
-   has s != 0 or if the mass centre S2 of the piece is at A, and VM_OK otherwise. */
+   VM_BAD_MASS if the mass of the piece is not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative
+   stiffness, VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN
+   if the whole has s != 0 or if the piece's mass centre is at the point of contact A, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {

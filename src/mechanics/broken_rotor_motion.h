@@ -2,8 +2,9 @@
 
    This chapter computes the motion at any time without an integrator. Before the break the shaft passes through the
    mass centre, and the solution (46)-(51) is exact. After the break the linearised equations (69) hold for short times,
-   while the angle psi of the remainder is small. One function solves them completely. Another one has the solution
-   (70)-(72) of the dissertation, which leaves out a term. For long times integrate vm_broken_rotor_rhs.
+   while the angle psi of the remainder is small. vm_broken_rotor_linear solves them completely.
+   vm_broken_rotor_linear_uncoupled has the solution (70)-(72) of the dissertation [1], which leaves out the term
+   s p^2 omega^2 y. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
@@ -30,7 +31,7 @@ typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real coupling;            /* the factor s p^2 omega^2 of y in (69); 0 if this term is left out */
 } vmi_broken_rotor_linear;
 
-/* Indices of y, psi and their rates in z, the array of the coupled states */
+/* Indices in z, the array of those states that (69) couples: y, psi and their rates */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -59,8 +60,8 @@ VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 
 /* Sets `change` to the change of the states z within the time h, by the Taylor series in h. The time must be short: |h|
    times the rate vmi_broken_rotor_rate is at most 1. Then the n-th terms of y and of s psi are at most 1/n! times the
-   first terms, and the number of terms is enough. y0, y1, y2 are three successive terms of y; psi0, psi1, psi2 are
-   three successive terms of psi. */
+   first terms, so that the number `terms` of terms is enough. y0, y1, y2 are three successive terms of y; psi0, psi1,
+   psi2 are three successive terms of psi. */
 VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -104,8 +105,8 @@ VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_
         }
 }
 
-/* Advances the states z by the time t, for any coefficients. The Taylor series gives the matrix for the time t/2^n, for
-   which it converges fast. Then n doublings of the time follow. */
+/* Advances the states z by the time t, for any coefficients. The time is halved until the Taylor series converges fast.
+   The series gives the matrix for this short time h, and every doubling of the time squares the matrix. */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
@@ -182,11 +183,11 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Advances the states z by the time t by (71), (72), without the coupling term and with M* instead of k* Omega. It is
-   used if |t| times the rate vmi_broken_rotor_rate exceeds 1. With w = omega and k = k*, psi = psi0 + psi0' E1 + M* E2,
-   where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The motion of y is driven by -s psi. The functions g0, g1, g2 start
-   from rest and solve g'' + w^2 g = F, where F is w^2 E1' for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1
-   and g1' = g0. */
+/* Advances the states z by the time t by (71), (72), without the coupling term s p^2 omega^2 y. Where [1] has k* Omega,
+   this function has M*. It is used if |t| times the rate vmi_broken_rotor_rate exceeds 1. With w = omega and k = k*,
+   psi = psi0 + psi0' E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The motion of y is driven by -s psi.
+   The functions g0, g1, g2 start from rest and solve g'' + w^2 g = F, where F is w^2 E1' for g0, w^2 E1 for g1 and
+   w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -205,7 +206,7 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
-/* Checks the arguments of the public motions and returns their status. */
+/* Checks the arguments of vm_broken_rotor_linear and of the two functions after it. Returns their status. */
 VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
                                          const vm_real *end)
 {
@@ -214,8 +215,8 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the three public motions. If coupled = 1, it solves all of (69). If coupled = 0, it leaves out the last term
-   of (69). */
+/* Computes the results of the three public functions below. If coupled = 1, it solves all of (69). If coupled = 0, it
+   leaves out the last term of (69), -s p^2 omega^2 y. */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -246,7 +247,7 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 /* State of the remainder t seconds after start, by the complete linearised equations (69).
    The result holds for short times, while |psi| << 1. t may have any sign. The arrays start and end have
    VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields damping, stiffness and s may be 0. The error is at
-   most twice the change that rounding every input, t included, would make. Solutions of (69) grow exponentially.
+   most twice the change that rounding every input, t included, would make. Solutions of (69) grow exponentially with t.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS
    for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)

@@ -3,7 +3,7 @@
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
    circle (76), (77). This chapter computes
      - the radius of this circle,
-     - the characteristic polynomial (81) of small motions about the steady motion, its roots, and Routh's column,
+     - the characteristic polynomial (81) of small motions about the steady motion, its roots, and Routh's first column,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
      - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
    The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
@@ -28,8 +28,8 @@
 #include "../base/words.h"
 #include "broken_rotor.h"
 
-/* The detuning (omega^2 - Omega^2) mass. It is computed in two words, so that its sign is right even if the rotor turns
-   very close to resonance. */
+/* The detuning (omega^2 - Omega^2) mass. It is computed as the sum of two numbers, so that its sign is right even if
+   the rotor turns very close to resonance. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
@@ -106,8 +106,8 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
 }
 
 /* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. column is an
-   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all these numbers are
-   positive. k*, G, D are as in the comment of vm_broken_rotor_characteristic, and the statuses are the same. */
+   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all numbers of
+   the column are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -168,9 +168,9 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* The value ln(1 + x) - x + x^2/2 for x >= 0. For x <= 1 digits would cancel in this form. Then the value
-   x^3/3 - x^4/4 + ... is summed as a series in w = x/(2 + x) <= 1/3 with positive terms only. It is twice the sum over
-   n >= 3 of c_n w^n, where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
+/* The value ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0. For x <= 1 the left form would lose digits, and
+   the value is summed as a series in w = x/(2 + x) <= 1/3 with positive terms only: twice the sum over n >= 3 of
+   c_n w^n, where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21;
@@ -187,7 +187,7 @@ VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 }
 
 /* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method starts from
-   x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root, and therefore decreases x until it reaches the root. */
+   x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. Therefore every step decreases x until x is the root. */
 VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -202,15 +202,16 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 }
 
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
-   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' is captured at omega, and the
-   surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where R(0) = 0 and R R' = k*
-   (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
+   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' stays at omega, and the surplus
+   of the torque makes the orbit grow. The radius is r = |s|/4 + R, where R(0) = 0 and
+     R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R).
+   It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the term of next order in the expansion. Terms of order s^2/r and the time until the capture are neglected.
-   The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) at t = 400 s, this radius differs
-   by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN below
-   resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of R R' = A + B/R is
-   t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
+   |s|/4 is the second term of r for a large r/|s|. Terms of order s^2/r and the time until psi' reaches omega are
+   neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s, this
+   radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN
+   below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
+   R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;

@@ -66,8 +66,8 @@ enum {
     VM_DRUM_ANGLE_STATES = 4
 };
 
-/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b). With ' = d/dphi, the
-   deflection x satisfies
+/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b), with the letters of vm_drum,
+   j = mu R^2 and e = mu v R - D. With ' = d/dphi, the deflection x satisfies
      x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213).
    The equation for y has mu v/(M0 Omega_b) on the right instead of 0 (214). */
 typedef struct VM_TAG(vm_drum_shaft) {
@@ -91,11 +91,11 @@ VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm
 typedef struct VM_TAG(vmi_drum_mass) {
     vm_real M;       /* mass of drum and band, kg */
     vm_real J;       /* inertia of drum and band about the axle, kg m^2 */
-    vm_real steiner; /* M (S S1)^2, kg m^2; J - steiner is then the inertia about the mass centre S1 */
+    vm_real steiner; /* M (S S1)^2, with the axle S and the mass centre S1, kg m^2; J - steiner: inertia about S1 */
 } vmi_drum_mass;
 
-/* Sets *m for the angle phi, where s is sin(phi/2). A call with s = 0 neglects the distance S S1. Returns VM_OK,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
+/* Sets *m for the angle phi of the drum, where s is sin(phi/2). A call with s = 0 neglects the distance from the axle
+   to the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -143,9 +143,9 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 }
 
 /* Right-hand side of the drum on an elastic shaft, exact.
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), in which the drift of the mass
-   centre is missing and the torque of the shaft has the wrong sign. With the deflection rS = (xS, yS), the unit vector
-   k along z and q = mu R (sin phi, 1 - cos phi), the equations are
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), which leave out that the mass
+   centre moves inside the drum, and give the torque of the shaft the wrong sign. With the deflection rS = (xS, yS), the
+   unit vector k along z and q = mu R (sin phi, 1 - cos phi), the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
    Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE,
@@ -204,7 +204,7 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Returns 1 if the drum can turn on a rigid shaft: the fields that matter are finite and have the signs given in
+/* Returns 1 if the drum can turn on a rigid shaft: the fields that it needs are finite and have the signs given in
    vm_drum. Returns 0 otherwise. */
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
@@ -237,8 +237,8 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
    The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's fields are taken
-   as exact and products of the fields do not overflow or underflow. This includes e = 0, k1 = 1 - e/(j Omega_b) = 0
-   and angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and if
+   as exact and products of the fields do not overflow or underflow. This holds for e = 0 and e = j Omega_b, too, and
+   for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and if
    inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
@@ -251,9 +251,9 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 }
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum. The independent variable is phi, and the angular
-   velocity phi' is that on a rigid shaft (196). Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if
-   the drum does not reach phi, and the errors of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum. The independent variable is phi. The angular velocity
+   phi' is the one that the drum has on a rigid shaft (196). Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer,
+   VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -278,8 +278,8 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e < 0.
-   The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN as vm_drum_rate
-   does. */
+   The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN for a drum for
+   which vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_stop(const vm_drum *d)
 {
     vm_two e;
@@ -291,7 +291,7 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
    With x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2] for every sign of
-   e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN as vm_drum_rate does. */
+   e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN where vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -309,8 +309,8 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 
 /* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle explains a, b, f, x, y.
    For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0
-   this p is too large, and so is ln(1 + a p + a^2/b)/a; the smaller of the two is taken. For a < 0 this p is too small,
-   and so is |a|/(|a| + b); the larger of the two is taken. */
+   this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value. For a < 0 this p is too
+   small, and so is |a|/(|a| + b); the function takes the larger value. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -321,9 +321,9 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
-   Accuracy and NaN are those of vm_drum_rate. With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and
-   y = a p = ln(1 + x) the equation of vm_drum_time is
-     p + b f^2 (x - y)/x^2 = 1,   x = e^y - 1,   f = p x/y.
+   Accuracy and NaN are those of vm_drum_rate. With x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0,
+   b = j Omega_b t/J0, f = phi/(Omega_b t) and the unknown p = y/a the equation of vm_drum_time is
+     p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
    Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
@@ -358,7 +358,7 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
    r - k1 ln r = f1. The solution is r = -k1 W(x), x = -exp(-f1/k1)/k1, with the branch W_-1 for 0 < k1 < 1 and the
    branch W_0 for other k1. This function is for comparison; vm_drum_angle is better. Near e = 0 this form loses all
    digits, because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows
-   near k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0 and k1 = 0, and as vm_drum_rate does. */
+   near k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate does. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -420,7 +420,7 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
     return a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0) * cosine + particular / square;
 }
 
-/* Whether the shaft's frequency stays real for the whole first layer (226).
+/* Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226).
    Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 

@@ -3,13 +3,14 @@
    The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
    the line of nodes, and by phi about its own z axis. This chapter computes
      - the quaternion of three angles,
-     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the axes about which the angles turn the body (Lagrange's equations need them as domega/dq'_i),
      - the rates psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
 
    Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, an angle carries no phase information. Tests: tests/test_lagrange.c. */
+   the number of binary digits of vm_real, a result has no meaning: neighbouring angles differ by 1 rad or more.
+   Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
@@ -29,8 +30,8 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 }
 
 /* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2], so that axis[i] is domega/dq'_i. A call with a null pointer
-   does nothing. */
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i, where q'_i is the rate of
+   angle i. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
     vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */

@@ -1,10 +1,10 @@
 /* mechanics/flow.h - a free body in space with streams of mass
 
    These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
-   moves. There are three cases: streams cause the change (151), (152); functions of time give it (170); or the mass
-   that is lost or gained moves with the body (166). In the first two cases momentum and angular momentum are states,
-   from which velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and
-   the rate of a stream may jump.
+   moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs all three are given functions of
+   time (170). In vm_flow_carried_rhs the mass that is lost or gained moves with the body (166). In the first two
+   functions momentum and angular momentum are states, from which velocity and angular velocity follow. Therefore a
+   momentum that is conserved stays exactly constant, and the rate of a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -33,10 +33,11 @@
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
    attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R
    is the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the
-   length of q back to 1, and integrators keep their order. In (152), [1] prints I' omega2 instead of M' kappa omega2.
-   If a stream has a store at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and P(d); the
-   gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the momentum
-   M' (s - at) and the angular momentum M' d x d_s.
+   length of q back to 1 and does not lower the order of an integrator. In (152), [1] prints I' omega2 instead of
+   M' kappa omega2.
+   If a stream has a store (vm_store) at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and
+   P(d); the gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the
+   momentum M' (s - at) and the angular momentum M' d x d_s.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
@@ -68,8 +69,8 @@ enum {
     VM_FLOW_BALANCED_STATES = 30 /* states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7 integrals */
 };
 
-/* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
-   stays zero has no effect. */
+/* The streams and loads of a body: the ctx of the right-hand sides below. Set the whole struct to zero first; a field
+   that stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
     vm_stream *streams; /* n streams, kept by the caller */
@@ -78,7 +79,7 @@ typedef struct VM_TAG(vm_flow) {
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
        state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
        that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
-       vm_flow_carried_rhs. (These laws are one function and not vm_laws, because their ten numbers belong together.) It
+       vm_flow_carried_rhs. (One function gives all ten numbers of these laws, because they belong together.) It
        returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
        smooth function of t and y. To switch something at an instant, use an event with the action ODE_RESTART and its
        function `change`. */
@@ -94,7 +95,7 @@ typedef struct VM_TAG(vm_flow) {
        motion, where the mass is zero or negative or no body can have the inertia. The derivatives are then NaN, so that
        the integrator shortens its step. An event should stop the run before this happens. */
     int status;
-    /* Number of elements of y, VM_LENGTH(y), which all functions below check; 0 if it is unknown. vm_flow_start writes
+    /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
        VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
        VM_FLOW_BALANCED_STATES, it writes the zeros of the balance too. */
     int y_size;
@@ -111,8 +112,8 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation in *kept and returns it. After several failures in a row *kept is the first one,
-   because its NaN causes the later ones. */
+/* Stores the status of an evaluation in *kept and returns it. After several failures in a row *kept is the status of
+   the first one, because the NaN that it returned causes the later failures. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
@@ -178,8 +179,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     return VM_OK;
 }
 
-/* Sets the seven rates from VM_Y_BALANCE on: momentum, angular momentum and energy that the streams take out, minus
-   those that the outer loads put in */
+/* Sets dydt[0] ... dydt[6], the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
+   and energy that the streams take out of the body per second, minus those that the outer loads put in */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
@@ -250,12 +251,13 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
    zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
    out, minus those that the outer loads put in. The sum of an integral and the body's own quantity stays constant.
    (There are two exceptions if a stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the
-   energy does not balance.) The rate T' of the kinetic energy is the limit of (113), (118) for a continuous stream
-   with either sign of M'. With the letters of the equations at the top of mechanics/flow.h:
+   energy does not balance.) The rate T' of the kinetic energy follows from (113), (118), which hold for sudden
+   changes, in the limit of a continuous stream, for M' > 0 and M' < 0. With the letters of the equations at the top of
+   mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
-   The first sum is the power that the streams bring. The second term is the power of engines (M' < 0), or the power
-   that plastic impact takes (M' > 0). The errors are those of vm_flow_rhs. */
+   The first sum is the power that the streams bring. The second sum, with its minus sign, is the power of engines
+   (M' < 0), or minus the power that plastic impact takes (M' > 0). The errors are those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -395,9 +397,9 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 
 /* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
    The pivots are those of the factorization L D L^T. The event stops a run before the inertia becomes singular, which
-   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The triangle
-   inequality is not watched, because the inertia of thin bodies is always close to its limit. Returns NaN for a null
-   pointer or an inertia that is not finite. */
+   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The event does not
+   watch the triangle inequality of the moments, because thin bodies are always close to its limit. Returns NaN for a
+   null pointer or an inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;

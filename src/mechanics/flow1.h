@@ -40,16 +40,16 @@ enum {
     VM_FLOW1_STATES = 3
 };
 
-/* A stream of mass onto or off a body on a line, or an axle. For an axle let M' be the mass per time, rho the
-   distance of the mass from the axle and kappa its gyration (inertia per unit mass). Then `rate` is
-   M' (kappa + rho^2), and `velocity` is the angular momentum of the stream per unit mass divided by kappa + rho^2. */
+/* A stream of mass that enters or leaves a body on a line or an axle. For an axle let M' be the mass per time, rho the
+   distance of the mass from the axle and kappa its gyration (inertia per unit mass). Then `rate` is M' (kappa + rho^2),
+   and `velocity` is the angular momentum of the stream per unit mass divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
     int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
 } vm_stream1;
 
-/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set all of it to zero first. */
+/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set the whole struct to 0 first. */
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
     vm_stream1 *streams; /* n streams, kept by the caller */
@@ -61,8 +61,8 @@ typedef struct VM_TAG(vm_flow1) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-/* The velocity u of a stream's mass, where v is the velocity of the body and `given` that of the stream, all along
-   the same axes */
+/* The velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the stream.
+   All three vectors have the same axes. */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);

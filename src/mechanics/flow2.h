@@ -45,7 +45,7 @@ typedef struct VM_TAG(vm_stream2) {
     vm_real gyration; /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2 */
 } vm_stream2;
 
-/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
+/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set the whole struct to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
     vm_stream2 *streams; /* n streams, kept by the caller */
@@ -58,9 +58,9 @@ typedef struct VM_TAG(vm_flow2) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) the reduction of x by j
-   quarter turns is shorter than that of vmi_sincos. It takes pi/2 as the sum of two numbers: `first` has 33 (float
-   14) bits, so that j times `first` is exact, and `second` makes the error of the sum 2^-87 (float 2^-38). The
+/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) j quarter turns are subtracted
+   from x in fewer operations than vmi_sincos needs. pi/2 is taken as the sum of two numbers: `first` has 33 (float 14)
+   bits, so that j times `first` is exact. The sum of `first` and `second` differs from pi/2 by 2^-87 (float 2^-38). The
    product j times `second` has a rounding error of 2^-67 (float 2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {

@@ -20,9 +20,9 @@
    domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
    These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
 
-   External loads are given by their resultant and their moment. A stream with the mass rate M' is given by the force
-   M' u at the point where the mass enters or leaves with the velocity u, and by the moment M' kappa omega2. kappa is
-   the inertia of this mass per unit mass, and omega2 is its angular velocity. */
+   External loads are given by their resultant and their moment about r. A stream with the mass rate M' is given by the
+   force M' u at the point where the mass enters or leaves with the velocity u, and by the moment M' kappa omega2. kappa
+   is the inertia of this mass per unit mass, and omega2 is its angular velocity. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {

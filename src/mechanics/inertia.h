@@ -32,7 +32,7 @@ VM_API vm_vec3 vmi_inertia_times(const vm_inertia *i, vm_vec3 a)
                     i->xz * a.x + i->yz * a.y + i->zz * a.z);
 }
 
-/* The tensor a + c b */
+/* The tensor a + c b, where a, b are tensors and c is a number */
 VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
 {
     a.xx += c * b.xx;
@@ -92,7 +92,7 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 /* The sum |xx| + |yy| + |zz|, which is the trace if i is the inertia of a body */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Reads six numbers of a state as an inertia tensor. vmi_set_inertia writes a tensor to a state. */
+/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes it there. */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -115,8 +115,8 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* The tolerance, in kg m^2, for the rounding errors of an inertia tensor. `i` is this tensor itself, or has as entries
-   the sizes of the terms that were added up to this tensor. */
+/* The tolerance, in kg m^2, for the rounding errors of an inertia tensor. `i` is this tensor itself. If its entries are
+   sums, `i` may be the tensor of the sizes of their terms (vmi_inertia_sizes) instead. */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). The matrix tr(i)/2 E - i, with the
@@ -125,7 +125,7 @@ VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON *
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
-    vm_real x, y, z, yz; /* the pivots x, y, z; yz is minus the off-diagonal entry that remains */
+    vm_real x, y, z, yz; /* the pivots x, y, z; yz: minus the entry yz of the matrix after one elimination */
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -145,7 +145,7 @@ VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 }
 
 /* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
-   is the inertia about the mass centre, P(d) = |d|^2 E - d d^T, and d is in m. A call with -mass undoes the shift.
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). -mass undoes the shift.
    Returns NaN for a null pointer, and in every entry that depends on a NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
@@ -208,7 +208,7 @@ VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
     return result;
 }
 
-/* The tensor that has these principal moments and axes */
+/* The tensor that has the principal moments and axes *p */
 VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
 {
     vm_inertia i = {0, 0, 0, 0, 0, 0};
@@ -225,7 +225,7 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have these principal moments: none is larger than the sum of the other two plus slack, in kg
+/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack, in kg
    m^2. It follows that no moment is below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
@@ -233,11 +233,11 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A principal moment is a sum. If it is smaller than this share of its terms, it is only their rounding error. */
+/* A computed sum is only a rounding error if it is smaller than this share of the sum of its terms' sizes. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
 /* Returns 1 if a moment about an axis is smaller than the rounding errors of its tensor, and also if it is negative or
-   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sizes of these terms. */
+   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sums of the terms' sizes. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
@@ -274,9 +274,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     return omega;
 }
 
-/* Solves i omega = h, with inertia i and angular momentum h, for the angular velocity *omega, with one refinement.
-   About an axis with zero moment (of a rod or a point) the angular velocity keeps its value in `before`. Returns 1 if h
-   has a component larger than noise along such an axis, which the body cannot carry. Returns 0 otherwise. */
+/* Solves i omega = h, with inertia i and angular momentum h, for the angular velocity *omega, and refines it once.
+   About an axis with zero moment (of a rod or a point) the angular velocity keeps its value in `before`. The body
+   cannot have angular momentum about it: returns 1 if h has a component larger than noise there, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {

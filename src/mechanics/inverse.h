@@ -4,8 +4,8 @@
 
        vm_vec3 none = {0, 0, 0};
        vm_body moving; // whole and part are vm_bodies
-       int status = vm_separation_for_rest(&whole, &part, NULL, NULL, &none, &moving); // VM_OK: with this omega of
-                                                                                      // part the rest does not turn
+       int status = vm_separation_for_rest(&whole, &part, NULL, NULL, &none, &moving); // VM_OK: the rest does not
+                                                                                      // turn if the part is `moving`
 
    Tests: tests/test_inverse.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_INVERSE_H
@@ -80,12 +80,12 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
    velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and with the angular velocity that gives the rest
    *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part keeps its own velocity. If rest_omega_or_NULL is
    NULL, it keeps its own angular velocity.
-     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, 5 and 7; Table 4, 2).
-     - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, 6 and 8).
-     - If both have the values of the whole, the rest moves on as the whole did (Table 3, 7).
+     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, cases 5 and 7; Table 4, case 2).
+     - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
+     - If both have the values of the whole, the rest moves on as the whole did (Table 3, case 7).
 
    Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. *moving
-   then meets the wish as far as possible. The other statuses are those of vm_separate. */
+   then brings the rest as close to the wanted motion as possible. The other statuses are those of vm_separate. */
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
@@ -185,11 +185,11 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of a part that leaves the rest with a wanted spin, in the plane, (Table 3, 7). The rest then turns with
-   rest_omega (rad/s), while the part keeps its own spin. S and S2 are the mass centres of whole and part. *moving has
-   the smallest velocity v_r relative to the whole that does this. It is orthogonal to the line SS2; any velocity along
-   SS2 may be added to it. The velocity in *part is not read. Returns VM_SINGULAR if S and S2 are one point, so that no
-   velocity turns the rest. The other statuses are those of vm_separate2. */
+/* Velocity of a part that leaves the rest with a wanted spin, in the plane (Table 3, case 7). The rest then turns with
+   rest_omega (rad/s), while the part keeps its own spin. S and S2 are the mass centres of whole and part. The velocity
+   of *moving relative to the whole, v_r, is the smallest that causes this spin. v_r is orthogonal to the line SS2; any
+   velocity along SS2 may be added to it. The velocity in *part is not read. Returns VM_SINGULAR if S and S2 are one
+   point, so that no velocity turns the rest. The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -204,7 +204,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     b = *part;
     dx = b.x - whole->x; /* the vector SS2 */
     dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy; /* the part moves as the whole does: v_r = 0 */
+    b.vx = whole->vx - whole->omega * dy; /* first v_r = 0: the part moves as the whole does */
     b.vy = whole->vy + whole->omega * dx;
     parts = vmi_bodies_in_plane(1, &b);
     status = vmi_check_jump2(whole, &parts, external_or_NULL);
