@@ -218,7 +218,7 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* factor of rate times ripple; Duffing's equation has 0.156 */
+    const vm_real second_order = VM_C(0.25); /* factor of the rates times the ripple; 0.156 for Duffing's equation */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(p, t, -vmi_time_side(t_end), 0, &at.now);
@@ -247,8 +247,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* Number of times at which motions by integration are compared: the ends of the last 8 of 11 equal parts of the
-   interval from 0 to t */
+/* Number of times at which errors are estimated on the way to t, also by comparing two integrations: the ends of the
+   last 8 of 11 equal parts of the interval from 0 to t */
 enum { VMI_OSC_CHECKS = 8 };
 
 VM_API vm_real vmi_osc_check_time(vm_real t, int i)
@@ -259,7 +259,7 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 
 /* Estimates the error at t of the averaged equations with a force, from the motions at the times of
    vmi_osc_check_time. Errors arise from the ripple at the start, which the equations take for a part of the mean, and
-   from the errors of the mean rates. These errors grow as small changes of the motion do, and an error of the
+   from the errors of the mean rates. Both kinds of errors grow as small changes of the motion do, and an error of the
    amplitude adds an error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not
    ca, and the effect of fast changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,

@@ -33,7 +33,7 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Whether the kind exists, and there may be `room` samples */
+/* Whether `kind` is VM_TURNING_POINTS or VM_ZERO_CROSSINGS, and room >= 0 samples have an array */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
@@ -62,7 +62,7 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
    written to samples, in the order in which they are met. Returns how many samples there are, which may be more than
    room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an unknown kind or a negative room, VM_NOT_FINITE for
    a step of 0, of the wrong sign or infinite, for more than 2e9 steps, or where the trajectory is not finite. Samples
-   found before such a place stay in samples. */
+   found before the trajectory ceases to be finite stay in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -95,7 +95,8 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     return found;
 }
 
-/* Two components of an integrator's state, seen as a trajectory */
+/* A trajectory from the dense output of the integrator s: x and v are the indices of position and velocity in its
+   state, buffer has room for a state */
 typedef struct VM_TAG(vmi_step_motion) {
     rk45 *s;
     int x, v;

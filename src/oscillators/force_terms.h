@@ -9,8 +9,8 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 
-/* x|x|^(alpha-1), alpha >= 0, computed by the power: the force of a spring over -k. The callers treat x = 0 and the
-   exponents that need no power. */
+/* x|x|^(alpha-1), alpha >= 0, computed by a power. The force of a spring is -k times this value. The callers treat
+   exponents that need no power, and x = 0. */
 VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
 {
     return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);

@@ -30,11 +30,11 @@
 #include "laws.h"
 #include "slow.h"
 
-/* Methods of averaging: the motion over which means are taken */
+/* Methods of averaging: the function that stands for the vibration where means are taken */
 enum {
     VM_VDP_ATEB = 0,         /* the exact motion without damping, by Ateb functions: exact to first order */
-    VM_VDP_JACOBI = 1,       /* Jacobi's cn (411)-(413): limit cycles err by at most 0.51 % for 1/3 <= alpha <= 5 */
-    VM_VDP_TRIGONOMETRIC = 2 /* the cosine: limit cycles whose amplitude does not depend on alpha */
+    VM_VDP_JACOBI = 1,       /* Jacobi's cn (411)-(413): errors of limit cycles at most 0.51 % for 1/3 <= alpha <= 5 */
+    VM_VDP_TRIGONOMETRIC = 2 /* the cosine: the same amplitude of the limit cycle for every alpha */
 };
 
 /* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. feed and c are eps b and eps c in
@@ -50,7 +50,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 of each method. For cn (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
+/* Writes the mean values a1, a2, a3 of v->method. For cn, a1 of (411) is simplified by (1 - m) + m C4 = 2 a2, where C4
+   is the mean of cn^4. */
 VM_API void vmi_vdp_means(vm_vdp *v)
 {
     v->a1 = 1;
@@ -106,7 +107,7 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
-/* Whether the closed forms hold: they know the terms feed and c, of an oscillator that is prepared */
+/* Whether the closed forms may be used: vm_vdp_init, which prepares the oscillator, has written a1 > 0 */
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.
@@ -116,9 +117,10 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
    not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a mass that is neither linear nor
    constant (integrate vm_vdp_averaged_rhs instead); with c < 0 also from the time on at which the amplitude becomes
    infinite. Method: the solution of (416) is
-     1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m.
-   For a linear mass F is proportional to that integral, hence the integral of e^F dt/m is (e^F - 1)/F times the
-   integral of dt/m. The code uses e^-|F| and divides by the larger of the two terms, so that nothing overflows. */
+     1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
+   where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
+   of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
+   terms, so that nothing overflows. */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 {
     if (!v) return VM_NAN;
@@ -186,9 +188,10 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 
 /* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
    The mass may follow any slow law. y = (A, psi) holds the mean amplitude, m, and the Ateb phase: x = A ca(psi), and
-   |x| = A at the turning points. vdp points to a prepared vm_vdp. With the method VM_VDP_ATEB and a start from rest,
-   the error of A up to times of m/feed is of the order of the square of e, the largest of (feed, c A^2, m')/(m Om),
-   and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
+   |x| = A at the turning points. vdp points to a prepared vm_vdp. For the method VM_VDP_ATEB and a start from rest, let
+   e be the largest of the numbers feed, c A^2 and m', divided by m Om, where Om is the rate of psi. Then, up to the
+   time m/feed, the relative error of A is of the order of e^2, and the error of psi of the order of e. The statuses are
+   those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
