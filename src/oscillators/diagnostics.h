@@ -33,7 +33,7 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Whether `kind` is VM_TURNING_POINTS or VM_ZERO_CROSSINGS, and room >= 0 samples have an array */
+/* Whether `kind` is VM_TURNING_POINTS or VM_ZERO_CROSSINGS, room >= 0, and samples is an array unless room is 0 */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
