@@ -1202,7 +1202,7 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the sizes of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of a. It does not overflow where only its square overflows. */
+/* The length of a. It does not overflow if only its square would overflow. */
 VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of the sizes |x|, |y| and |z| of a's components */
@@ -2024,8 +2024,8 @@ typedef struct VM_TAG(vmi_lump) {
     vm_vec3 r, v;       /* position and velocity of the mass centre, less r and v of the frame */
     vm_vec3 h;          /* angular momentum about the mass centre, relative to the frame; inertial axes */
     vm_inertia inertia; /* inertia about the lump's mass centre, along the axes given by the frame's q */
-    vm_inertia sizes;   /* the sizes of the terms of which the entries of inertia are sums */
-    vm_real noise;      /* the sum of the sizes of the terms of h; the rounding error of h is a few eps of it */
+    vm_inertia sizes;   /* for each entry of inertia, the sum of the sizes of its terms */
+    vm_real noise;      /* the sum of the sizes of the terms of h; the rounding error of h is a few eps of noise */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
@@ -2050,8 +2050,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets *sizes to the sizes of the terms of its entries. d is a
-   difference of positions of the size `reach`, and has the rounding errors of these positions. */
+/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets each entry of *sizes so that the rounding error of the
+   entry of P(d) is a few eps of it. The vector d is a difference of positions of the size `reach`. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -2069,8 +2069,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much the noise of a grows when b is joined to it: by the noise of b, and by that of the product of
-   `reduced` and d x slip. The vector d leads from a to b and is a difference of positions of the size `reach`. */
+/* Returns how much a->noise grows when b is joined to a: by b->noise, and by the sizes of the terms of reduced d x
+   slip. The vector d leads from a to b and is a difference of positions of the size `reach`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2096,7 +2096,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
     a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
-    if (b->mass > a->mass) { /* correct the values of the heavier body, which loses no digits */
+    if (b->mass > a->mass) { /* start from r and v of the heavier body, so that no digits are lost */
         a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
         a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
     } else {
@@ -2148,9 +2148,9 @@ VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const v
     return vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* Sets *total to the first body as it is after the jump and the impulse. The other bodies are first joined to each
-   other. Then they are attached to the first body (sign = 1) or separate from it (sign = -1). Returns VM_BAD_MASS if no
-   mass is left, else VM_OK. */
+/* Sets *total to `body` as it is after the jump and the impulse. The bodies `others` are first joined to each other.
+   Then they are attached to `body` (sign = 1) or separate from it (sign = -1). Returns VM_BAD_MASS if no mass is left,
+   else VM_OK. */
 VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
                           const vm_impulse *external_or_NULL, vmi_lump *total)
 {
@@ -2169,7 +2169,7 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
 }
 
 /* Finds the principal axes of a lump and changes its moments to moments that a body can have exactly. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA if the moments violate the rules by more than rounding errors, and VM_OK otherwise. */
+   VM_NOT_FINITE, VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -2180,8 +2180,8 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 }
 
 /* Sets *omega to the angular velocity, relative to the frame and in inertial axes, of a lump with principal axes p.
-   `before` is its value before the jump. Returns 1 if the lump has angular momentum about an axis with zero moment of
-   inertia, which is impossible. Returns 0 otherwise. */
+   `before` is this angular velocity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
+   moment of inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
@@ -2232,13 +2232,13 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    If the part moves on as before the separation, the rest keeps its motion, even if only little inertia is left. The
    computation adds only motions relative to the whole. Neither high speed nor a position far from the origin therefore
    costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia, plus the
-   effect of a change of the positions by eps of their size. A moment that is smaller than this error becomes 0.
+   effect of a change of the positions by eps of their size. A principal moment below this error becomes 0.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
-   balance leaves it angular momentum about its null axis, which it cannot have. Its spin about this axis is then that
-   of the whole. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the
-   rest) is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia if the part
-   cannot have been in the whole. */
+   balance leaves it angular momentum about an axis without inertia, which it cannot have. Its spin about this axis is
+   then that of the whole. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or
+   that of the rest) is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
+   if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
@@ -2283,7 +2283,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Computes an inertia and a mass centre by a jump of two bodies at rest, the first at the origin, the second at d */
+/* Sets *joined and *centre to inertia and mass centre after a jump of two bodies at rest, a at the origin, b at d */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -2341,8 +2341,8 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
     return lifted;
 }
 
-/* Changes the moment of inertia of a lump of the plane to one that a body can have exactly: a moment that is smaller
-   than its rounding errors becomes 0. Returns VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
+/* Sets the moment of inertia of a lump of the plane to 0 if it is smaller than its rounding errors. Returns
+   VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -2364,7 +2364,7 @@ VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
     return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
 }
 
-/* Does in the plane what vmi_check_jump does in space */
+/* Checks a jump in the plane as vmi_check_jump checks a jump in space */
 VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const vm_impulse2 *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body2(body), vmi_check_bodies(others));
@@ -2374,7 +2374,7 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
     return vmi_impulse_is_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* Does in the plane what vmi_jump_total does in space, and calls vmi_lump_clamp_moments2 */
+/* Computes *total as vmi_jump_total does in space, and the frame of the jump. Then calls vmi_lump_clamp_moments2. */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
@@ -2391,7 +2391,7 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-/* Does in the plane what vmi_jump does in space */
+/* Computes a jump in the plane as vmi_jump does in space */
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
                      const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2464,7 +2464,7 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 #endif
 /* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
    This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
-   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). They are needed if only the
+   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). Use these laws if only the
    velocity of a part relative to the whole is known.
 
        vm_body part = whole, rest; // whole is a vm_body
@@ -2846,8 +2846,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 
 #endif
 /* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
-   Kinetic energy is not conserved when bodies separate or join. Its change is the kinetic energy of the motions
-   relative to the whole: theorem (113), (118), which is Carnot's theorem for separations and for attachments.
+   Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds, and an
+   attachment takes, the kinetic energy of the motions relative to the whole: (113), (118), Carnot's theorem.
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -2857,8 +2857,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #ifndef VARMASS_MECHANICS_JUMP_ENERGY_H
 #define VARMASS_MECHANICS_JUMP_ENERGY_H
 
-/* The sum of the kinetic energies of n bodies and one more, each in its motion relative to the whole. Returns NaN for a
-   null pointer or n < 0. */
+/* The sum of the kinetic energies of the n `bodies` and of one_more in their motions relative to `whole`. Returns NaN
+   for a null pointer or n < 0. */
 VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
@@ -2885,8 +2885,8 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
 
 /* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113), (118).
    It is computed as the kinetic energy of their motions relative to the whole, plus the work of the impulse on the
-   whole. This is exact in space. At high speed it keeps digits that the difference of the energies loses. `whole` is
-   the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
+   whole. This holds exactly in space. At high speed it keeps digits that the difference of the energies loses. `whole`
+   is the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
@@ -3812,7 +3812,8 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
 /* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
-   dr and turn are arrays of n. A NULL array means that its term is 0. If body or matrix is NULL, nothing is done. */
+   dr and turn have n vectors: dr[i] = dv/dqdot_i, turn[i] = domega/dqdot_i. If dr or turn is NULL, its term is 0. If
+   body or matrix is NULL, nothing is done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -3835,7 +3836,8 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
 }
 
 /* Add the generalized momentum of a body's motion to p.
-   dr, turn and p are arrays of n. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
+   p has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is
+   NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -3844,8 +3846,9 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 }
 
 /* Add the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
-   r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. dr,
-   turn and p are arrays of n. If dr or turn is NULL, its term is 0. If impulse or p is NULL, nothing is done. */
+   r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. p has
+   n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is NULL,
+   nothing is done. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -3868,7 +3871,7 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
     return vmi_copy_if_finite(n, b, qdot_after);
 }
 
-/* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign part + impulse, where `before` and `after` are mass
+/* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign*part + impulse, where `before` and `after` are mass
    matrices. The unknown is the change of qdot. A part of little mass changes qdot little, and the error is small
    compared with this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
@@ -3963,7 +3966,7 @@ typedef struct VM_TAG(vm_pendulum_cut) {
     vm_real mass;     /* mass m of the part, kg */
     vm_real x, y;     /* position of S2 (123), m */
     vm_real vx, vy;   /* velocity of S2 (121), m/s */
-    vm_real rate;     /* angular velocity phi' + Omega of the part, positive for growing phi, rad/s */
+    vm_real rate;     /* angular velocity of the part: the rod's phi' before the cut plus Omega, rad/s */
     vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
     vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
@@ -4010,7 +4013,7 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
    `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod,
    positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's mass
    centre (x, y) relative to the rod, along the axes x, y of the pendulum. The remaining rod then turns with
-     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos).
+     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for VM_AXES_COS_SIN, else s = -1.
    This is (125), (132) corrected and simplified by hand, so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
    pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
    otherwise. */
@@ -4046,7 +4049,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* all momentum after the cut minus before */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* change of the total momentum by the cut */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
@@ -4205,8 +4208,8 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
     for (k = 0; k < 3; k++) b->moment[k] = a[k][k];
 }
 
-/* Sets a moment to 0 if it is lost in the rounding errors of the tensor i. The body is then a rod, and the other two
-   moments become equal. */
+/* Sets a moment to 0 if it is lost in the rounding errors of the tensor i. The body is then a rod or a point, and the
+   other two moments become equal. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -4224,7 +4227,7 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 /* ---- the order of the axes ---- */
 
 /* Returns 1 if the difference of two moments is within the errors of their computation from a tensor in two words.
-   Moments that were given as numbers are equal or differ by more. */
+   Moments of a tensor without products of inertia are exactly equal or differ by more. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
@@ -4346,15 +4349,16 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
    The functions serve all bodies: triaxial, symmetric and spherical ones, and rods and points, whose spin about an
-   axis without moment of inertia stays constant. They serve all rotations, also those about the middle axis, and
-   those on the separatrix, which tend to a rotation about the middle axis. No threshold has to be chosen.
+   axis without moment of inertia stays constant. They serve all rotations, also those about the axis of the middle
+   moment, and those on the separatrix, which tend to a rotation about this axis. No threshold has to be chosen.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
 
 #include <string.h>
 
-/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
+/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read. (A) and
+   (B) stand in the next comment.
 
    Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
    |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
@@ -4365,16 +4369,18 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
    are taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
-    vm_real t0;                  /* the time at which the motion was given, s */
+    vm_real t0;                  /* the time at which the body is as given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
-    vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum (or
-                                    opposite, s = -1) */
+    vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
+                                    opposite to it if w3 < 0 */
     vm_real spin[3];             /* omega along axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
-    vm_real lean[3];             /* y, x, w - 1 of M = (w, x, y, 0)/sqrt(2 w): lean[0] cn, lean[1] sn, lean[2] dn */
+    vm_real lean[3];             /* M of (B) is (w, x, y, 0)/sqrt(2 w) with w = 1 + lean[2] dn, x = lean[1] sn,
+                                    y = lean[0] cn */
     vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
     vm_two phase_rate;           /* rate of the phase, per second */
     vm_two K;                    /* quarter period of sn in u; 0 on the separatrix */
-    vm_two turn_rate;            /* mean rate kappa of h in (B), half the angle about the angular momentum, turns/s */
+    vm_two turn_rate;            /* mean rate of s h in (B), turns/s; s h is half the angle turned about the angular
+                                    momentum */
     vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
     vmi_doubled_theta theta;     /* the theta function of (B); arg theta is the deviation of h from its mean growth */
@@ -4462,8 +4468,9 @@ VM_API vm_two vmi_torque_free_two_pi(void)
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* Returns 2 kappa by the integral Pi(-N | m) with N = I3 d12/(I1 d23), for m < 1 and I1 != I2. Sets *mean to the
-   arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those of (A), and c = I3 a3/L:
+/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with N =
+   I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those of
+   (A), and c = I3 a3/L:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
@@ -4522,8 +4529,8 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K, the phase, and phase_rate and turn_rate for the scaled omega. Returns the sign of cn on the separatrix, and
-   1 elsewhere. */
+/* Sets K and phase, and the rates phase_rate and turn_rate that belong to omega divided by a power of two. Returns the
+   sign of cn on the separatrix, and 1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -4576,7 +4583,7 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets a motion with constant omega: axis 3 is the axis of omega, and sn = 0 */
+/* Sets a motion with constant omega: axis 3 is along omega, and sn stays 0 */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -4590,7 +4597,7 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
 }
 
-/* Sets all fields that do not depend on the unit of time, except `start` */
+/* Sets all fields except body, t0 and `start`. spin and the rates belong to omega divided by a power of two. */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of eps^2, a negligible nutation angle */
@@ -4843,7 +4850,7 @@ typedef struct VM_TAG(vm_store) {
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
 } vm_store;
 
-/* A stream of mass in space. Every field may be zero, and a term that is zero costs no time. */
+/* A stream of mass in space. Every field may be zero. */
 typedef struct VM_TAG(vm_stream) {
     vm_real rate;         /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
@@ -4885,7 +4892,8 @@ VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELAT
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* The velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` that of the stream. */
+/* The velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field `velocity`
+   of the stream. */
 VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
     vm_real u = 0;
@@ -4894,7 +4902,7 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* The product M' kappa of a stream's rate and a gyration */
+/* The product M' kappa of a stream's rate M' and the gyration kappa of its mass */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -4948,9 +4956,10 @@ typedef struct VM_TAG(vmi_stream_sum) {
     vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
 
-/* Adds one stream, whose `motion` is known, to the sums that make the force. Sets *push = M' (u - v), where M' is the
-   rate, u the velocity of the mass and v that of the body, and *spin to the angular velocity of the mass. `carried`
-   is the velocity of the body's point at which the mass enters or leaves, minus v. All vectors are in body axes. */
+/* Adds one stream, whose `motion` is known, to sum->carried, sum->pushed and sum->absolute. Sets *push = M' (u - v),
+   where M' is the rate, u the velocity of the mass and v that of the body, and *spin to the angular velocity of the
+   mass. The argument `carried` is the velocity of the body's point at which the mass enters or leaves, minus v. All
+   vectors are in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -4974,8 +4983,8 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     }
 }
 
-/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and
-   carried is its argument. */
+/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and carried
+   is an argument of that function. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
@@ -5937,9 +5946,9 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #ifndef VARMASS_MECHANICS_ROCKET_H
 #define VARMASS_MECHANICS_ROCKET_H
 
-/* A spinning axisymmetric body. Its mass comes from around the mass centre and leaves through a nozzle on the axis
-   (rate < 0), or flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis is the axis
-   of symmetry. */
+/* A spinning axisymmetric body. The mass that it loses comes from around the mass centre and leaves through a nozzle on
+   the axis (rate < 0), or mass flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis
+   is the axis of symmetry. */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
     vm_real axial;               /* moment of inertia C0 about the axis at t = 0, kg m^2 */
@@ -5996,11 +6005,11 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
    x0 (m), v0 (m/s) and m0 (kg) belong to t = 0. The force (N), the rate and the velocity of the stream are constant.
    t may be negative. With tau = rate t/m0, m = m0 + rate t, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2,
    for an absolute velocity u:
-     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B;
+     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) B t^2/m0;
    for a velocity w relative to the body:
-     v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
-   For every rate >= 0 the errors are at most 8 eps times the terms of these sums. If mass leaves, this bound grows
-   with m0/m, because the rounding error of rate t is large relative to a small m. Returns VM_BAD_ARGUMENT,
+     v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
+   For every rate >= 0 the errors of x and v are at most 8 eps times the terms of their sums. If mass leaves, this bound
+   grows with m0/m, because the rounding error of rate t is large relative to a small m. Returns VM_BAD_ARGUMENT,
    VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
@@ -6043,11 +6052,11 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
    There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
    gyration_axial t the transverse part omega_t of omega has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-   where omega_t0 is its value at t = 0. omega_z stays constant, and the transverse part turns by omega_z times the
-   integral of C/A - 1 over time. Let L and B be the functions of tau of vm_linear_flow, here with
-   tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is t (C0/A0 L - 1 + rate t
-   gyration_axial/A0 B). The error is at most 8 times the change that an error of eps in the inputs makes. Returns
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK otherwise. */
+   where omega_t0 is omega_t at t = 0. omega_z stays constant, and omega_t turns by omega_z times the integral of C/A -
+   1 over time. Let L and B be the functions of tau of vm_linear_flow, here with tau = rate gyration_transverse t/A0.
+   Then ln(A/A0) is tau L, and the integral is t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8
+   times the change that an error of eps in the inputs makes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if
+   A or C is not positive, and VM_OK otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
@@ -6497,13 +6506,13 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    down. The masses may depend on time and position (247). You give T, the masses and the generalized forces Q. The
    chapter computes the mass matrix A, the vector b and the derivatives from T. The states are the coordinates q and the
    momenta pi = dT/dq', so that neither rates of momenta nor rates of masses are needed:
-     pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0.
+     pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0,  T0 = T(q' = 0).
 
    This is (247) corrected. T must use the velocities of the material. With streams of mass, Lagrange's equations are
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
    unit mass, the inertia kappa. omega is the angular velocity of the body. In dT/dq_i the masses must not vary,
-   although (244)-(247) may be read so.
+   although (244)-(247) may be read as if they did.
 
        #include "varmass.h"
        static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
@@ -6530,9 +6539,9 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
-   Accuracy: A and b are differences of values of T, which are exact except for rounding errors of T. dT/dq is a central
-   difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if T varies noticeably only when q
-   changes by the given scales. Tests: tests/test_lagrange.c. */
+   Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
+   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if T varies noticeably only
+   over changes of q as large as the field `scales`. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -6557,8 +6566,8 @@ typedef struct VM_TAG(vm_lagrange_system) {
 
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
-    vm_real *A;      /* the mass matrix, n n numbers */
-    vm_real *b;      /* the linear terms of T in the rates, n numbers */
+    vm_real *A;      /* the mass matrix, n rows of n numbers */
+    vm_real *b;      /* the factors of the rates in the linear terms of T, n numbers */
     vm_real *rates;  /* pi - b, and later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -6575,8 +6584,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
     return w;
 }
 
-/* The kinetic energy T at the rates x e_i + z e_j, where e_i is the unit vector of coordinate i. An index -1 means
-   that its term is left out. */
+/* The kinetic energy T at the rates x e_i + z e_j, where e_i is the unit vector of coordinate i. If i or j is -1, its
+   term is left out. */
 VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
                                    int j, vm_real z)
 {
@@ -6588,8 +6597,9 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
     return system->energy(t, q, w.trial, w.masses, system->ctx);
 }
 
-/* Computes the mass matrix A and the vector b from values of T. For an entry of A off the diagonal, the two rates are
-   1/sqrt(A_ii) and 1/sqrt(A_jj), so that a coordinate with a large energy does not hide the digits of the other one. */
+/* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
+   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j, so that a coordinate with a large energy
+   does not hide the digits of the other one. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6633,9 +6643,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     return status;
 }
 
-/* The derivative dT/dq_i with the masses in the work array, by a central difference of order 6 with the step h. Its
-   error is h^6/140 times the seventh derivative, plus a rounding error of eps/h. Both are small for h = 2^-7 in double
-   precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
+/* The derivative dT/dq_i with the masses in the work array, by a central difference of order 6 with the step h, times
+   the scale of q_i. Its error is h^6/140 times the seventh derivative, plus a rounding error of eps/h. Both are small
+   for h = 2^-7 in double precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -6902,8 +6912,8 @@ VM_API vm_real vmi_osc_cos_error(const vmi_osc_wave *w, vm_real mean_ca2)
     return VM_FABS(w->speed - 1) * (1 + w->alpha / 100);
 }
 
-/* The wave x = A cos with the exact period, where pi is Pi_alpha. Its gains are those of (337)-(339), but with
-   alpha + 3 for 5 - alpha, which is due to a wrong sign in (335). */
+/* The wave x = A cos(turn psi), whose period is that of ca; pi is Pi_alpha. Its gains are those of (337)-(339), but
+   with alpha + 3 for 5 - alpha, which comes from a wrong sign in (335). */
 VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
@@ -6926,15 +6936,15 @@ VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_rea
     *s = sn * dn;
 }
 
-/* The estimate is the error of the mean of cn^2, which is 0 where cn is exact, times a factor that is fitted to the
-   largest errors of the wave. */
+/* The estimate is the difference between the means of cn^2 and of ca^2, which is 0 where cn is exact, times a factor
+   that is fitted to the largest errors of the wave. */
 VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     return VM_FABS(w->mean_c2 - mean_ca2) * (VM_C(2.7) + w->alpha / 2);
 }
 
-/* The wave x = A cn with the exact period and the exact velocity at x = 0, where pi is Pi_alpha. Its parameter m
-   follows from (307), its gains from (380)-(382). */
+/* The wave x = A cn(turn psi | m), whose period and whose velocity at x = 0 are those of A ca(psi); pi is Pi_alpha. The
+   parameter m follows from (307), the gains from (380)-(382). */
 VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
@@ -8703,8 +8713,8 @@ VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
    up */
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
 
-/* Raises *edge to the relative difference between f and its series, or with `reciprocal` between 1/f and its
-   series */
+/* Raises *edge to the relative difference between f and `by_series`, its value by a series. With `reciprocal` the
+   series is that of 1/f. */
 VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
 {
     const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
@@ -8734,7 +8744,7 @@ VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal
 
 /* -- The integral of 1/f -- */
 
-/* Computes the series of 1/f on a panel, and in *edge its relative difference from the law at the panel's ends */
+/* Computes the series of 1/f on a panel. Sets *edge to its largest relative difference from 1/f at the panel's ends. */
 VM_API int vmi_law_inverse_series(const vm_law *law, vm_real start, vm_real length, vm_real *series, vm_real *edge)
 {
     const int side = vmi_time_side(length);
@@ -8788,7 +8798,7 @@ VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_r
    most 1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and
    for a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
    anywhere between 0 and t, and VM_DOMAIN for t outside a table, for a table out of order, where the user's function
-   fails, or where change_time is negative or less than |t|/2^20. An error leaves *integral untouched. */
+   fails, or where the law's change_time is negative or less than |t|/2^20. An error leaves *integral untouched. */
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real sum;
@@ -9672,8 +9682,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* Number of times at which motions by integration are compared: the ends of the last 8 of 11 equal parts of the
-   interval from 0 to t */
+/* Number of times at which errors are estimated on the way to t, also by comparing two integrations: the ends of the
+   last 8 of 11 equal parts of the interval from 0 to t */
 enum { VMI_OSC_CHECKS = 8 };
 
 /* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
@@ -11106,10 +11116,10 @@ VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real r
 /* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
    The law, (325), (344), (367), (389) corrected, is
      A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)).
-   All three averaging methods give it after a correction of the sign in (335). It holds to first order in m' and the
-   damping. The arguments are pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass; reactive, r,
-   which is 1 where mass that joins or leaves is at rest, so that there is the full reactive force, and 0 where it has
-   the body's own velocity, as in a leak; and alpha >= 0. Returns NaN outside the domain and for infinite
+   Averaging with ca, with cos and with cn gives this law, if the sign in (335) is corrected. It holds to first order in
+   m' and the damping. The arguments are pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass;
+   reactive, r, which is 1 where mass that joins or leaves is at rest, so that there is the full reactive force, and 0
+   where it has the body's own velocity, as in a leak; and alpha >= 0. Returns NaN outside the domain and for infinite
    arguments. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
@@ -11134,10 +11144,10 @@ typedef struct VM_TAG(vmi_linear_mass) {
     vm_real integral;    /* integral of dt/m from 0 to t, s/kg; it has no singularity at rate = 0 */
 } vmi_linear_mass;
 
-/* Writes the linear mass that a law describes between 0 and t, which closed forms need. Returns VM_NO_LAW where the
-   law is not linear, that is not f0 exp(rate u) with rate = base (see vmi_law_exponential_form), VM_BAD_MASS where
-   the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a
-   number that is infinite or NaN. */
+/* Writes the linear mass that a law describes between 0 and t, which closed forms need. Returns VM_NO_LAW where the law
+   is neither linear nor constant (vmi_law_exponential_form does not give rate = base), VM_BAD_MASS where the mass is
+   not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a number that is
+   infinite or NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;
@@ -11294,9 +11304,10 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
    not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a mass that is neither linear nor
    constant (integrate vm_vdp_averaged_rhs instead); with c < 0 also from the time on at which the amplitude becomes
    infinite. Method: the solution of (416) is
-     1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m.
-   For a linear mass F is proportional to that integral, hence the integral of e^F dt/m is (e^F - 1)/F times the
-   integral of dt/m. The code uses e^-|F| and divides by the larger of the two terms, so that nothing overflows. */
+     1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
+   where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
+   of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
+   terms, so that nothing overflows. */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 {
     if (!v) return VM_NAN;
@@ -11364,9 +11375,10 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 
 /* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
    The mass may follow any slow law. y = (A, psi) holds the mean amplitude, m, and the Ateb phase: x = A ca(psi), and
-   |x| = A at the turning points. vdp points to a prepared vm_vdp. With the method VM_VDP_ATEB and a start from rest,
-   the error of A up to times of m/feed is of the order of the square of e, the largest of (feed, c A^2, m')/(m Om),
-   and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
+   |x| = A at the turning points. vdp points to a prepared vm_vdp. For the method VM_VDP_ATEB and a start from rest, let
+   e be the largest of the numbers feed, c A^2 and m', divided by m Om, where Om is the rate of psi. Then, up to the
+   time m/feed, the relative error of A is of the order of e^2, and the error of psi of the order of e. The statuses are
+   those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -11397,7 +11409,7 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
        rotor.stiffness_ctx = &cubic;
        rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
        rotor.reactive = 1;
-       vm_real radius = vm_jeffcott_amplitude(&rotor, 1, 1, 2); // of whirl, when the mass has doubled
+       vm_real radius = vm_jeffcott_amplitude(&rotor, 1, 1, 2); // of the whirl, m, when the mass has doubled
 
    Tests: tests/test_jeffcott.c. */
 #ifndef VARMASS_OSCILLATORS_JEFFCOTT_H
@@ -11429,11 +11441,11 @@ typedef struct VM_TAG(vm_jeffcott) {
     int nodes;               /* number of phases in a mean over a period; 0 means 32 */
 } vm_jeffcott;
 
-/* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
+/* Indices of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
 enum {
-    VMI_JEFFCOTT_P = 0,   /* slots 0 and 1: forward whirl P, a complex number */
-    VMI_JEFFCOTT_N = 2,   /* slots 2 and 3: backward whirl N, a complex number */
-    VMI_JEFFCOTT_PHI = 4, /* slot 4: fast phase phi */
+    VMI_JEFFCOTT_P = 0,   /* numbers 0 and 1: forward whirl P, a complex number */
+    VMI_JEFFCOTT_N = 2,   /* numbers 2 and 3: backward whirl N, a complex number */
+    VMI_JEFFCOTT_PHI = 4, /* number 4: fast phase phi */
     VMI_JEFFCOTT_SIZE = 5
 };
 
@@ -11462,7 +11474,7 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
 }
 
 /* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s.
-   It is Im(conj z m z') - g |z|^2, and stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns
+   It is m Im(conj(z) z') - g |z|^2, and stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns
    NaN for a null pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
@@ -11666,10 +11678,11 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 }
 
 /* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs,
-   averaged over the fast phase phi while P and N stay constant. Averaging over psi1 and psi2 separately, (474)-(477),
-   is wrong unless the force turns with z, since forward and backward whirl are in 1:1 resonance. The error is of the
-   order of the perturbations F_z, u, g, F_e'(rho) - F_e'(0) and m', up to times of their inverse. State and statuses
-   are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at `nodes` phases. */
+   averaged over the fast phase phi while P and N stay constant. [1] averages over the angles psi1 and psi2 of the two
+   whirls separately, (474)-(477). That is wrong unless the force turns with z, since forward and backward whirl are in
+   1:1 resonance. The error is of the order of the largest perturbation (F_z, u, g, F_e'(rho) - F_e'(0) or m'), up to
+   times of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at
+   `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -11724,9 +11737,9 @@ VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_rea
     return vmi_c_scale(1 / (vm_real)nodes, sum);
 }
 
-/* Writes the averaged rates (504), (505) of the state y = (A, psi), the radius and the angle of a circular whirl. W
-   is the whirl's frequency, L the mean load, and S = m W - g = +-sqrt(g^2 + m F_e'), where + is for forward whirl.
-   The equations are
+/* Writes the averaged rates (504), (505) of the state y = (A, psi), the radius and the angle of a circular whirl. W is
+   the whirl's frequency, L the result of vmi_jeffcott_mean_load, and S = m W - g = +-sqrt(g^2 + m F_e'), where + is for
+   forward whirl. The equations are
      along the circle: (A^2 S)' = (1 - r) m' A^2 W + A Im L,
      across the circle: psi' = W - Re L/(2 A S) */
 VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
@@ -11751,14 +11764,13 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 
 /* Averaged equations (506), (507) of forward whirl, for rk45 or rk87.
    The nonlinearity may be strong. The motion is nearly circular: z = A e^(i psi), z' = i W z with the frequency W of
-   vm_jeffcott_frequency. y = (A, psi) is in m and rad; rotor points to a vm_jeffcott. The error of A is of the order
-   of the loads (F_z, u, m') up to times of their inverse. Where F_e' is not constant, the phase accumulates this
-   error: up to such times tests bound the error of psi by 0.015 for loads that turn with z (their angle to z is
-   fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads that do not
-   turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor
+   vm_jeffcott_frequency. y = (A, psi) is in m and rad; rotor points to a vm_jeffcott. The error of A is of the order of
+   the largest load (F_z, u or m'), up to times of its inverse. Where F_e' is not constant, the phase accumulates this
+   error: up to these times tests bound the error of psi by 0.015 for loads that turn with z (their angle to z is
+   fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads that do not turn
+   with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor
    without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
-   positive, and VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Each call evaluates the force at `nodes`
-   phases. */
+   positive, and VM_BAD_STIFFNESS if g^2 + m F_e' is not positive. Each call evaluates the force at `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -11886,7 +11898,7 @@ typedef struct VM_TAG(vm_pair) {
     vm_law mass;      /* mass m of each body, kg, > 0; it must vary slowly */
 } vm_pair;
 
-/* Slots of the modes: mean amplitude A of p, m; Ateb phase psi of p; sum q = x + y, m; rate q', m/s */
+/* Indices of the modes: mean amplitude A of p = y - x, m; Ateb phase psi of p; sum q = x + y, m; rate q', m/s */
 enum {
     VMI_PAIR_A = 0,
     VMI_PAIR_PSI = 1,
@@ -11927,8 +11939,8 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
     return VM_OK;
 }
 
-/* The amplitude of p over its mean A at the phase psi: (1 + s sa ca/(2 Om))^(2/(alpha+3)) with s = (2r - 1) m'/m. The
-   spring acts on both bodies, so p has the stiffness 2 k. */
+/* The amplitude of y - x at the Ateb phase psi, divided by its mean A: (1 + s sa ca/(2 Om))^(2/(alpha+3)) with the rate
+   Om of psi and s = (2r - 1) m'/m. The spring acts on both bodies, so that y - x vibrates with the stiffness 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
     const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
@@ -11938,9 +11950,9 @@ VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_
     return vmi_pow_checked(1 + q / (2 * Om) * sa * ca, 2 / (p->alpha + 3));
 }
 
-/* Computes the modes from the motion y. The mean amplitude A solves exact = A ripple(A); three iterations are enough
-   where the ripple is small. Returns VM_DOMAIN where they do not solve it, because the ripple is as large as the
-   motion. */
+/* Computes the modes from the motion y. The mean amplitude A solves exact = A ripple(A), where `exact` is the amplitude
+   at this instant and ripple is vmi_pair_ripple. Three iterations are enough where the ripple is small. Returns
+   VM_DOMAIN where they are not, because the ripple is as large as the motion. */
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
 {
     vm_real exact, A, psi, found[VMI_PAIR_MODES];
@@ -11978,8 +11990,8 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
    amplitude within a period is taken out of A, so that any initial velocities are allowed. Returns VM_BAD_ARGUMENT
    for null pointers or where no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN,
    VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, and VM_DOMAIN for alpha < 0 and where the ripple is
-   as large as the motion, so that |(2r - 1) m'/m| is about 2 Om, for example where m tends to 0. modes and y may be
-   the same array. */
+   as large as the motion, so that |(2r - 1) m'/m| is about twice the rate of psi, for example where m tends to 0. modes
+   and y may be the same array. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -12002,7 +12014,8 @@ VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *mod
 
 /* Averaged equations of the two modes of a pair, for rk45 or rk87.
    The mass may follow any slow law. modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The
-   error is of the order of m'/(m Om) up to times of m/m'. The statuses are those of vm_pair_rhs. */
+   error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of psi. The statuses are those of
+   vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
@@ -12018,10 +12031,11 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
 }
 
 /* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y(0) - x(0). y0 = (x, y, x',
-   y') is the motion at t = 0. The error is of the order of m'/(m Om) up to times of m/m'. Returns the statuses of
-   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is neither linear nor constant (integrate
-   vm_pair_averaged_rhs instead). y and y0 may be the same array. Method: the averaged equations contain powers of
-   m/m0; the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+   y') is the motion at t = 0. The error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of the
+   Ateb phase of y - x. Returns the statuses of vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is
+   neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. Method: the
+   averaged equations contain powers of m/m0; the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of
+   dt/m, with u = (1 + e) ln(m/m0). */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
@@ -12113,8 +12127,8 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
 /* Computes the Fourier coefficients of ca, within 8 eps, and from them those of sa. The coefficients of ca are
      c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
    computed by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), because ca is not analytic at u = 1 and, for large
-   alpha, bends sharply at u = 0. cos((2j+1) x) follows from the two cosines before it by the recurrence with 2
-   cos(2x). */
+   alpha, bends sharply at u = 0. With x = pi u/2 the cosines follow from cos((2j+3) x) = 2 cos(2x) cos((2j+1) x) -
+   cos((2j-1) x). */
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
     const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* number of points of the rule in an interval of t of length 1 */
@@ -12221,8 +12235,8 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 /* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87.
    The main resonance is nu = w(A). The state is y = (A, delta, theta), where A is the mean amplitude and
    delta = phi - theta the phase by which the vibration leads the force. Start with vm_forced_to_averaged, and end
-   with vm_forced_from_averaged. The error is of the order of b, m' and F up to times of their inverses, and larger
-   away from the resonance. The argument forced and the statuses are those of vm_forced_rhs. */
+   with vm_forced_from_averaged. The error is of the order of the largest of b, m' and F, up to times of its inverse,
+   and larger away from the resonance. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -12242,7 +12256,8 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 
 /* The ripple of the exact amplitude about its mean A, m, to first order: exact amplitude = A + ripple. It is
      q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
-   with n = 2j + 1. For n = 1 the last term is left out, since it does not vary at the resonance. */
+   with the order n = 2j + 1 and q of vmi_forced_q. For n = 1 the last term is left out, since it does not vary at the
+   resonance. */
 VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                  vm_real theta)
 {
@@ -12262,9 +12277,9 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
 }
 
 /* Motion (x, x', theta) of an excited oscillator to the mean y = (A, delta, theta).
-   The ripple of the amplitude within a period is taken out; otherwise averaged motions would have errors of order 1
-   where alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is smaller than
-   its ripple. y and motion may be the same array. */
+   A is the amplitude without its ripple within a period. If the ripple stayed in A, averaged motions would have errors
+   of order 1 where alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is
+   smaller than its ripple. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -12360,7 +12375,7 @@ VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_param
     return z;
 }
 
-/* The excess, ln of A w sqrt((w - nu)^2 + p^2)/|push|, at the amplitude A = e^x. It is 0 for a steady vibration. */
+/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. It is 0 for a steady vibration. */
 VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
 {
     const vmi_resonance *z = (const vmi_resonance *)resonance;
@@ -12498,9 +12513,9 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
    The drift is given by the rates of mass, stiffness and frequency at time t. amplitude, m, is used for alpha = 1
    only, where the backbone has the same frequency for all amplitudes. On the backbone delta'' = -(gamma push/A)
    sin(delta) - nu D, as for a pendulum under a torque, where gamma = (alpha - 1)/2, push = F G/m, and D is the
-   relative drift of w - nu; drift_ratio is this torque over the pendulum's largest. The statuses are those of
-   vm_forced_rhs; VM_DOMAIN also means that the force is 0 or that the amplitude is not positive and finite. An error
-   leaves *passage as it was. */
+   relative drift of w - nu; drift_ratio is the torque |nu D| over |gamma push/A|, the largest torque that the pendulum
+   can hold. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the force is 0 or that the amplitude is
+   not positive and finite. An error leaves *passage as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;
@@ -12616,7 +12631,8 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     return found;
 }
 
-/* Two components of an integrator's state, seen as a trajectory */
+/* A trajectory from the dense output of the integrator s: x and v are the indices of position and velocity in its
+   state, buffer has room for a state */
 typedef struct VM_TAG(vmi_step_motion) {
     rk45 *s;
     int x, v;

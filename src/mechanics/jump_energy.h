@@ -1,6 +1,6 @@
 /* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
-   Kinetic energy is not conserved when bodies separate or join. Its change is the kinetic energy of the motions
-   relative to the whole: theorem (113), (118), which is Carnot's theorem for separations and for attachments.
+   Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds, and an
+   attachment takes, the kinetic energy of the motions relative to the whole: (113), (118), Carnot's theorem.
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -15,8 +15,8 @@
 #include "relative.h"
 #include "vectors.h"
 
-/* The sum of the kinetic energies of n bodies and one more, each in its motion relative to the whole. Returns NaN for a
-   null pointer or n < 0. */
+/* The sum of the kinetic energies of the n `bodies` and of one_more in their motions relative to `whole`. Returns NaN
+   for a null pointer or n < 0. */
 VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
@@ -43,8 +43,8 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
 
 /* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113), (118).
    It is computed as the kinetic energy of their motions relative to the whole, plus the work of the impulse on the
-   whole. This is exact in space. At high speed it keeps digits that the difference of the energies loses. `whole` is
-   the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
+   whole. This holds exactly in space. At high speed it keeps digits that the difference of the energies loses. `whole`
+   is the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {

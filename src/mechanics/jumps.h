@@ -47,8 +47,8 @@ typedef struct VM_TAG(vmi_lump) {
     vm_vec3 r, v;       /* position and velocity of the mass centre, less r and v of the frame */
     vm_vec3 h;          /* angular momentum about the mass centre, relative to the frame; inertial axes */
     vm_inertia inertia; /* inertia about the lump's mass centre, along the axes given by the frame's q */
-    vm_inertia sizes;   /* the sizes of the terms of which the entries of inertia are sums */
-    vm_real noise;      /* the sum of the sizes of the terms of h; the rounding error of h is a few eps of it */
+    vm_inertia sizes;   /* for each entry of inertia, the sum of the sizes of its terms */
+    vm_real noise;      /* the sum of the sizes of the terms of h; the rounding error of h is a few eps of noise */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
@@ -73,8 +73,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets *sizes to the sizes of the terms of its entries. d is a
-   difference of positions of the size `reach`, and has the rounding errors of these positions. */
+/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets each entry of *sizes so that the rounding error of the
+   entry of P(d) is a few eps of it. The vector d is a difference of positions of the size `reach`. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -92,8 +92,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much the noise of a grows when b is joined to it: by the noise of b, and by that of the product of
-   `reduced` and d x slip. The vector d leads from a to b and is a difference of positions of the size `reach`. */
+/* Returns how much a->noise grows when b is joined to a: by b->noise, and by the sizes of the terms of reduced d x
+   slip. The vector d leads from a to b and is a difference of positions of the size `reach`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -119,7 +119,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
     a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
-    if (b->mass > a->mass) { /* correct the values of the heavier body, which loses no digits */
+    if (b->mass > a->mass) { /* start from r and v of the heavier body, so that no digits are lost */
         a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
         a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
     } else {
@@ -171,9 +171,9 @@ VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const v
     return vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* Sets *total to the first body as it is after the jump and the impulse. The other bodies are first joined to each
-   other. Then they are attached to the first body (sign = 1) or separate from it (sign = -1). Returns VM_BAD_MASS if no
-   mass is left, else VM_OK. */
+/* Sets *total to `body` as it is after the jump and the impulse. The bodies `others` are first joined to each other.
+   Then they are attached to `body` (sign = 1) or separate from it (sign = -1). Returns VM_BAD_MASS if no mass is left,
+   else VM_OK. */
 VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
                           const vm_impulse *external_or_NULL, vmi_lump *total)
 {
@@ -192,7 +192,7 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
 }
 
 /* Finds the principal axes of a lump and changes its moments to moments that a body can have exactly. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA if the moments violate the rules by more than rounding errors, and VM_OK otherwise. */
+   VM_NOT_FINITE, VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -203,8 +203,8 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 }
 
 /* Sets *omega to the angular velocity, relative to the frame and in inertial axes, of a lump with principal axes p.
-   `before` is its value before the jump. Returns 1 if the lump has angular momentum about an axis with zero moment of
-   inertia, which is impossible. Returns 0 otherwise. */
+   `before` is this angular velocity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
+   moment of inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
@@ -255,13 +255,13 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    If the part moves on as before the separation, the rest keeps its motion, even if only little inertia is left. The
    computation adds only motions relative to the whole. Neither high speed nor a position far from the origin therefore
    costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia, plus the
-   effect of a change of the positions by eps of their size. A moment that is smaller than this error becomes 0.
+   effect of a change of the positions by eps of their size. A principal moment below this error becomes 0.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
-   balance leaves it angular momentum about its null axis, which it cannot have. Its spin about this axis is then that
-   of the whole. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the
-   rest) is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia if the part
-   cannot have been in the whole. */
+   balance leaves it angular momentum about an axis without inertia, which it cannot have. Its spin about this axis is
+   then that of the whole. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or
+   that of the rest) is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
+   if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
@@ -306,7 +306,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Computes an inertia and a mass centre by a jump of two bodies at rest, the first at the origin, the second at d */
+/* Sets *joined and *centre to inertia and mass centre after a jump of two bodies at rest, a at the origin, b at d */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {

@@ -25,8 +25,8 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
     return lifted;
 }
 
-/* Changes the moment of inertia of a lump of the plane to one that a body can have exactly: a moment that is smaller
-   than its rounding errors becomes 0. Returns VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
+/* Sets the moment of inertia of a lump of the plane to 0 if it is smaller than its rounding errors. Returns
+   VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -48,7 +48,7 @@ VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
     return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
 }
 
-/* Does in the plane what vmi_check_jump does in space */
+/* Checks a jump in the plane as vmi_check_jump checks a jump in space */
 VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const vm_impulse2 *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body2(body), vmi_check_bodies(others));
@@ -58,7 +58,7 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
     return vmi_impulse_is_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* Does in the plane what vmi_jump_total does in space, and calls vmi_lump_clamp_moments2 */
+/* Computes *total as vmi_jump_total does in space, and the frame of the jump. Then calls vmi_lump_clamp_moments2. */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
@@ -75,7 +75,7 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-/* Does in the plane what vmi_jump does in space */
+/* Computes a jump in the plane as vmi_jump does in space */
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
                      const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {

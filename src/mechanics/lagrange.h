@@ -4,13 +4,13 @@
    down. The masses may depend on time and position (247). You give T, the masses and the generalized forces Q. The
    chapter computes the mass matrix A, the vector b and the derivatives from T. The states are the coordinates q and the
    momenta pi = dT/dq', so that neither rates of momenta nor rates of masses are needed:
-     pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0.
+     pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0,  T0 = T(q' = 0).
 
    This is (247) corrected. T must use the velocities of the material. With streams of mass, Lagrange's equations are
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
    unit mass, the inertia kappa. omega is the angular velocity of the body. In dT/dq_i the masses must not vary,
-   although (244)-(247) may be read so.
+   although (244)-(247) may be read as if they did.
 
        #include "varmass.h"
        static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
@@ -37,9 +37,9 @@
    mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
-   Accuracy: A and b are differences of values of T, which are exact except for rounding errors of T. dT/dq is a central
-   difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if T varies noticeably only when q
-   changes by the given scales. Tests: tests/test_lagrange.c. */
+   Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
+   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if T varies noticeably only
+   over changes of q as large as the field `scales`. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -69,8 +69,8 @@ typedef struct VM_TAG(vm_lagrange_system) {
 
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
-    vm_real *A;      /* the mass matrix, n n numbers */
-    vm_real *b;      /* the linear terms of T in the rates, n numbers */
+    vm_real *A;      /* the mass matrix, n rows of n numbers */
+    vm_real *b;      /* the factors of the rates in the linear terms of T, n numbers */
     vm_real *rates;  /* pi - b, and later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -87,8 +87,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
     return w;
 }
 
-/* The kinetic energy T at the rates x e_i + z e_j, where e_i is the unit vector of coordinate i. An index -1 means
-   that its term is left out. */
+/* The kinetic energy T at the rates x e_i + z e_j, where e_i is the unit vector of coordinate i. If i or j is -1, its
+   term is left out. */
 VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
                                    int j, vm_real z)
 {
@@ -100,8 +100,9 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
     return system->energy(t, q, w.trial, w.masses, system->ctx);
 }
 
-/* Computes the mass matrix A and the vector b from values of T. For an entry of A off the diagonal, the two rates are
-   1/sqrt(A_ii) and 1/sqrt(A_jj), so that a coordinate with a large energy does not hide the digits of the other one. */
+/* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
+   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j, so that a coordinate with a large energy
+   does not hide the digits of the other one. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -145,9 +146,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     return status;
 }
 
-/* The derivative dT/dq_i with the masses in the work array, by a central difference of order 6 with the step h. Its
-   error is h^6/140 times the seventh derivative, plus a rounding error of eps/h. Both are small for h = 2^-7 in double
-   precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
+/* The derivative dT/dq_i with the masses in the work array, by a central difference of order 6 with the step h, times
+   the scale of q_i. Its error is h^6/140 times the seventh derivative, plus a rounding error of eps/h. Both are small
+   for h = 2^-7 in double precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {

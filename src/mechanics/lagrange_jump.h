@@ -30,7 +30,8 @@
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
 /* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
-   dr and turn are arrays of n. A NULL array means that its term is 0. If body or matrix is NULL, nothing is done. */
+   dr and turn have n vectors: dr[i] = dv/dqdot_i, turn[i] = domega/dqdot_i. If dr or turn is NULL, its term is 0. If
+   body or matrix is NULL, nothing is done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -53,7 +54,8 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
 }
 
 /* Add the generalized momentum of a body's motion to p.
-   dr, turn and p are arrays of n. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
+   p has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is
+   NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -62,8 +64,9 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 }
 
 /* Add the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
-   r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. dr,
-   turn and p are arrays of n. If dr or turn is NULL, its term is 0. If impulse or p is NULL, nothing is done. */
+   r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. p has
+   n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is NULL,
+   nothing is done. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -86,7 +89,7 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
     return vmi_copy_if_finite(n, b, qdot_after);
 }
 
-/* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign part + impulse, where `before` and `after` are mass
+/* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign*part + impulse, where `before` and `after` are mass
    matrices. The unknown is the change of qdot. A part of little mass changes qdot little, and the error is small
    compared with this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,

@@ -40,7 +40,7 @@ typedef struct VM_TAG(vm_pendulum_cut) {
     vm_real mass;     /* mass m of the part, kg */
     vm_real x, y;     /* position of S2 (123), m */
     vm_real vx, vy;   /* velocity of S2 (121), m/s */
-    vm_real rate;     /* angular velocity phi' + Omega of the part, positive for growing phi, rad/s */
+    vm_real rate;     /* angular velocity of the part: the rod's phi' before the cut plus Omega, rad/s */
     vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
     vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
@@ -87,7 +87,7 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
    `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod,
    positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's mass
    centre (x, y) relative to the rod, along the axes x, y of the pendulum. The remaining rod then turns with
-     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos).
+     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for VM_AXES_COS_SIN, else s = -1.
    This is (125), (132) corrected and simplified by hand, so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
    pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
    otherwise. */
@@ -123,7 +123,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* all momentum after the cut minus before */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* change of the total momentum by the cut */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;

@@ -1,6 +1,6 @@
 /* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
    This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
-   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). They are needed if only the
+   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). Use these laws if only the
    velocity of a part relative to the whole is known.
 
        vm_body part = whole, rest; // whole is a vm_body

@@ -21,9 +21,9 @@
 #include "streams.h"
 #include "vectors.h"
 
-/* A spinning axisymmetric body. Its mass comes from around the mass centre and leaves through a nozzle on the axis
-   (rate < 0), or flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis is the axis
-   of symmetry. */
+/* A spinning axisymmetric body. The mass that it loses comes from around the mass centre and leaves through a nozzle on
+   the axis (rate < 0), or mass flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis
+   is the axis of symmetry. */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
     vm_real axial;               /* moment of inertia C0 about the axis at t = 0, kg m^2 */
@@ -80,11 +80,11 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
    x0 (m), v0 (m/s) and m0 (kg) belong to t = 0. The force (N), the rate and the velocity of the stream are constant.
    t may be negative. With tau = rate t/m0, m = m0 + rate t, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2,
    for an absolute velocity u:
-     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B;
+     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) B t^2/m0;
    for a velocity w relative to the body:
-     v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
-   For every rate >= 0 the errors are at most 8 eps times the terms of these sums. If mass leaves, this bound grows
-   with m0/m, because the rounding error of rate t is large relative to a small m. Returns VM_BAD_ARGUMENT,
+     v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
+   For every rate >= 0 the errors of x and v are at most 8 eps times the terms of their sums. If mass leaves, this bound
+   grows with m0/m, because the rounding error of rate t is large relative to a small m. Returns VM_BAD_ARGUMENT,
    VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
@@ -127,11 +127,11 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
    There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
    gyration_axial t the transverse part omega_t of omega has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-   where omega_t0 is its value at t = 0. omega_z stays constant, and the transverse part turns by omega_z times the
-   integral of C/A - 1 over time. Let L and B be the functions of tau of vm_linear_flow, here with
-   tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is t (C0/A0 L - 1 + rate t
-   gyration_axial/A0 B). The error is at most 8 times the change that an error of eps in the inputs makes. Returns
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK otherwise. */
+   where omega_t0 is omega_t at t = 0. omega_z stays constant, and omega_t turns by omega_z times the integral of C/A -
+   1 over time. Let L and B be the functions of tau of vm_linear_flow, here with tau = rate gyration_transverse t/A0.
+   Then ln(A/A0) is tau L, and the integral is t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8
+   times the change that an error of eps in the inputs makes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if
+   A or C is not positive, and VM_OK otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;

@@ -41,7 +41,7 @@ typedef struct VM_TAG(vm_store) {
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
 } vm_store;
 
-/* A stream of mass in space. Every field may be zero, and a term that is zero costs no time. */
+/* A stream of mass in space. Every field may be zero. */
 typedef struct VM_TAG(vm_stream) {
     vm_real rate;         /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
     int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
@@ -83,7 +83,8 @@ VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELAT
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* The velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` that of the stream. */
+/* The velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field `velocity`
+   of the stream. */
 VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
     vm_real u = 0;
@@ -92,7 +93,7 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* The product M' kappa of a stream's rate and a gyration */
+/* The product M' kappa of a stream's rate M' and the gyration kappa of its mass */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -146,9 +147,10 @@ typedef struct VM_TAG(vmi_stream_sum) {
     vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
 
-/* Adds one stream, whose `motion` is known, to the sums that make the force. Sets *push = M' (u - v), where M' is the
-   rate, u the velocity of the mass and v that of the body, and *spin to the angular velocity of the mass. `carried`
-   is the velocity of the body's point at which the mass enters or leaves, minus v. All vectors are in body axes. */
+/* Adds one stream, whose `motion` is known, to sum->carried, sum->pushed and sum->absolute. Sets *push = M' (u - v),
+   where M' is the rate, u the velocity of the mass and v that of the body, and *spin to the angular velocity of the
+   mass. The argument `carried` is the velocity of the body's point at which the mass enters or leaves, minus v. All
+   vectors are in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -172,8 +174,8 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     }
 }
 
-/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and
-   carried is its argument. */
+/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and carried
+   is an argument of that function. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {

@@ -9,8 +9,8 @@
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
    The functions serve all bodies: triaxial, symmetric and spherical ones, and rods and points, whose spin about an
-   axis without moment of inertia stays constant. They serve all rotations, also those about the middle axis, and
-   those on the separatrix, which tend to a rotation about the middle axis. No threshold has to be chosen.
+   axis without moment of inertia stays constant. They serve all rotations, also those about the axis of the middle
+   moment, and those on the separatrix, which tend to a rotation about this axis. No threshold has to be chosen.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
@@ -30,7 +30,8 @@
 #include "torque_free_axes.h"
 #include "vectors.h"
 
-/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
+/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read. (A) and
+   (B) stand in the next comment.
 
    Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
    |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
@@ -41,16 +42,18 @@
    are taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
-    vm_real t0;                  /* the time at which the motion was given, s */
+    vm_real t0;                  /* the time at which the body is as given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
-    vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum (or
-                                    opposite, s = -1) */
+    vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
+                                    opposite to it if w3 < 0 */
     vm_real spin[3];             /* omega along axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
-    vm_real lean[3];             /* y, x, w - 1 of M = (w, x, y, 0)/sqrt(2 w): lean[0] cn, lean[1] sn, lean[2] dn */
+    vm_real lean[3];             /* M of (B) is (w, x, y, 0)/sqrt(2 w) with w = 1 + lean[2] dn, x = lean[1] sn,
+                                    y = lean[0] cn */
     vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
     vm_two phase_rate;           /* rate of the phase, per second */
     vm_two K;                    /* quarter period of sn in u; 0 on the separatrix */
-    vm_two turn_rate;            /* mean rate kappa of h in (B), half the angle about the angular momentum, turns/s */
+    vm_two turn_rate;            /* mean rate of s h in (B), turns/s; s h is half the angle turned about the angular
+                                    momentum */
     vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
     vmi_doubled_theta theta;     /* the theta function of (B); arg theta is the deviation of h from its mean growth */
@@ -138,8 +141,9 @@ VM_API vm_two vmi_torque_free_two_pi(void)
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* Returns 2 kappa by the integral Pi(-N | m) with N = I3 d12/(I1 d23), for m < 1 and I1 != I2. Sets *mean to the
-   arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those of (A), and c = I3 a3/L:
+/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with N =
+   I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those of
+   (A), and c = I3 a3/L:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
@@ -198,8 +202,8 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K, the phase, and phase_rate and turn_rate for the scaled omega. Returns the sign of cn on the separatrix, and
-   1 elsewhere. */
+/* Sets K and phase, and the rates phase_rate and turn_rate that belong to omega divided by a power of two. Returns the
+   sign of cn on the separatrix, and 1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -252,7 +256,7 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets a motion with constant omega: axis 3 is the axis of omega, and sn = 0 */
+/* Sets a motion with constant omega: axis 3 is along omega, and sn stays 0 */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -266,7 +270,7 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
 }
 
-/* Sets all fields that do not depend on the unit of time, except `start` */
+/* Sets all fields except body, t0 and `start`. spin and the rates belong to omega divided by a power of two. */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of eps^2, a negligible nutation angle */

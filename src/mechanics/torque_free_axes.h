@@ -156,8 +156,8 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
     for (k = 0; k < 3; k++) b->moment[k] = a[k][k];
 }
 
-/* Sets a moment to 0 if it is lost in the rounding errors of the tensor i. The body is then a rod, and the other two
-   moments become equal. */
+/* Sets a moment to 0 if it is lost in the rounding errors of the tensor i. The body is then a rod or a point, and the
+   other two moments become equal. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -175,7 +175,7 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 /* ---- the order of the axes ---- */
 
 /* Returns 1 if the difference of two moments is within the errors of their computation from a tensor in two words.
-   Moments that were given as numbers are equal or differ by more. */
+   Moments of a tensor without products of inertia are exactly equal or differ by more. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;

@@ -56,7 +56,7 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the sizes of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of a. It does not overflow where only its square overflows. */
+/* The length of a. It does not overflow if only its square would overflow. */
 VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of the sizes |x|, |y| and |z| of a's components */

@@ -249,8 +249,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* Number of times at which motions by integration are compared: the ends of the last 8 of 11 equal parts of the
-   interval from 0 to t */
+/* Number of times at which errors are estimated on the way to t, also by comparing two integrations: the ends of the
+   last 8 of 11 equal parts of the interval from 0 to t */
 enum { VMI_OSC_CHECKS = 8 };
 
 /* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */

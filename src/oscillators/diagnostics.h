@@ -95,7 +95,8 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     return found;
 }
 
-/* Two components of an integrator's state, seen as a trajectory */
+/* A trajectory from the dense output of the integrator s: x and v are the indices of position and velocity in its
+   state, buffer has room for a state */
 typedef struct VM_TAG(vmi_step_motion) {
     rk45 *s;
     int x, v;

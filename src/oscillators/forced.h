@@ -78,8 +78,8 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
 /* Computes the Fourier coefficients of ca, within 8 eps, and from them those of sa. The coefficients of ca are
      c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
    computed by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), because ca is not analytic at u = 1 and, for large
-   alpha, bends sharply at u = 0. cos((2j+1) x) follows from the two cosines before it by the recurrence with 2
-   cos(2x). */
+   alpha, bends sharply at u = 0. With x = pi u/2 the cosines follow from cos((2j+3) x) = 2 cos(2x) cos((2j+1) x) -
+   cos((2j-1) x). */
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
     const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* number of points of the rule in an interval of t of length 1 */
@@ -186,8 +186,8 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 /* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87.
    The main resonance is nu = w(A). The state is y = (A, delta, theta), where A is the mean amplitude and
    delta = phi - theta the phase by which the vibration leads the force. Start with vm_forced_to_averaged, and end
-   with vm_forced_from_averaged. The error is of the order of b, m' and F up to times of their inverses, and larger
-   away from the resonance. The argument forced and the statuses are those of vm_forced_rhs. */
+   with vm_forced_from_averaged. The error is of the order of the largest of b, m' and F, up to times of its inverse,
+   and larger away from the resonance. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -207,7 +207,8 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 
 /* The ripple of the exact amplitude about its mean A, m, to first order: exact amplitude = A + ripple. It is
      q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
-   with n = 2j + 1. For n = 1 the last term is left out, since it does not vary at the resonance. */
+   with the order n = 2j + 1 and q of vmi_forced_q. For n = 1 the last term is left out, since it does not vary at the
+   resonance. */
 VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                  vm_real theta)
 {
@@ -227,9 +228,9 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
 }
 
 /* Motion (x, x', theta) of an excited oscillator to the mean y = (A, delta, theta).
-   The ripple of the amplitude within a period is taken out; otherwise averaged motions would have errors of order 1
-   where alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is smaller than
-   its ripple. y and motion may be the same array. */
+   A is the amplitude without its ripple within a period. If the ripple stayed in A, averaged motions would have errors
+   of order 1 where alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is
+   smaller than its ripple. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;

@@ -15,7 +15,7 @@
        rotor.stiffness_ctx = &cubic;
        rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
        rotor.reactive = 1;
-       vm_real radius = vm_jeffcott_amplitude(&rotor, 1, 1, 2); // of whirl, when the mass has doubled
+       vm_real radius = vm_jeffcott_amplitude(&rotor, 1, 1, 2); // of the whirl, m, when the mass has doubled
 
    Tests: tests/test_jeffcott.c. */
 #ifndef VARMASS_OSCILLATORS_JEFFCOTT_H
@@ -59,11 +59,11 @@ typedef struct VM_TAG(vm_jeffcott) {
     int nodes;               /* number of phases in a mean over a period; 0 means 32 */
 } vm_jeffcott;
 
-/* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
+/* Indices of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
 enum {
-    VMI_JEFFCOTT_P = 0,   /* slots 0 and 1: forward whirl P, a complex number */
-    VMI_JEFFCOTT_N = 2,   /* slots 2 and 3: backward whirl N, a complex number */
-    VMI_JEFFCOTT_PHI = 4, /* slot 4: fast phase phi */
+    VMI_JEFFCOTT_P = 0,   /* numbers 0 and 1: forward whirl P, a complex number */
+    VMI_JEFFCOTT_N = 2,   /* numbers 2 and 3: backward whirl N, a complex number */
+    VMI_JEFFCOTT_PHI = 4, /* number 4: fast phase phi */
     VMI_JEFFCOTT_SIZE = 5
 };
 
@@ -92,7 +92,7 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
 }
 
 /* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s.
-   It is Im(conj z m z') - g |z|^2, and stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns
+   It is m Im(conj(z) z') - g |z|^2, and stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns
    NaN for a null pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
@@ -296,10 +296,11 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 }
 
 /* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs,
-   averaged over the fast phase phi while P and N stay constant. Averaging over psi1 and psi2 separately, (474)-(477),
-   is wrong unless the force turns with z, since forward and backward whirl are in 1:1 resonance. The error is of the
-   order of the perturbations F_z, u, g, F_e'(rho) - F_e'(0) and m', up to times of their inverse. State and statuses
-   are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at `nodes` phases. */
+   averaged over the fast phase phi while P and N stay constant. [1] averages over the angles psi1 and psi2 of the two
+   whirls separately, (474)-(477). That is wrong unless the force turns with z, since forward and backward whirl are in
+   1:1 resonance. The error is of the order of the largest perturbation (F_z, u, g, F_e'(rho) - F_e'(0) or m'), up to
+   times of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at
+   `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -354,9 +355,9 @@ VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_rea
     return vmi_c_scale(1 / (vm_real)nodes, sum);
 }
 
-/* Writes the averaged rates (504), (505) of the state y = (A, psi), the radius and the angle of a circular whirl. W
-   is the whirl's frequency, L the mean load, and S = m W - g = +-sqrt(g^2 + m F_e'), where + is for forward whirl.
-   The equations are
+/* Writes the averaged rates (504), (505) of the state y = (A, psi), the radius and the angle of a circular whirl. W is
+   the whirl's frequency, L the result of vmi_jeffcott_mean_load, and S = m W - g = +-sqrt(g^2 + m F_e'), where + is for
+   forward whirl. The equations are
      along the circle: (A^2 S)' = (1 - r) m' A^2 W + A Im L,
      across the circle: psi' = W - Re L/(2 A S) */
 VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
@@ -381,14 +382,13 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 
 /* Averaged equations (506), (507) of forward whirl, for rk45 or rk87.
    The nonlinearity may be strong. The motion is nearly circular: z = A e^(i psi), z' = i W z with the frequency W of
-   vm_jeffcott_frequency. y = (A, psi) is in m and rad; rotor points to a vm_jeffcott. The error of A is of the order
-   of the loads (F_z, u, m') up to times of their inverse. Where F_e' is not constant, the phase accumulates this
-   error: up to such times tests bound the error of psi by 0.015 for loads that turn with z (their angle to z is
-   fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads that do not
-   turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor
+   vm_jeffcott_frequency. y = (A, psi) is in m and rad; rotor points to a vm_jeffcott. The error of A is of the order of
+   the largest load (F_z, u or m'), up to times of its inverse. Where F_e' is not constant, the phase accumulates this
+   error: up to these times tests bound the error of psi by 0.015 for loads that turn with z (their angle to z is
+   fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads that do not turn
+   with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor
    without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
-   positive, and VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Each call evaluates the force at `nodes`
-   phases. */
+   positive, and VM_BAD_STIFFNESS if g^2 + m F_e' is not positive. Each call evaluates the force at `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;

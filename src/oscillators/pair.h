@@ -36,7 +36,7 @@ typedef struct VM_TAG(vm_pair) {
     vm_law mass;      /* mass m of each body, kg, > 0; it must vary slowly */
 } vm_pair;
 
-/* Slots of the modes: mean amplitude A of p, m; Ateb phase psi of p; sum q = x + y, m; rate q', m/s */
+/* Indices of the modes: mean amplitude A of p = y - x, m; Ateb phase psi of p; sum q = x + y, m; rate q', m/s */
 enum {
     VMI_PAIR_A = 0,
     VMI_PAIR_PSI = 1,
@@ -77,8 +77,8 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
     return VM_OK;
 }
 
-/* The amplitude of p over its mean A at the phase psi: (1 + s sa ca/(2 Om))^(2/(alpha+3)) with s = (2r - 1) m'/m. The
-   spring acts on both bodies, so p has the stiffness 2 k. */
+/* The amplitude of y - x at the Ateb phase psi, divided by its mean A: (1 + s sa ca/(2 Om))^(2/(alpha+3)) with the rate
+   Om of psi and s = (2r - 1) m'/m. The spring acts on both bodies, so that y - x vibrates with the stiffness 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
     const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
@@ -88,9 +88,9 @@ VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_
     return vmi_pow_checked(1 + q / (2 * Om) * sa * ca, 2 / (p->alpha + 3));
 }
 
-/* Computes the modes from the motion y. The mean amplitude A solves exact = A ripple(A); three iterations are enough
-   where the ripple is small. Returns VM_DOMAIN where they do not solve it, because the ripple is as large as the
-   motion. */
+/* Computes the modes from the motion y. The mean amplitude A solves exact = A ripple(A), where `exact` is the amplitude
+   at this instant and ripple is vmi_pair_ripple. Three iterations are enough where the ripple is small. Returns
+   VM_DOMAIN where they are not, because the ripple is as large as the motion. */
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
 {
     vm_real exact, A, psi, found[VMI_PAIR_MODES];
@@ -128,8 +128,8 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
    amplitude within a period is taken out of A, so that any initial velocities are allowed. Returns VM_BAD_ARGUMENT
    for null pointers or where no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN,
    VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, and VM_DOMAIN for alpha < 0 and where the ripple is
-   as large as the motion, so that |(2r - 1) m'/m| is about 2 Om, for example where m tends to 0. modes and y may be
-   the same array. */
+   as large as the motion, so that |(2r - 1) m'/m| is about twice the rate of psi, for example where m tends to 0. modes
+   and y may be the same array. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -152,7 +152,8 @@ VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *mod
 
 /* Averaged equations of the two modes of a pair, for rk45 or rk87.
    The mass may follow any slow law. modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The
-   error is of the order of m'/(m Om) up to times of m/m'. The statuses are those of vm_pair_rhs. */
+   error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of psi. The statuses are those of
+   vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
@@ -168,10 +169,11 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
 }
 
 /* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y(0) - x(0). y0 = (x, y, x',
-   y') is the motion at t = 0. The error is of the order of m'/(m Om) up to times of m/m'. Returns the statuses of
-   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is neither linear nor constant (integrate
-   vm_pair_averaged_rhs instead). y and y0 may be the same array. Method: the averaged equations contain powers of
-   m/m0; the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+   y') is the motion at t = 0. The error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of the
+   Ateb phase of y - x. Returns the statuses of vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is
+   neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. Method: the
+   averaged equations contain powers of m/m0; the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of
+   dt/m, with u = (1 + e) ln(m/m0). */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;

@@ -100,8 +100,8 @@ VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
    up */
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
 
-/* Raises *edge to the relative difference between f and its series, or with `reciprocal` between 1/f and its
-   series */
+/* Raises *edge to the relative difference between f and `by_series`, its value by a series. With `reciprocal` the
+   series is that of 1/f. */
 VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
 {
     const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
@@ -131,7 +131,7 @@ VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal
 
 /* -- The integral of 1/f -- */
 
-/* Computes the series of 1/f on a panel, and in *edge its relative difference from the law at the panel's ends */
+/* Computes the series of 1/f on a panel. Sets *edge to its largest relative difference from 1/f at the panel's ends. */
 VM_API int vmi_law_inverse_series(const vm_law *law, vm_real start, vm_real length, vm_real *series, vm_real *edge)
 {
     const int side = vmi_time_side(length);
@@ -185,7 +185,7 @@ VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_r
    most 1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and
    for a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
    anywhere between 0 and t, and VM_DOMAIN for t outside a table, for a table out of order, where the user's function
-   fails, or where change_time is negative or less than |t|/2^20. An error leaves *integral untouched. */
+   fails, or where the law's change_time is negative or less than |t|/2^20. An error leaves *integral untouched. */
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real sum;

@@ -62,7 +62,7 @@ VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_param
     return z;
 }
 
-/* The excess, ln of A w sqrt((w - nu)^2 + p^2)/|push|, at the amplitude A = e^x. It is 0 for a steady vibration. */
+/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. It is 0 for a steady vibration. */
 VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
 {
     const vmi_resonance *z = (const vmi_resonance *)resonance;
@@ -200,9 +200,9 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
    The drift is given by the rates of mass, stiffness and frequency at time t. amplitude, m, is used for alpha = 1
    only, where the backbone has the same frequency for all amplitudes. On the backbone delta'' = -(gamma push/A)
    sin(delta) - nu D, as for a pendulum under a torque, where gamma = (alpha - 1)/2, push = F G/m, and D is the
-   relative drift of w - nu; drift_ratio is this torque over the pendulum's largest. The statuses are those of
-   vm_forced_rhs; VM_DOMAIN also means that the force is 0 or that the amplitude is not positive and finite. An error
-   leaves *passage as it was. */
+   relative drift of w - nu; drift_ratio is the torque |nu D| over |gamma push/A|, the largest torque that the pendulum
+   can hold. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the force is 0 or that the amplitude is
+   not positive and finite. An error leaves *passage as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;

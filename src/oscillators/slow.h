@@ -31,10 +31,10 @@ VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real r
 /* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
    The law, (325), (344), (367), (389) corrected, is
      A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)).
-   All three averaging methods give it after a correction of the sign in (335). It holds to first order in m' and the
-   damping. The arguments are pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass; reactive, r,
-   which is 1 where mass that joins or leaves is at rest, so that there is the full reactive force, and 0 where it has
-   the body's own velocity, as in a leak; and alpha >= 0. Returns NaN outside the domain and for infinite
+   Averaging with ca, with cos and with cn gives this law, if the sign in (335) is corrected. It holds to first order in
+   m' and the damping. The arguments are pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass;
+   reactive, r, which is 1 where mass that joins or leaves is at rest, so that there is the full reactive force, and 0
+   where it has the body's own velocity, as in a leak; and alpha >= 0. Returns NaN outside the domain and for infinite
    arguments. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
@@ -59,10 +59,10 @@ typedef struct VM_TAG(vmi_linear_mass) {
     vm_real integral;    /* integral of dt/m from 0 to t, s/kg; it has no singularity at rate = 0 */
 } vmi_linear_mass;
 
-/* Writes the linear mass that a law describes between 0 and t, which closed forms need. Returns VM_NO_LAW where the
-   law is not linear, that is not f0 exp(rate u) with rate = base (see vmi_law_exponential_form), VM_BAD_MASS where
-   the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a
-   number that is infinite or NaN. */
+/* Writes the linear mass that a law describes between 0 and t, which closed forms need. Returns VM_NO_LAW where the law
+   is neither linear nor constant (vmi_law_exponential_form does not give rate = base), VM_BAD_MASS where the mass is
+   not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a number that is
+   infinite or NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;

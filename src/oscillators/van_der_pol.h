@@ -119,9 +119,10 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
    not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a mass that is neither linear nor
    constant (integrate vm_vdp_averaged_rhs instead); with c < 0 also from the time on at which the amplitude becomes
    infinite. Method: the solution of (416) is
-     1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m.
-   For a linear mass F is proportional to that integral, hence the integral of e^F dt/m is (e^F - 1)/F times the
-   integral of dt/m. The code uses e^-|F| and divides by the larger of the two terms, so that nothing overflows. */
+     1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
+   where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
+   of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
+   terms, so that nothing overflows. */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 {
     if (!v) return VM_NAN;
@@ -189,9 +190,10 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 
 /* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
    The mass may follow any slow law. y = (A, psi) holds the mean amplitude, m, and the Ateb phase: x = A ca(psi), and
-   |x| = A at the turning points. vdp points to a prepared vm_vdp. With the method VM_VDP_ATEB and a start from rest,
-   the error of A up to times of m/feed is of the order of the square of e, the largest of (feed, c A^2, m')/(m Om),
-   and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
+   |x| = A at the turning points. vdp points to a prepared vm_vdp. For the method VM_VDP_ATEB and a start from rest, let
+   e be the largest of the numbers feed, c A^2 and m', divided by m Om, where Om is the rate of psi. Then, up to the
+   time m/feed, the relative error of A is of the order of e^2, and the error of psi of the order of e. The statuses are
+   those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;

@@ -83,8 +83,8 @@ VM_API vm_real vmi_osc_cos_error(const vmi_osc_wave *w, vm_real mean_ca2)
     return VM_FABS(w->speed - 1) * (1 + w->alpha / 100);
 }
 
-/* The wave x = A cos with the exact period, where pi is Pi_alpha. Its gains are those of (337)-(339), but with
-   alpha + 3 for 5 - alpha, which is due to a wrong sign in (335). */
+/* The wave x = A cos(turn psi), whose period is that of ca; pi is Pi_alpha. Its gains are those of (337)-(339), but
+   with alpha + 3 for 5 - alpha, which comes from a wrong sign in (335). */
 VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
@@ -107,15 +107,15 @@ VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_rea
     *s = sn * dn;
 }
 
-/* The estimate is the error of the mean of cn^2, which is 0 where cn is exact, times a factor that is fitted to the
-   largest errors of the wave. */
+/* The estimate is the difference between the means of cn^2 and of ca^2, which is 0 where cn is exact, times a factor
+   that is fitted to the largest errors of the wave. */
 VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     return VM_FABS(w->mean_c2 - mean_ca2) * (VM_C(2.7) + w->alpha / 2);
 }
 
-/* The wave x = A cn with the exact period and the exact velocity at x = 0, where pi is Pi_alpha. Its parameter m
-   follows from (307), its gains from (380)-(382). */
+/* The wave x = A cn(turn psi | m), whose period and whose velocity at x = 0 are those of A ca(psi); pi is Pi_alpha. The
+   parameter m follows from (307), the gains from (380)-(382). */
 VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
