@@ -133,7 +133,7 @@ END
     ! grep -E '(call|bl|jmp)[a-z]*[[:space:]]+_?right_hand_side' "$build/inlined.s"
 }
 check "integrators.h: the right-hand side is inlined" inlined
-rooms_of_three=$(for room in real self_check sums bits words arrays elementary; do echo src/base/$room.h; done
+rooms_of_three=$(for room in real self_check sums bits words arrays elementary chebyshev; do echo src/base/$room.h; done
     echo src/jacobi/*.h src/ateb/*.h src/integrators/*.h)
 bounded() { # every loop has its entry in tests/loops.txt, and no entry is left over
     awk -f tests/loops.awk $rooms_of_three >"$build/loops"
