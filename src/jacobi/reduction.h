@@ -125,7 +125,7 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
-/* Returns u minus the nearest multiple j K for u >= 0, or NaN if u or m1 is outside the domain of jacobi_sncndn. The low
+/* Returns u >= 0 minus the nearest multiple j K, or NaN if u or m1 is outside the domain of jacobi_sncndn. The low
    word of the result goes to *v_lo, the last bits of j to *quarters. reach is about (2u/K)^2; if reach is below 30,
    u < 2.5 K. */
 VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo,
