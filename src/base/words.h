@@ -43,7 +43,7 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 
 /* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
    apart from rounding, with an error of 2^-(2p) x, and writes the number of this multiple modulo 4 to *quarter.
-   Above 2^(p-1) q the digits of x no longer determine its distance from a multiple: then both results are 0. */
+   For x above 2^(p-1) q the digits of x do not determine its distance from a multiple: then both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));

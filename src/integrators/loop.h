@@ -108,7 +108,7 @@ VM_API void vmi_look_for_stiffness(rk45 *s)
     if (s->stiff_hits) s->stiff_wait = 1;
 }
 
-/* Does what follows an accepted step: tests for stiffness, if it is time, and handles the events within the step.
+/* Does what must follow an accepted step: tests for stiffness if a test is due, and handles the events within the step.
    Returns a status. */
 VMI_APART int vmi_after_step(rk45 *s)
 {

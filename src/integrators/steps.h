@@ -92,7 +92,7 @@ VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_
 /* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is the
    smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
-   where error is the error of this step divided by its tolerance, and error_before that of the previous step. */
+   where error is the error of this step divided by its tolerance, and error_before that of the step before. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
     const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;

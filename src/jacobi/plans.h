@@ -28,7 +28,7 @@ typedef struct VM_TAG(jacobi_plan) {
     int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
     vm_real K[4], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
-    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, see vmi_plan_prepare */
+    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, for the reduced argument v */
     vmi_theta_form theta;               /* its field kp = k' is set in every form */
 } jacobi_plan;
 
