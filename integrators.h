@@ -529,7 +529,7 @@ VM_API const char *ode_strerror(int status)
 #define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
 
 /* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
-   k_4; z holds the argument of f. Returns 0, or the number with which f has stopped the run. */
+   k_4; z receives the states at which f is evaluated. Returns 0, or the number with which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -825,9 +825,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* What the loop over the steps needs to know of a pair. The call of the loop gets it as a constant, so that the
-   compiler inlines both functions into the loop. The functions are no part of vmi_rk_pair, which each run holds,
-   because they would then be compiled a second time. */
+/* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
+   inlines make_stages and step_error into the loop. They are no part of vmi_rk_pair, which each run stores, because the
+   compiler would then compile them a second time. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -1269,7 +1269,7 @@ typedef struct VM_TAG(vmi_progress) {
     vm_real h_done;                 /* size of the last accepted step */
     vm_real inverse_error;          /* tolerance of the last accepted step divided by its error */
     vm_real t_missed, t_missed_low; /* their sum is the time at which the last step above the tolerance began */
-    long steps, rejected, missed;   /* numbers of steps since the beginning of this loop */
+    long steps, rejected, missed;   /* numbers of steps since vmi_advance was called */
     long next_miss;                 /* value of `steps` from which on a step may miss the tolerance again */
     long attempts;                  /* number of steps that may still be tried; negative means no limit */
     int k1, failure, stiff_wait;    /* the fields of rk45 with these names */
@@ -1757,7 +1757,8 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
             continue;
         }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
-        /* A short excursion of g may begin at x = 0, where an event may have changed y or f, but not later. */
+        /* With gap = 1 only the evenly spaced points follow: a short excursion of g is expected only after x = 0, where
+           an event may have changed y or f. */
         if (e->side && start > 0) gap = 1;
     }
     return ODE_OK;

@@ -52,9 +52,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* What the loop over the steps needs to know of a pair. The call of the loop gets it as a constant, so that the
-   compiler inlines both functions into the loop. The functions are no part of vmi_rk_pair, which each run holds,
-   because they would then be compiled a second time. */
+/* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
+   inlines make_stages and step_error into the loop. They are no part of vmi_rk_pair, which each run stores, because the
+   compiler would then compile them a second time. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.

@@ -120,7 +120,7 @@ typedef struct VM_TAG(vmi_progress) {
     vm_real h_done;                 /* size of the last accepted step */
     vm_real inverse_error;          /* tolerance of the last accepted step divided by its error */
     vm_real t_missed, t_missed_low; /* their sum is the time at which the last step above the tolerance began */
-    long steps, rejected, missed;   /* numbers of steps since the beginning of this loop */
+    long steps, rejected, missed;   /* numbers of steps since vmi_advance was called */
     long next_miss;                 /* value of `steps` from which on a step may miss the tolerance again */
     long attempts;                  /* number of steps that may still be tried; negative means no limit */
     int k1, failure, stiff_wait;    /* the fields of rk45 with these names */

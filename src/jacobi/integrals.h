@@ -150,8 +150,8 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from the series, for m near 1 from logarithms,
-   and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
+/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for m > 0.971 from
+   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
