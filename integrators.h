@@ -190,13 +190,13 @@
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* slower than with inlining, with the same results */
+#define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
 #define VM_C(x) x##f            /* the constant x as a vm_real */
-#define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
+#define VM_LIBM(name) name##f   /* the name of the C library's function for a vm_real */
 #define VM_TAG(tag) tag##_float /* the tag of a struct, one for each precision: a C++ program can use both */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
@@ -213,7 +213,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* digits; 24 where double is as short as float (AVR). Table lengths depend on it. */
+#define VM_MANT_DIG DBL_MANT_DIG /* bits; 24 where double is as short as float (AVR). Table lengths depend on it. */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
@@ -332,8 +332,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 /* base/self_check.h - whether this compiler and this processor compute as varmass needs
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
-   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds the others when the
-   program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
+   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
+   when the program runs: it computes a few numbers that show whether sums keep their order, whether results are
    rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
@@ -373,7 +373,7 @@ VM_API int vmi_divides(vm_real one)
 }
 
 /* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
-   the middle between two numbers must be rounded to the even number. */
+   the middle between two neighbours must be rounded to the one whose last bit is 0. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -406,8 +406,8 @@ VM_API int vm_self_check(void)
 #endif
 /* base/arrays.h - loops over arrays of numbers
    vmi_all_finite tests whether all numbers of an array are finite, and vmi_copy copies an array. The macro VMI_EACH
-   writes a loop over the n components of a state. Where the compiler knows a small n, it unrolls such loops and keeps
-   the components in registers.
+   writes a loop over the n components of a state. Where the compiler knows that n is small, it unrolls the loop and
+   keeps the components in registers.
 
        vm_real y[3] = {1, 2, 3}, z[3];
        if (vmi_all_finite(3, y)) vmi_copy(3, y, z);
@@ -477,16 +477,16 @@ enum {
     ODE_OK = 0,          /* success */
     ODE_RTOL_RAISED = 1, /* rk45_init has raised rtol to 16 eps, or rk87_init to 256 eps, which is the least */
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
-    ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not accuracy, kept the steps short */
+    ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not the tolerance, limited the step size */
     /* An argument is wrong: n or steps is not positive, a pointer is NULL, a component has no tolerance, h_min is
        negative or above h_max, a time, a state or an option is not finite, a time is outside the last step, an event
        has no g, or the rk45 was made by the init function of another method. */
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
     ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
-    /* Two steps of the smallest size (h_min, or the resolution of t) missed the tolerance, with fewer than three steps
-       between them that kept it: f is singular there, or too stiff for the resolution of t. The run also ends so if
-       h_max is less than the resolution of t. A jump of f does not end a run: s->missed counts it. */
+    /* Two steps of the smallest size (h_min, or the resolution of t) missed the tolerance, and fewer than three steps
+       between them kept it: f is singular there, or too stiff for the resolution of t. A run also ends with this status
+       if h_max is less than the resolution of t. A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
     ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call continues the run */
     ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
@@ -516,8 +516,8 @@ VM_API const char *ode_strerror(int status)
 
 #endif
 /* integrators/rk4.h - rk4: the classical Runge-Kutta method of order 4 with fixed steps
-   A step takes four evaluations of f, and the error at the end of a run is proportional to h^4. It is the method where
-   each step must take the same time, as in a control loop; rk45 needs less time for the same error.
+   A step takes four evaluations of f, and the error at the end of a run is proportional to h^4. Use rk4 where each
+   step must take the same time, as in a control loop; rk45 needs less time for the same error.
 
        double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
        int status = rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // spring is the ode_rhs of ode.h; 1000 steps
@@ -529,7 +529,7 @@ VM_API const char *ode_strerror(int status)
 #define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
 
 /* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
-   k_4; z holds the argument of f. Returns 0, or the number with which f has stopped the run. */
+   k_4; z receives the states at which f is evaluated. Returns 0, or the number with which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -554,8 +554,9 @@ VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, 
     return f(t + h, z, k, ctx);
 }
 
-/* Makes `steps` steps of size h from *t. The state is y, or y + low_or_NULL with compensated summation. w is a work
-   array of 3 m numbers, m >= n. y and *t become those at the end of the last complete step. Returns a status. */
+/* Makes `steps` steps of size h from *t. If low_or_NULL is not NULL, summation is compensated, and the state is the sum
+   of both arrays y and low_or_NULL. w is a work array of 3 m numbers, m >= n. y and *t become those at the end of the
+   last complete step. Returns a status. */
 VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
                           vm_real *low_or_NULL, vm_real *w, ptrdiff_t m)
 {
@@ -710,7 +711,7 @@ typedef struct VM_TAG(ode_event) {
 typedef struct VM_TAG(rk45_options) {
     vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
     vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
-    vm_real h0;               /* size of the first step; 0: chosen from f. Its sign is the direction of rk45_step. */
+    vm_real h0;               /* size of the first step, 0: computed from f. Its sign is the direction of rk45_step. */
     vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
     vm_real h_max;            /* size of the longest step; the default is no limit */
     long max_steps;           /* attempts in a call of rk45_solve; the default is 1000000, negative means no limit */
@@ -767,8 +768,8 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
     return 1;
 }
 
-/* Tolerance of component i in a step, atol + rtol |y|. y is the value of the component. The result is always
-   positive. */
+/* Tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is added so that
+   the result is positive. */
 VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 {
     return vmi_atol(o, i) + o->rtol * VM_FABS(y) + VM_MIN;
@@ -790,8 +791,8 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
 struct VM_TAG(rk45);
 
-/* The parts of a run's work, of n numbers each: the state y, the state at t_old, the state at which a stage evaluates f
-   (after the stages the new state), and from VMI_K on the derivatives k_1, k_2 ... */
+/* The parts of a run's work, of n numbers each: VMI_Y is the state y, VMI_Y_OLD the state at t_old, VMI_Z the state at
+   which a stage evaluates f (after the stages the new state). The derivatives k_1, k_2 ... begin at VMI_K. */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
 /* The equations y' = f(t, y) that a step solves, n of them, and the arrays of the step: part p, such as VMI_Y, begins
@@ -813,7 +814,7 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
-    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of the Jacobian of f exceeds this */
+    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of f's Jacobian exceeds this */
     /* Two stages, or the last stage and the new state, evaluate f at t + h. Returns the weight of k_{j+1} in the
        difference of these two states, divided by h. */
     vm_real (*end_difference)(int j);
@@ -824,9 +825,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* What the loop over the steps needs to know of a pair. The call of the loop gets it as a constant, so that the
-   compiler inlines both functions into the loop. The functions are no part of vmi_rk_pair, which each run holds,
-   because they would then be compiled a second time. */
+/* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
+   inlines make_stages and step_error into the loop. They are no part of vmi_rk_pair, which each run stores, because the
+   compiler would then compile them a second time. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -862,7 +863,8 @@ VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages
 /* The least rtol that a run by this pair accepts */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
-/* Macros for the stages of a pair. VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h
+/* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
+   stops the run, it returns from the function that makes the stages. In every sum h
    is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
    between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
@@ -907,7 +909,7 @@ typedef struct VM_TAG(rk45) {
     long steps;           /* number of accepted steps */
     long rejected;        /* number of rejected steps */
     long evals;           /* number of evaluations of f */
-    long missed;          /* number of steps of the smallest size accepted with an error above the tolerance */
+    long missed;          /* number of steps of the smallest size that were accepted above the tolerance */
     int rhs_status;       /* number that f returned last */
     int event;            /* index of the ODE_STOP event that ended the last call, else -1 */
     int stiff;            /* nonzero once the run has looked stiff */
@@ -994,8 +996,9 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     return ODE_OK;
 }
 
-/* Computes y = y_old + h (b[0] k_1 + b[1] k_2 + ...), a sum of `count` terms. The weights b add up to x, so that the
-   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have smaller rounding errors. */
+/* Computes the state y = y_old + h (b[0] k_1 + b[1] k_2 + ...) at the fraction x of the last step, with `count` terms.
+   The weights b add up to x. The sum is computed as x k_1 plus the terms b[j] (k_{j+1} - k_1), because these have
+   smaller rounding errors. */
 VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
 {
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
@@ -1007,7 +1010,7 @@ VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_r
     }
 }
 
-/* Evaluates k = f(t, y) and counts it. Returns a status. */
+/* Evaluates k = f(t, y) and counts this evaluation. Returns a status. */
 VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 {
     s->evals++;
@@ -1017,8 +1020,8 @@ VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 
 #endif
 /* integrators/dense.h - the solution inside the last step of an adaptive run
-   After each step of rk45 or rk87 its continuous extension, a polynomial in time, gives the state at any time within
-   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate.
+   The continuous extension of a step of rk45 or rk87 is a polynomial in time. It gives the state at any time within the
+   step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate.
 
    Tests: tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_DENSE_H
@@ -1060,8 +1063,8 @@ VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *
     return ODE_OK;
 }
 
-/* Computes the state y at a time t within the last step of a run by any pair. If t is s->t, f is not evaluated. Returns
-   a status. */
+/* Computes the state y at a time t within the last step of a run by any pair. At the time s->t the function needs no
+   evaluation of f. Returns a status. */
 VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 {
     if (!s || !y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
@@ -1089,7 +1092,7 @@ VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* number of bits of the mantissa that are stored */
+#define VMI_STORED_DIG 52 /* number of bits that store the mantissa */
 #define VMI_BIAS 1023     /* stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
@@ -1105,7 +1108,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
-/* Returns the number that has these bits. */
+/* Returns the number whose bits are the given integer. */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -1127,7 +1130,7 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* Returns (y + y_lo) 2^k for y between 1/2 and 2. The result is rounded only once, also where it is subnormal. */
+/* Returns (y + y_lo) 2^k for y from 1/2 to 2 and its low word y_lo. The result is rounded once, even if subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
@@ -1194,9 +1197,9 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
     return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
 }
 
-/* Chooses the size s->h of the first step from the sizes of y, y' and y'' [2, II.4], so that its error should be 1 % of
-   the tolerance. It is at most 100 times the step that changes y by 1 %, and at most `longest`. `direction`, 1 or -1,
-   is its sign. Overwrites the parts k_2 and VMI_Z of work. Returns a status. */
+/* Chooses the size s->h of the first step from the sizes of y, y' and y'' [2, II.4], so that the error of this step
+   should be 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %, and at most
+   `longest`. `direction`, 1 or -1, is the sign of s->h. Overwrites k_2 and the part VMI_Z of work. Returns a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -1238,7 +1241,7 @@ VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_
 /* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is the
    smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
-   where error is the error of this step divided by its tolerance, and error_before that of the previous step. */
+   where error is the error of this step divided by its tolerance, and error_before that of the step before. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
     const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
@@ -1256,8 +1259,8 @@ VM_INLINE vm_real vmi_shrink(int order, vm_real error)
     return VMI_LARGER(factor, VM_C(0.2));
 }
 
-/* The fields of an rk45 that change from step to step. vmi_advance keeps them in a local variable while it makes steps,
-   so that they can be in registers. */
+/* The fields of an rk45 that change from step to step. vmi_advance keeps these fields in a local variable while it
+   makes steps, so that the compiler can put them in registers. */
 typedef struct VM_TAG(vmi_progress) {
     vm_real direction;              /* direction to t_end: 1 forward, -1 backward */
     vm_real t, t_low;               /* y belongs to the time t + t_low */
@@ -1265,12 +1268,12 @@ typedef struct VM_TAG(vmi_progress) {
     vm_real h_next;                 /* size of the next step */
     vm_real h_done;                 /* size of the last accepted step */
     vm_real inverse_error;          /* tolerance of the last accepted step divided by its error */
-    vm_real t_missed, t_missed_low; /* the last step that missed the tolerance began at their sum */
-    long steps, rejected, missed;   /* numbers of steps since the beginning of this loop */
+    vm_real t_missed, t_missed_low; /* their sum is the time at which the last step above the tolerance began */
+    long steps, rejected, missed;   /* numbers of steps since vmi_advance was called */
     long next_miss;                 /* value of `steps` from which on a step may miss the tolerance again */
     long attempts;                  /* number of steps that may still be tried; negative means no limit */
     int k1, failure, stiff_wait;    /* the fields of rk45 with these names */
-    int stopped;                    /* number that f returned last */
+    int stopped;                    /* number that f returned last; if it is not 0, the run stops */
 } vmi_progress;
 
 /* The fields that change from step to step, as they are before the loop */
@@ -1329,8 +1332,8 @@ typedef struct VM_TAG(vmi_trial) {
 } vmi_trial;
 
 /* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that the type can hold.
-   A step for which the change would be larger is so short that it ends between two such times, and t_low is then not 0.
-   In this way t does not drift away from the motion. */
+   A step for which the change would be larger is so short that it ends between two such times. Then t_low is not 0, so
+   that t + t_low remains the time of the state y. */
 #define VMI_LANDING VM_C(0.015625)
 #define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
 
@@ -1362,8 +1365,8 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* The number of steps that must keep the tolerance between two steps that may miss it. After a jump of f there are
-   three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
+/* The number of steps within the tolerance that must lie between two steps that may miss it. After a jump of f there
+   are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Takes back the last accepted step, which missed the tolerance */
@@ -1381,8 +1384,8 @@ VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 }
 
 /* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
-   a shorter step can be tried. Otherwise returns the status with which the run ends. If the previous step missed the
-   tolerance too, it is taken back. */
+   a shorter step can be tried. Otherwise returns the status with which the run ends. If the run ends and the last
+   accepted step missed the tolerance, that step is taken back. */
 VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
@@ -1415,12 +1418,12 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
     }
 }
 
-#define VMI_KEEP_TO VM_C(0.75)     /* the step size may stay after an error below this fraction of the tolerance */
+#define VMI_KEEP_TO VM_C(0.75)     /* the step size may stay if the error is below this fraction of the tolerance */
 #define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
 
 /* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
-   VMI_KEEP_TO times the tolerance. The processor can predict this branch and begin the next step before the error is
-   known. */
+   VMI_KEEP_TO times the tolerance. The processor can predict that the size stays, and begin the next step before the
+   error is known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;
@@ -1442,12 +1445,12 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* a variable of its own, so that make_stages does not get the address of p */
+    long evals = 0; /* not a field of p, because make_stages must not get the address of p */
     int status;
     for (;;) {
         vmi_trial trial;
         vm_real error;
-        int misses = 0; /* whether the step is accepted though it misses the tolerance */
+        int misses = 0; /* 1 if the step is accepted although its error is above the tolerance */
         status = vmi_choose_step(&o, t_end, &p, &trial);
         if (status) break;
         p.stopped = stepper.make_stages(sys, p.t, trial.t_new, trial.h, &evals);
@@ -1520,9 +1523,9 @@ VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system 
 /* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
    After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of these
    points, the time of the change is found as exactly as rounding allows. The first event that stops or restarts the run
-   ends the step there. Events whose times rounding cannot tell apart happen together. Users set the events of the
-   options: options.h. The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this sign
-   uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
+   ends the step at its time. Events whose times rounding cannot tell apart happen together. Users describe events in
+   the options of a run (options.h). The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this
+   sign uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
 
        double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
        rk45 s;
@@ -1541,14 +1544,15 @@ VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system 
 #ifndef VARMASS_INTEGRATORS_EVENTS_H
 #define VARMASS_INTEGRATORS_EVENTS_H
 
+/* The sign of x: 1, 0 or -1 */
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
 /* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
 #define VMI_NONE VM_C(2.0)
 
-/* After an event, g is evaluated at short distances from it, so that a short excursion of g is seen. The first distance
-   is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor VMI_WIDER. For at most the fraction
-   VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
+/* After an event, g is evaluated at short distances from it, so that an excursion of g, two changes of sign in a short
+   time, is seen. The first distance is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor
+   VMI_WIDER. For at most the fraction VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
 #if VM_MANT_DIG > 24
 #define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
 #define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 of a step, the longest time for which a sign is uncertain */
@@ -1602,14 +1606,14 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
    decide whether events coincide. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
-/* The value of g at the fraction x of the last step, in a state that is changed by as much as rounding may have changed
-   it: within this step, or, if `earlier` is not 0, since the run began. `direction`, -1 or 1, is the sign of the
-   change. Each component changes by another amount, so that a difference of two components changes too. */
+/* The value of g at the fraction x of the last step, in a state that is changed on purpose, by the largest error that
+   rounding may have caused within this step, or, if `earlier` is not 0, since the run began. `direction`, -1 or 1, is
+   the sign of the change. The components change by different amounts, so that their differences change too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
     const vm_real relative = earlier ? VMI_EARLIER_ROUNDING : vmi_least_rtol(&s->pair);
-    const vm_real end = earlier ? 1 : x; /* weight of s->y in `size`, to which rounding is proportional */
+    const vm_real end = earlier ? 1 : x; /* weight of s->y in `size`; the rounding error is proportional to `size` */
     const vm_real rounding = (vm_real)direction * relative, golden = VM_C(0.6180339887498949);
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
     vm_real *z = vmi_part(s, VMI_Z), phase = 0;
@@ -1642,7 +1646,7 @@ VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlie
     return certain;
 }
 
-/* Whether the event, according to its field `direction`, happens when g leaves the sign `side` */
+/* Whether the field `direction` of the event allows it to happen when g leaves the sign `side` */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
@@ -1650,15 +1654,15 @@ VM_API int vmi_counts_from(const ode_event *e, int side)
 
 /* Sets *at to a fraction of the last step between a and b at which g leaves the sign that it has at a. ga and gb are
    the values of g at the fractions a and b. The interval is shrunk to the resolution of such fractions, and *at becomes
-   its right end. The method is false position in the Illinois form, with bisection every third time and while g stays 0
-   at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the initial
-   b. Returns a status. */
+   its right end. The method is false position in the Illinois form, with bisection in every third step and while g
+   stays 0 at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the
+   initial b. Returns a status. */
 VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
                       vm_real *at)
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept: 1 if the last point replaced a, -1 if it replaced b */
+    int count, kept = 0; /* kept: 1 if the last x has replaced a, -1 if it has replaced b, 0 at first */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
         vm_real x = b - gb * ((b - a) / (gb - ga)), g;
@@ -1686,8 +1690,8 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
 
 /* The fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
-   start + *gap, the next of those that divide the step evenly, and `to`. *gap is short at first and grows with each
-   call, so that an excursion of g that is much shorter than the step is seen. */
+   the sum start + *gap, the next of the points that divide the step evenly, and `to`. *gap is short at first and grows
+   with each call, so that two changes of sign of g in a time much shorter than the step are seen. */
 VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
 {
     const int wanted = e->checks == 0 ? (int)VMI_CHECKS : e->checks;
@@ -1714,8 +1718,8 @@ VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
 }
 
 /* Handles a g that has passed 0 before the fraction x of the step in a direction that does not count. `side` is the
-   sign of g at x. If rounding alone could have caused this sign, the side of the event becomes 0 and the result is 1: g
-   must not make an event if rounding takes it back across 0. Otherwise nothing changes and the result is 0. */
+   sign of g at x. If rounding alone could have caused this sign, the side of the event becomes 0 and the result is 1,
+   because no event may happen if rounding takes g back across 0. Otherwise nothing changes and the result is 0. */
 VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
 {
     ode_event look = *e;
@@ -1753,7 +1757,9 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
             continue;
         }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
-        if (e->side && start > 0) gap = 1; /* short excursions of g begin only where the motion changes, at x = 0 */
+        /* With gap = 1 only the evenly spaced points follow: a short excursion of g is expected only after x = 0, where
+           an event may have changed y or f. */
+        if (e->side && start > 0) gap = 1;
     }
     return ODE_OK;
 }
@@ -1771,10 +1777,10 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
     vmi_quieten_event(s, e, x);
 }
 
-/* Finds the first event that ends the step: *cut becomes the fraction of the step at which it happens, and *owner its
-   index. Both stay as they are if no event ends the step. When an event is found, the functions g of all remaining
-   events are followed again up to *cut, because their values at *cut may show an earlier zero. The search ends when
-   there is no earlier zero. Returns a status. */
+/* Finds the first event that ends the step: *cut becomes the fraction of the step at which this event happens, and
+   *owner the index of the event. Both stay as they are if no event ends the step. When an event is found, the functions
+   g of all remaining events are followed again up to *cut, because their values at *cut may show an earlier zero. The
+   search ends when there is no earlier zero. Returns a status. */
 VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
@@ -1813,8 +1819,8 @@ VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 }
 
 /* Sets e->happens to 1 if the event e happens at the fraction x of the step, where the step ends, else to 0. It happens
-   if its g has changed sign up to x, or if g is so small at x that rounding decides its sign, and changes its sign just
-   after x. Events at one instant must happen together, because the change that one event makes may keep the others from
+   if its g has changed sign up to x, or if rounding decides the sign of g at x and this sign changes just after x.
+   Events at one instant must happen together, because the change that one event makes may keep the others from
    happening. Returns a status. */
 VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
 {
@@ -1861,7 +1867,7 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
 }
 
 /* Takes back the last step, inside which f is not finite, and makes the next step a quarter as long. Returns
-   ODE_NOT_FINITE if such a short step must not be tried, else ODE_OK. */
+   ODE_NOT_FINITE if the next step would be shorter than the shortest step allowed, else ODE_OK. */
 VM_API int vmi_take_back(rk45 *s)
 {
     vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
@@ -1927,15 +1933,15 @@ VM_API int vmi_events(rk45 *s)
 }
 
 #endif
-/* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
+/* integrators/loop.h - the loop of an adaptive run by any pair: it begins or restarts a run and makes its steps
    Users call the functions of rk45.h and rk87.h, which call the functions of this file.
 
    Tests: tests/test_adaptive.c, tests/test_events.c. */
 #ifndef VARMASS_INTEGRATORS_LOOP_H
 #define VARMASS_INTEGRATORS_LOOP_H
 
-/* Does the work of rk45_init for any pair. It is inlined, so that the compiler sees the values of f and n in the caller
-   and can inline f in the steps. */
+/* Does the work of rk45_init for any pair. The function is inlined, so that the compiler sees which f and n the caller
+   gives and can inline f in the steps. */
 VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                            const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -1973,8 +1979,8 @@ VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
     return ODE_OK;
 }
 
-/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless it is known, and gives the next step s->h the
-   direction to t_end and at least the shortest length. Returns a status. */
+/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless k_1 is known, and makes the step size s->h point
+   to t_end and be at least as long as the shortest step. Returns a status. */
 VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
 {
     const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
@@ -1999,8 +2005,8 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
     return ODE_OK;
 }
 
-/* A run counts as stiff when VMI_STIFF_HITS tests have found steps at the end of the stability region. This count
-   begins anew when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
+/* A run counts as stiff when VMI_STIFF_HITS tests have found steps at the edge of the pair's stability region. The
+   number of such tests is set to 0 when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
 enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
 
 /* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by
@@ -2029,7 +2035,7 @@ VM_API void vmi_look_for_stiffness(rk45 *s)
     if (s->stiff_hits) s->stiff_wait = 1;
 }
 
-/* Does what follows an accepted step: tests for stiffness, if it is time, and handles the events within the step.
+/* Does what must follow an accepted step: tests for stiffness if a test is due, and handles the events within the step.
    Returns a status. */
 VMI_APART int vmi_after_step(rk45 *s)
 {
@@ -2045,7 +2051,7 @@ VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end
 VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_real t_end, int single)
 {
     const int was_stiff = s->stiff;
-    const int apart = single || s->options.n_events; /* 1: vmi_advance returns after each step, for vmi_after_step */
+    const int apart = single || s->options.n_events; /* not 0: vmi_advance returns after each step */
     vmi_rk_system sys;
     int status = ODE_OK;
     sys.f = f;
@@ -2089,8 +2095,8 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
 #endif
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
    Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4 takes no further evaluation. rk45 is the pair to begin with,
-   and the better one in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
+   evaluations of f. The continuous extension of order 4 takes no further evaluation. Begin with rk45. It is better than
+   rk87 in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -2101,10 +2107,10 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
 #ifndef VARMASS_INTEGRATORS_RK45_H
 #define VARMASS_INTEGRATORS_RK45_H
 
-enum { VMI_RK45 = 45 }; /* the number of this pair */
+enum { VMI_RK45 = 45 }; /* the field `method` of this pair */
 
-/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy the order conditions to
-   2e-14. */
+/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy the order conditions
+   with an error of 2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2136,7 +2142,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 5 and 4. */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of the results of orders
+   5 and 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2179,7 +2186,7 @@ VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
 }
 
 /* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
-   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
+   that the compiler fuses its multiplications and additions in one way only: equal x give equal y. */
 VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[7];
@@ -2187,7 +2194,7 @@ VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, 7, b, x, y);
 }
 
-/* The descriptor of rk45 */
+/* The descriptor of rk45: its vmi_rk_pair */
 VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
 {
     vmi_rk_pair pair;
@@ -2252,7 +2259,7 @@ VM_INLINE int rk45_step(rk45 *s)
 }
 
 /* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
-   constants in this call; rk45_init may have been called anywhere. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
+   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
    all else is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
@@ -2271,20 +2278,20 @@ VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 }
 
 /* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
-   Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
+   Returns ODE_OK, or ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
 
 #endif
 /* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
    Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
    f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
-   larger than those of rk45. rk87 is the pair for a smooth f in double and small errors.
+   larger than those of rk45. Use rk87 for a smooth f in double, where the errors must be small.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_H
 #define VARMASS_INTEGRATORS_RK87_H
 
-enum { VMI_RK87 = 87 }; /* the number of this pair */
+enum { VMI_RK87 = 87 }; /* the field `method` of this pair */
 
 /* Computes stages 2 to 7 of a step [4]. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
@@ -2390,11 +2397,11 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 }
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
-   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: its weights before the jump add up
-   to 4e-4 at most, while the error is a quarter of the jump. The weights used here, of order 5, add up to 0.1, -0.17 or
-   0.25. If f is smooth, the weighted sum `seen` of the k is much smaller than `change`, the change of f along the step.
-   The result seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance
-   is loose. */
+   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: the weights of its derivatives
+   before the jump add up to 4e-4 at most, while the error is a quarter of the jump. The weights of this function, of
+   order 5, add up to 0.1, 0.17 or 0.25 in magnitude. If f is smooth, the weighted sum `seen` of the k is much smaller
+   than `change`, the change of f along the step. The result seen^2/(seen + change) is then of order 9, and below the
+   difference of orders 8 and 7 unless the tolerance is loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
@@ -2404,8 +2411,8 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 8 and 7, or the
-   error that a jump of f may cause (vmi_rk87_jump), whichever is larger. */
+/* The largest ratio of the error of a component to its tolerance. The error is the larger of two: the difference of the
+   results of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2575,7 +2582,7 @@ VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 }
 
 /* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
-   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
+   that the compiler fuses its multiplications and additions in one way only: equal x give equal y. */
 VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[VMI_RK87_OWN + VMI_RK87_EXTRA];
@@ -2583,7 +2590,7 @@ VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, VMI_RK87_OWN + VMI_RK87_EXTRA, b, x, y);
 }
 
-/* The descriptor of rk87 */
+/* The descriptor of rk87: its vmi_rk_pair */
 VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
 {
     vmi_rk_pair pair;

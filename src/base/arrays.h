@@ -1,7 +1,7 @@
 /* base/arrays.h - loops over arrays of numbers
    vmi_all_finite tests whether all numbers of an array are finite, and vmi_copy copies an array. The macro VMI_EACH
-   writes a loop over the n components of a state. Where the compiler knows a small n, it unrolls such loops and keeps
-   the components in registers.
+   writes a loop over the n components of a state. Where the compiler knows that n is small, it unrolls the loop and
+   keeps the components in registers.
 
        vm_real y[3] = {1, 2, 3}, z[3];
        if (vmi_all_finite(3, y)) vmi_copy(3, y, z);

@@ -1,9 +1,9 @@
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
    The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
-   bits everywhere: they use only basic operations, which every machine rounds in the same way. Most of them return a
-   result in two words, so that a power made from them has all its digits. They branch only where a result is subnormal,
-   so that a compiler can vectorise loops over them.
+   bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
+   exponential are computed in two words, so that a power made from them has all its digits. They branch only where a
+   result is subnormal, so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
@@ -18,7 +18,7 @@
 #include "sums.h"
 #include "words.h"
 
-/* Returns a constant of vmi_log for the interval `row`, one of 32. The number c lies close to all numbers of this
+/* Returns a constant of vmi_log for interval number `row`, 0 to 31, of its variable z. c is a number near all z of this
    interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
    multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
    rounding error. */
@@ -207,8 +207,8 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 }
 
 /* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
-   subtracted from pi/2; from the result, if it is above pi/8 (middle), pi/4 is subtracted. What remains is at most
-   pi/8, where the polynomial A gives the arctangent. */
+   subtracted from pi/2; if the result is above pi/8 (middle), pi/4 is subtracted from it. The angle is then at most
+   pi/8, and the polynomial A gives it. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -271,8 +271,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* Computes the sine and the cosine of any angle x in radians. First x is reduced by a multiple of pi/2, which is used
-   in two words. Both results are NaN if x is infinite or NaN. */
+/* Computes the sine and the cosine of any angle x in radians. First a multiple of pi/2, where pi/2 has two words, is
+   subtracted from |x|. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();

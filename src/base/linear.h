@@ -23,7 +23,7 @@ VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
     }
 }
 
-/* Solves a x = b for a matrix without entries below the diagonal; x replaces b. */
+/* Solves a x = b for a triangular matrix a. Its entries below the diagonal are not read. x replaces b. */
 VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
 {
     int j, k;
@@ -34,7 +34,7 @@ VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
 }
 
 /* Solves a x = b for any matrix by elimination with exchange of rows. x replaces b, and a is overwritten. Returns
-   VM_SINGULAR if a column has no pivot (b is overwritten then, too), and VM_OK otherwise. */
+   VM_SINGULAR if the pivot of a column is 0 or NaN (b is overwritten then, too), and VM_OK otherwise. */
 VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 {
     int i, j, k;
@@ -62,7 +62,7 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
    scale is work space for n numbers. Rows and columns are first scaled so that the diagonal is 1: then the units of
    the coordinates do not matter, and the condition number is nearly the least that scaling can reach (van der Sluis
    1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot is
-   not above 4 n eps, which happens for every matrix that is not positive definite, and VM_OK otherwise. */
+   not above 4 n eps, as for every matrix that is not positive definite, and VM_OK otherwise. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     int i, j;

@@ -78,8 +78,8 @@ VM_API vm_real vmi_log_ratio(vm_real x)
     return vmi_log1p(vmi_two(x, 0)).hi / x;
 }
 
-/* Returns (x - y)/x^2, where y = ln(1 + x) is given with x. For |x| >= 1/4 the result is a quotient in two words; its
-   error is that of x and y, amplified by the subtraction. For smaller |x| the result is one word, from the series of
+/* Returns (x - y)/x^2, where the caller gives x and y = ln(1 + x). For |x| >= 1/4 the result has two words, and its
+   error is that of x and y, amplified by the subtraction. For smaller |x| the result has one word, from the series of
    ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 {

@@ -1,8 +1,8 @@
 /* base/self_check.h - whether this compiler and this processor compute as varmass needs
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
-   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds the others when the
-   program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
+   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
+   when the program runs: it computes a few numbers that show whether sums keep their order, whether results are
    rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
@@ -45,7 +45,7 @@ VM_API int vmi_divides(vm_real one)
 }
 
 /* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
-   the middle between two numbers must be rounded to the even number. */
+   the middle between two neighbours must be rounded to the one whose last bit is 0. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);

@@ -1,6 +1,6 @@
 /* integrators/dense.h - the solution inside the last step of an adaptive run
-   After each step of rk45 or rk87 its continuous extension, a polynomial in time, gives the state at any time within
-   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate.
+   The continuous extension of a step of rk45 or rk87 is a polynomial in time. It gives the state at any time within the
+   step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate.
 
    Tests: tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_DENSE_H
@@ -47,8 +47,8 @@ VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *
     return ODE_OK;
 }
 
-/* Computes the state y at a time t within the last step of a run by any pair. If t is s->t, f is not evaluated. Returns
-   a status. */
+/* Computes the state y at a time t within the last step of a run by any pair. At the time s->t the function needs no
+   evaluation of f. Returns a status. */
 VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 {
     if (!s || !y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;

@@ -1,9 +1,9 @@
 /* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
    After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of these
    points, the time of the change is found as exactly as rounding allows. The first event that stops or restarts the run
-   ends the step there. Events whose times rounding cannot tell apart happen together. Users set the events of the
-   options: options.h. The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this sign
-   uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
+   ends the step at its time. Events whose times rounding cannot tell apart happen together. Users describe events in
+   the options of a run (options.h). The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this
+   sign uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
 
        double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
        rk45 s;
@@ -32,14 +32,15 @@
 #include "runs.h"
 #include "steps.h"
 
+/* The sign of x: 1, 0 or -1 */
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
 /* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
 #define VMI_NONE VM_C(2.0)
 
-/* After an event, g is evaluated at short distances from it, so that a short excursion of g is seen. The first distance
-   is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor VMI_WIDER. For at most the fraction
-   VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
+/* After an event, g is evaluated at short distances from it, so that an excursion of g, two changes of sign in a short
+   time, is seen. The first distance is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor
+   VMI_WIDER. For at most the fraction VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
 #if VM_MANT_DIG > 24
 #define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
 #define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 of a step, the longest time for which a sign is uncertain */
@@ -93,14 +94,14 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
    decide whether events coincide. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
-/* The value of g at the fraction x of the last step, in a state that is changed by as much as rounding may have changed
-   it: within this step, or, if `earlier` is not 0, since the run began. `direction`, -1 or 1, is the sign of the
-   change. Each component changes by another amount, so that a difference of two components changes too. */
+/* The value of g at the fraction x of the last step, in a state that is changed on purpose, by the largest error that
+   rounding may have caused within this step, or, if `earlier` is not 0, since the run began. `direction`, -1 or 1, is
+   the sign of the change. The components change by different amounts, so that their differences change too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
     const vm_real relative = earlier ? VMI_EARLIER_ROUNDING : vmi_least_rtol(&s->pair);
-    const vm_real end = earlier ? 1 : x; /* weight of s->y in `size`, to which rounding is proportional */
+    const vm_real end = earlier ? 1 : x; /* weight of s->y in `size`; the rounding error is proportional to `size` */
     const vm_real rounding = (vm_real)direction * relative, golden = VM_C(0.6180339887498949);
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
     vm_real *z = vmi_part(s, VMI_Z), phase = 0;
@@ -133,7 +134,7 @@ VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlie
     return certain;
 }
 
-/* Whether the event, according to its field `direction`, happens when g leaves the sign `side` */
+/* Whether the field `direction` of the event allows it to happen when g leaves the sign `side` */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
@@ -141,15 +142,15 @@ VM_API int vmi_counts_from(const ode_event *e, int side)
 
 /* Sets *at to a fraction of the last step between a and b at which g leaves the sign that it has at a. ga and gb are
    the values of g at the fractions a and b. The interval is shrunk to the resolution of such fractions, and *at becomes
-   its right end. The method is false position in the Illinois form, with bisection every third time and while g stays 0
-   at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the initial
-   b. Returns a status. */
+   its right end. The method is false position in the Illinois form, with bisection in every third step and while g
+   stays 0 at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the
+   initial b. Returns a status. */
 VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
                       vm_real *at)
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept: 1 if the last point replaced a, -1 if it replaced b */
+    int count, kept = 0; /* kept: 1 if the last x has replaced a, -1 if it has replaced b, 0 at first */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
         vm_real x = b - gb * ((b - a) / (gb - ga)), g;
@@ -177,8 +178,8 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
 
 /* The fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
-   start + *gap, the next of those that divide the step evenly, and `to`. *gap is short at first and grows with each
-   call, so that an excursion of g that is much shorter than the step is seen. */
+   the sum start + *gap, the next of the points that divide the step evenly, and `to`. *gap is short at first and grows
+   with each call, so that two changes of sign of g in a time much shorter than the step are seen. */
 VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
 {
     const int wanted = e->checks == 0 ? (int)VMI_CHECKS : e->checks;
@@ -205,8 +206,8 @@ VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
 }
 
 /* Handles a g that has passed 0 before the fraction x of the step in a direction that does not count. `side` is the
-   sign of g at x. If rounding alone could have caused this sign, the side of the event becomes 0 and the result is 1: g
-   must not make an event if rounding takes it back across 0. Otherwise nothing changes and the result is 0. */
+   sign of g at x. If rounding alone could have caused this sign, the side of the event becomes 0 and the result is 1,
+   because no event may happen if rounding takes g back across 0. Otherwise nothing changes and the result is 0. */
 VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
 {
     ode_event look = *e;
@@ -244,7 +245,9 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
             continue;
         }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
-        if (e->side && start > 0) gap = 1; /* short excursions of g begin only where the motion changes, at x = 0 */
+        /* With gap = 1 only the evenly spaced points follow: a short excursion of g is expected only after x = 0, where
+           an event may have changed y or f. */
+        if (e->side && start > 0) gap = 1;
     }
     return ODE_OK;
 }
@@ -262,10 +265,10 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
     vmi_quieten_event(s, e, x);
 }
 
-/* Finds the first event that ends the step: *cut becomes the fraction of the step at which it happens, and *owner its
-   index. Both stay as they are if no event ends the step. When an event is found, the functions g of all remaining
-   events are followed again up to *cut, because their values at *cut may show an earlier zero. The search ends when
-   there is no earlier zero. Returns a status. */
+/* Finds the first event that ends the step: *cut becomes the fraction of the step at which this event happens, and
+   *owner the index of the event. Both stay as they are if no event ends the step. When an event is found, the functions
+   g of all remaining events are followed again up to *cut, because their values at *cut may show an earlier zero. The
+   search ends when there is no earlier zero. Returns a status. */
 VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
@@ -304,8 +307,8 @@ VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 }
 
 /* Sets e->happens to 1 if the event e happens at the fraction x of the step, where the step ends, else to 0. It happens
-   if its g has changed sign up to x, or if g is so small at x that rounding decides its sign, and changes its sign just
-   after x. Events at one instant must happen together, because the change that one event makes may keep the others from
+   if its g has changed sign up to x, or if rounding decides the sign of g at x and this sign changes just after x.
+   Events at one instant must happen together, because the change that one event makes may keep the others from
    happening. Returns a status. */
 VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
 {
@@ -352,7 +355,7 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
 }
 
 /* Takes back the last step, inside which f is not finite, and makes the next step a quarter as long. Returns
-   ODE_NOT_FINITE if such a short step must not be tried, else ODE_OK. */
+   ODE_NOT_FINITE if the next step would be shorter than the shortest step allowed, else ODE_OK. */
 VM_API int vmi_take_back(rk45 *s)
 {
     vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);

@@ -1,4 +1,4 @@
-/* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
+/* integrators/loop.h - the loop of an adaptive run by any pair: it begins or restarts a run and makes its steps
    Users call the functions of rk45.h and rk87.h, which call the functions of this file.
 
    Tests: tests/test_adaptive.c, tests/test_events.c. */
@@ -13,8 +13,8 @@
 #include "runs.h"
 #include "steps.h"
 
-/* Does the work of rk45_init for any pair. It is inlined, so that the compiler sees the values of f and n in the caller
-   and can inline f in the steps. */
+/* Does the work of rk45_init for any pair. The function is inlined, so that the compiler sees which f and n the caller
+   gives and can inline f in the steps. */
 VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                            const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -52,8 +52,8 @@ VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
     return ODE_OK;
 }
 
-/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless it is known, and gives the next step s->h the
-   direction to t_end and at least the shortest length. Returns a status. */
+/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless k_1 is known, and makes the step size s->h point
+   to t_end and be at least as long as the shortest step. Returns a status. */
 VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
 {
     const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
@@ -78,8 +78,8 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
     return ODE_OK;
 }
 
-/* A run counts as stiff when VMI_STIFF_HITS tests have found steps at the end of the stability region. This count
-   begins anew when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
+/* A run counts as stiff when VMI_STIFF_HITS tests have found steps at the edge of the pair's stability region. The
+   number of such tests is set to 0 when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
 enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
 
 /* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by
@@ -108,7 +108,7 @@ VM_API void vmi_look_for_stiffness(rk45 *s)
     if (s->stiff_hits) s->stiff_wait = 1;
 }
 
-/* Does what follows an accepted step: tests for stiffness, if it is time, and handles the events within the step.
+/* Does what must follow an accepted step: tests for stiffness if a test is due, and handles the events within the step.
    Returns a status. */
 VMI_APART int vmi_after_step(rk45 *s)
 {
@@ -124,7 +124,7 @@ VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end
 VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_real t_end, int single)
 {
     const int was_stiff = s->stiff;
-    const int apart = single || s->options.n_events; /* 1: vmi_advance returns after each step, for vmi_after_step */
+    const int apart = single || s->options.n_events; /* not 0: vmi_advance returns after each step */
     vmi_rk_system sys;
     int status = ODE_OK;
     sys.f = f;

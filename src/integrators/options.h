@@ -57,7 +57,7 @@ typedef struct VM_TAG(ode_event) {
 typedef struct VM_TAG(rk45_options) {
     vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
     vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
-    vm_real h0;               /* size of the first step; 0: chosen from f. Its sign is the direction of rk45_step. */
+    vm_real h0;               /* size of the first step, 0: computed from f. Its sign is the direction of rk45_step. */
     vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
     vm_real h_max;            /* size of the longest step; the default is no limit */
     long max_steps;           /* attempts in a call of rk45_solve; the default is 1000000, negative means no limit */
@@ -114,8 +114,8 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
     return 1;
 }
 
-/* Tolerance of component i in a step, atol + rtol |y|. y is the value of the component. The result is always
-   positive. */
+/* Tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is added so that
+   the result is positive. */
 VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 {
     return vmi_atol(o, i) + o->rtol * VM_FABS(y) + VM_MIN;

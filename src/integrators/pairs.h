@@ -18,8 +18,8 @@
 
 struct VM_TAG(rk45);
 
-/* The parts of a run's work, of n numbers each: the state y, the state at t_old, the state at which a stage evaluates f
-   (after the stages the new state), and from VMI_K on the derivatives k_1, k_2 ... */
+/* The parts of a run's work, of n numbers each: VMI_Y is the state y, VMI_Y_OLD the state at t_old, VMI_Z the state at
+   which a stage evaluates f (after the stages the new state). The derivatives k_1, k_2 ... begin at VMI_K. */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
 /* The equations y' = f(t, y) that a step solves, n of them, and the arrays of the step: part p, such as VMI_Y, begins
@@ -41,7 +41,7 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
-    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of the Jacobian of f exceeds this */
+    vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of f's Jacobian exceeds this */
     /* Two stages, or the last stage and the new state, evaluate f at t + h. Returns the weight of k_{j+1} in the
        difference of these two states, divided by h. */
     vm_real (*end_difference)(int j);
@@ -52,9 +52,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* What the loop over the steps needs to know of a pair. The call of the loop gets it as a constant, so that the
-   compiler inlines both functions into the loop. The functions are no part of vmi_rk_pair, which each run holds,
-   because they would then be compiled a second time. */
+/* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
+   inlines make_stages and step_error into the loop. They are no part of vmi_rk_pair, which each run stores, because the
+   compiler would then compile them a second time. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -90,7 +90,8 @@ VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages
 /* The least rtol that a run by this pair accepts */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
-/* Macros for the stages of a pair. VMI_H is h times a coefficient, and VMI_EVAL evaluates k = f(t, y). In every sum h
+/* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
+   stops the run, it returns from the function that makes the stages. In every sum h
    is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
    between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))

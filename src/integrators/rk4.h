@@ -1,6 +1,6 @@
 /* integrators/rk4.h - rk4: the classical Runge-Kutta method of order 4 with fixed steps
-   A step takes four evaluations of f, and the error at the end of a run is proportional to h^4. It is the method where
-   each step must take the same time, as in a control loop; rk45 needs less time for the same error.
+   A step takes four evaluations of f, and the error at the end of a run is proportional to h^4. Use rk4 where each
+   step must take the same time, as in a control loop; rk45 needs less time for the same error.
 
        double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
        int status = rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // spring is the ode_rhs of ode.h; 1000 steps
@@ -17,7 +17,7 @@
 #define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
 
 /* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
-   k_4; z holds the argument of f. Returns 0, or the number with which f has stopped the run. */
+   k_4; z receives the states at which f is evaluated. Returns 0, or the number with which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -42,8 +42,9 @@ VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, 
     return f(t + h, z, k, ctx);
 }
 
-/* Makes `steps` steps of size h from *t. The state is y, or y + low_or_NULL with compensated summation. w is a work
-   array of 3 m numbers, m >= n. y and *t become those at the end of the last complete step. Returns a status. */
+/* Makes `steps` steps of size h from *t. If low_or_NULL is not NULL, summation is compensated, and the state is the sum
+   of both arrays y and low_or_NULL. w is a work array of 3 m numbers, m >= n. y and *t become those at the end of the
+   last complete step. Returns a status. */
 VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
                           vm_real *low_or_NULL, vm_real *w, ptrdiff_t m)
 {

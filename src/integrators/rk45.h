@@ -1,7 +1,7 @@
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
    Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4 takes no further evaluation. rk45 is the pair to begin with,
-   and the better one in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
+   evaluations of f. The continuous extension of order 4 takes no further evaluation. Begin with rk45. It is better than
+   rk87 in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -21,10 +21,10 @@
 #include "pairs.h"
 #include "runs.h"
 
-enum { VMI_RK45 = 45 }; /* the number of this pair */
+enum { VMI_RK45 = 45 }; /* the field `method` of this pair */
 
-/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy the order conditions to
-   2e-14. */
+/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy the order conditions
+   with an error of 2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -56,7 +56,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 5 and 4. */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of the results of orders
+   5 and 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -99,7 +100,7 @@ VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
 }
 
 /* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
-   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
+   that the compiler fuses its multiplications and additions in one way only: equal x give equal y. */
 VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[7];
@@ -107,7 +108,7 @@ VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, 7, b, x, y);
 }
 
-/* The descriptor of rk45 */
+/* The descriptor of rk45: its vmi_rk_pair */
 VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
 {
     vmi_rk_pair pair;
@@ -172,7 +173,7 @@ VM_INLINE int rk45_step(rk45 *s)
 }
 
 /* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
-   constants in this call; rk45_init may have been called anywhere. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
+   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
    all else is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
@@ -191,7 +192,7 @@ VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 }
 
 /* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
-   Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
+   Returns ODE_OK, or ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
 
 #endif

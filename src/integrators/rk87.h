@@ -1,7 +1,7 @@
 /* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
    Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
    f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
-   larger than those of rk45. rk87 is the pair for a smooth f in double and small errors.
+   larger than those of rk45. Use rk87 for a smooth f in double, where the errors must be small.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_H
@@ -16,7 +16,7 @@
 #include "pairs.h"
 #include "runs.h"
 
-enum { VMI_RK87 = 87 }; /* the number of this pair */
+enum { VMI_RK87 = 87 }; /* the field `method` of this pair */
 
 /* Computes stages 2 to 7 of a step [4]. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
@@ -122,11 +122,11 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 }
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
-   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: its weights before the jump add up
-   to 4e-4 at most, while the error is a quarter of the jump. The weights used here, of order 5, add up to 0.1, -0.17 or
-   0.25. If f is smooth, the weighted sum `seen` of the k is much smaller than `change`, the change of f along the step.
-   The result seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance
-   is loose. */
+   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: the weights of its derivatives
+   before the jump add up to 4e-4 at most, while the error is a quarter of the jump. The weights of this function, of
+   order 5, add up to 0.1, 0.17 or 0.25 in magnitude. If f is smooth, the weighted sum `seen` of the k is much smaller
+   than `change`, the change of f along the step. The result seen^2/(seen + change) is then of order 9, and below the
+   difference of orders 8 and 7 unless the tolerance is loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
@@ -136,8 +136,8 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of orders 8 and 7, or the
-   error that a jump of f may cause (vmi_rk87_jump), whichever is larger. */
+/* The largest ratio of the error of a component to its tolerance. The error is the larger of two: the difference of the
+   results of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -307,7 +307,7 @@ VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 }
 
 /* Computes the state y at the fraction x of the last step by the continuous extension. The function is not inlined, so
-   that the compiler contracts its arithmetic in one way only: equal x give equal y. */
+   that the compiler fuses its multiplications and additions in one way only: equal x give equal y. */
 VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     vm_real b[VMI_RK87_OWN + VMI_RK87_EXTRA];
@@ -315,7 +315,7 @@ VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, VMI_RK87_OWN + VMI_RK87_EXTRA, b, x, y);
 }
 
-/* The descriptor of rk87 */
+/* The descriptor of rk87: its vmi_rk_pair */
 VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
 {
     vmi_rk_pair pair;

@@ -21,7 +21,7 @@ typedef struct VM_TAG(rk45) {
     long steps;           /* number of accepted steps */
     long rejected;        /* number of rejected steps */
     long evals;           /* number of evaluations of f */
-    long missed;          /* number of steps of the smallest size accepted with an error above the tolerance */
+    long missed;          /* number of steps of the smallest size that were accepted above the tolerance */
     int rhs_status;       /* number that f returned last */
     int event;            /* index of the ODE_STOP event that ended the last call, else -1 */
     int stiff;            /* nonzero once the run has looked stiff */
@@ -108,8 +108,9 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     return ODE_OK;
 }
 
-/* Computes y = y_old + h (b[0] k_1 + b[1] k_2 + ...), a sum of `count` terms. The weights b add up to x, so that the
-   sum equals x k_1 plus the terms b[j] (k_{j+1} - k_1), which have smaller rounding errors. */
+/* Computes the state y = y_old + h (b[0] k_1 + b[1] k_2 + ...) at the fraction x of the last step, with `count` terms.
+   The weights b add up to x. The sum is computed as x k_1 plus the terms b[j] (k_{j+1} - k_1), because these have
+   smaller rounding errors. */
 VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
 {
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
@@ -121,7 +122,7 @@ VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_r
     }
 }
 
-/* Evaluates k = f(t, y) and counts it. Returns a status. */
+/* Evaluates k = f(t, y) and counts this evaluation. Returns a status. */
 VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 {
     s->evals++;

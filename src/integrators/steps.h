@@ -48,9 +48,9 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
     return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
 }
 
-/* Chooses the size s->h of the first step from the sizes of y, y' and y'' [2, II.4], so that its error should be 1 % of
-   the tolerance. It is at most 100 times the step that changes y by 1 %, and at most `longest`. `direction`, 1 or -1,
-   is its sign. Overwrites the parts k_2 and VMI_Z of work. Returns a status. */
+/* Chooses the size s->h of the first step from the sizes of y, y' and y'' [2, II.4], so that the error of this step
+   should be 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %, and at most
+   `longest`. `direction`, 1 or -1, is the sign of s->h. Overwrites k_2 and the part VMI_Z of work. Returns a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -92,7 +92,7 @@ VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_
 /* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is the
    smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
-   where error is the error of this step divided by its tolerance, and error_before that of the previous step. */
+   where error is the error of this step divided by its tolerance, and error_before that of the step before. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
     const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
@@ -110,8 +110,8 @@ VM_INLINE vm_real vmi_shrink(int order, vm_real error)
     return VMI_LARGER(factor, VM_C(0.2));
 }
 
-/* The fields of an rk45 that change from step to step. vmi_advance keeps them in a local variable while it makes steps,
-   so that they can be in registers. */
+/* The fields of an rk45 that change from step to step. vmi_advance keeps these fields in a local variable while it
+   makes steps, so that the compiler can put them in registers. */
 typedef struct VM_TAG(vmi_progress) {
     vm_real direction;              /* direction to t_end: 1 forward, -1 backward */
     vm_real t, t_low;               /* y belongs to the time t + t_low */
@@ -119,12 +119,12 @@ typedef struct VM_TAG(vmi_progress) {
     vm_real h_next;                 /* size of the next step */
     vm_real h_done;                 /* size of the last accepted step */
     vm_real inverse_error;          /* tolerance of the last accepted step divided by its error */
-    vm_real t_missed, t_missed_low; /* the last step that missed the tolerance began at their sum */
-    long steps, rejected, missed;   /* numbers of steps since the beginning of this loop */
+    vm_real t_missed, t_missed_low; /* their sum is the time at which the last step above the tolerance began */
+    long steps, rejected, missed;   /* numbers of steps since vmi_advance was called */
     long next_miss;                 /* value of `steps` from which on a step may miss the tolerance again */
     long attempts;                  /* number of steps that may still be tried; negative means no limit */
     int k1, failure, stiff_wait;    /* the fields of rk45 with these names */
-    int stopped;                    /* number that f returned last */
+    int stopped;                    /* number that f returned last; if it is not 0, the run stops */
 } vmi_progress;
 
 /* The fields that change from step to step, as they are before the loop */
@@ -183,8 +183,8 @@ typedef struct VM_TAG(vmi_trial) {
 } vmi_trial;
 
 /* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that the type can hold.
-   A step for which the change would be larger is so short that it ends between two such times, and t_low is then not 0.
-   In this way t does not drift away from the motion. */
+   A step for which the change would be larger is so short that it ends between two such times. Then t_low is not 0, so
+   that t + t_low remains the time of the state y. */
 #define VMI_LANDING VM_C(0.015625)
 #define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
 
@@ -216,8 +216,8 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* The number of steps that must keep the tolerance between two steps that may miss it. After a jump of f there are
-   three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
+/* The number of steps within the tolerance that must lie between two steps that may miss it. After a jump of f there
+   are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Takes back the last accepted step, which missed the tolerance */
@@ -235,8 +235,8 @@ VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 }
 
 /* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
-   a shorter step can be tried. Otherwise returns the status with which the run ends. If the previous step missed the
-   tolerance too, it is taken back. */
+   a shorter step can be tried. Otherwise returns the status with which the run ends. If the run ends and the last
+   accepted step missed the tolerance, that step is taken back. */
 VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
@@ -269,12 +269,12 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
     }
 }
 
-#define VMI_KEEP_TO VM_C(0.75)     /* the step size may stay after an error below this fraction of the tolerance */
+#define VMI_KEEP_TO VM_C(0.75)     /* the step size may stay if the error is below this fraction of the tolerance */
 #define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
 
 /* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
-   VMI_KEEP_TO times the tolerance. The processor can predict this branch and begin the next step before the error is
-   known. */
+   VMI_KEEP_TO times the tolerance. The processor can predict that the size stays, and begin the next step before the
+   error is known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;
@@ -296,12 +296,12 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* a variable of its own, so that make_stages does not get the address of p */
+    long evals = 0; /* not a field of p, because make_stages must not get the address of p */
     int status;
     for (;;) {
         vmi_trial trial;
         vm_real error;
-        int misses = 0; /* whether the step is accepted though it misses the tolerance */
+        int misses = 0; /* 1 if the step is accepted although its error is above the tolerance */
         status = vmi_choose_step(&o, t_end, &p, &trial);
         if (status) break;
         p.stopped = stepper.make_stages(sys, p.t, trial.t_new, trial.h, &evals);

@@ -31,8 +31,8 @@ typedef struct VM_TAG(vmi_ladder) {
 } vmi_ladder;
 
 /* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. Then the sine
-   of the phase a_n u may replace the sn of the last step: they differ by at most eps/60. The relative error of a_n is
-   at most eps/16. */
+   of the phase a_n u may replace the sn of the last step: they differ by at most eps/60. The last a_n
+   differs from agm(1, b0) by a relative error of at most eps/16. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
@@ -49,7 +49,7 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 }
 
 /* Returns the quarter period K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0.
-   Plans need so many digits, and so does the reduction of an argument that is next to a multiple of K. */
+   Plans (jacobi/plans.h) need so many digits, and so does the reduction of an argument next to a multiple of K. */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON;
@@ -70,8 +70,8 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 
 /* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step is replaced by the series
    agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2, where s is the mean of a_n and b_n and c half
-   their difference. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). For the argument u this error
-   changes sn, cn and dn/k' by less than eps/8, since their slope is at most max(1, k'). */
+   their difference. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). Where the result serves to
+   reduce the argument u, this error changes sn, cn and dn/k' by less than eps/8: their slope is at most max(1, k'). */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);

@@ -2,7 +2,7 @@
 
        vm_real angle = jacobi_am(VM_C(1.2), VM_C(0.3)); // sin(angle) = sn(1.2 | 0.3)
 
-   DLMF 22.16. Tests: tests/test_jacobi.c. */
+   Equations: DLMF 22.16. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_AMPLITUDE_H
 #define VARMASS_JACOBI_AMPLITUDE_H
 

@@ -17,7 +17,7 @@
 #include "agm.h"
 
 /* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation, beginning with the sine and
-   cosine of the phase a_n u. The functions are quotients of four numbers, sn : cn : dn : 1 = s : c : d : q. One step
+   cosine of the phase a_n u. The results s, c, d, q give sn = s/q, cn = c/q and dn = d/q. The step back from n + 1 to n
    turns s, c, d, q into
      s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a = a_n, b = b_n, a+ = a_(n+1).
    No subtraction occurs, not even for m < 0. */

@@ -2,13 +2,13 @@
 
    sn(u | m), cn(u | m) and dn(u | m) of Jacobi, for every real argument u and every parameter m = k^2 <= 1, negative
    ones included. sn and cn have the period 4 K(m), dn has 2 K(m). The motions of oscillators with cubic springs and
-   of bodies that rotate without torque are written with them. For many u and one m prepare a plan (jacobi/plans.h).
+   of bodies that rotate without torque are written with them. For many u and one m use a plan (jacobi/plans.h).
 
        vm_real sn, cn, dn;
        jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
 
-   Method: u is reduced by the quarter period. Near 0 a series is used (vmi_theta_near), far from 0 theta functions.
-   DLMF 22. Tests: tests/test_jacobi.c. */
+   Method: u is reduced to |v| <= K/2 by a multiple of K. Near 0 a series is used (vmi_theta_near), far from 0 theta
+   functions. Equations: DLMF 22. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
@@ -19,8 +19,8 @@
 #include "reduction.h"
 #include "theta.h"
 
-/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN if u or m lies outside the
-   domain. dn lies between 1 and *bound. For a small |u| neither K nor k' is needed. */
+/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN outside the domain of
+   jacobi_sncndn. dn lies between 1 and *bound. For a small |u| the function computes neither K nor k'. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
     const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* about (2u/K)^2 */
@@ -44,7 +44,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     vm_real bound;
     const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
-    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* has one rounding less than theta.c (1/theta.n) */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less than theta.c (1/theta.n) has */
 }
 
 /* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies

@@ -1,9 +1,10 @@
 /* jacobi/integrals.h - complete elliptic integrals K and E
 
-   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x). The argument is
-   the parameter m = k^2 <= 1, negative ones included. The forms with suffix _m1 take m1 = 1 - m, which keeps its
-   digits where m is close to 1. Between m = -33.5 and m = 0.971 K and E are computed by series after one or two steps
-   of the arithmetic-geometric mean, for other m by sums with the logarithm of k' = sqrt(1 - m).
+   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx
+   between the same limits. The parameter is m = k^2 <= 1, negative ones included. The forms with suffix _m1 take
+   m1 = 1 - m, which keeps its digits where m is close to 1. Between m = -33.5 and m = 0.971 K and E are computed by
+   series after one or two steps of the arithmetic-geometric mean, for other m by sums with the logarithm of
+   k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 
@@ -88,8 +89,8 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
 }
 
 /* Returns the series S(x) in K = pi/(1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.0295. The error of x S is
-   2^-60 (float 2^-31). A step of the arithmetic-geometric mean replaces k' by 2 sqrt(k')/(1 + k'). It makes x small
-   enough for every m1 for which VMI_MIDDLE(m1) is 1. */
+   2^-60 (float 2^-31). A step of the arithmetic-geometric mean replaces k' by 2 sqrt(k')/(1 + k'). One such step makes
+   x small enough for every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -127,8 +128,8 @@ VM_API vm_real vmi_E_series(vm_real x)
 }
 
 /* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
-   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m near 1 it comes from
-   logarithms, and for m < -33.5 too, since k' K(m) = K(mu) with 1 - mu = 1/(1 - m). */
+   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from
+   logarithms (vmi_K_by_log), and for m < -33.5 too, since k' K(m) = K(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -149,8 +150,8 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from the series, for m near 1 from logarithms,
-   and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
+/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for m > 0.971 from
+   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;

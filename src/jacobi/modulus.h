@@ -15,8 +15,9 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* Returns (1 - R)/q for |q| <= 0.1, where m = 16 q R and R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. This form loses
-   no digits for small q. Method: with b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q is
+/* Returns (1 - R)/q for |q| <= 0.1, where m = 16 q R is the parameter with the nome q, and
+   R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. No digits are lost for small q. Method: for
+   b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3 the quotient (1 - b)/q is
    (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
 VM_API vm_real vmi_theta_loss(vm_real q)
 {
@@ -28,7 +29,7 @@ VM_API vm_real vmi_theta_loss(vm_real q)
 /* A parameter m, given by a nome q */
 typedef struct VM_TAG(vmi_solution) {
     int circular;        /* 1 if q is the nome of m, else 0 */
-    int upside;          /* used if circular is 0: 0 if q is the nome of 1 - m, 1 if q is that of 1/(1 - m) */
+    int upside;          /* used if circular is 0: 0 if q is the nome of 1 - m, 1 if q is the nome of 1/(1 - m) */
     vm_real q, L, L_lo;  /* the nome q, which is exp(-L - L_lo) if circular is 0 */
 } vmi_solution;
 
@@ -49,8 +50,9 @@ VM_API vm_real vmi_solve_middle(vm_real c)
 /* After a step of Newton's method that is shorter than this number, the error is below eps. */
 #define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
-/* Finds L = -ln q with K = L theta_3(q)^2/2 = c, for c >= K(1/2). The unknown is lambda = 2c - L = 2c (1 - theta_3^-2),
-   between 0 and 0.57. Newton's method starts at lambda = 0 and needs at most seven steps. */
+/* Finds s->L = -ln q from K = L theta_3(q)^2/2 = c, for c >= K(1/2). The unknown of Newton's method is
+   lambda = 2c - L = 2c (1 - theta_3^-2), between 0 and 0.57. The method starts at lambda = 0 and needs at most seven
+   steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -73,10 +75,10 @@ VM_API vm_real vmi_small_log(vm_real x)
     return x - x * x * (VM_C(0.5) - x * (VM_C(0.3333333333333333333) - x * (VM_C(0.25) - x * VM_C(0.2))));
 }
 
-/* Finds L = -ln q with k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c, for 0 < c <= K(-1). Newton's method solves
+/* Finds s->L = -ln q from k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c, for 0 < c <= K(-1). Newton's method solves
      L/2 - ln L - 2 ln(1 + q^2 + q^6) = ln(2/c),
-   whose left side is convex and rising. Newton's method starts above the solution and needs at most seven steps. The
-   residual is computed in two words. */
+   whose left side is a convex, rising function of L. The method starts above the solution and needs at most seven
+   steps. The residual is computed in two words. */
 VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
 {
     const vm_two ln_c = vmi_log(c), ln2 = vmi_log(2);
@@ -98,8 +100,8 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
 }
 
 /* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. Both are
-   one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 1 - m underflows to 0 or overflows (in float much
-   earlier), so that every such c gives the result of c = 1000. */
+   one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows (in float
+   for much smaller c too), so that every such c gives the result of c = 1000. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
     const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1) and K(1/2) */
@@ -119,8 +121,8 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where these
-   numbers do not. */
+/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials of -L, since q may underflow where
+   16 q does not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {
     const vm_two ln2 = vmi_log(2);

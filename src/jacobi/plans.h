@@ -1,8 +1,8 @@
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
    A plan holds what depends on m alone: the quarter period as a sum of short numbers, and polynomials that replace the
-   series. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md
-   has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
+   series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop
+   (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -28,7 +28,7 @@ typedef struct VM_TAG(jacobi_plan) {
     int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
     vm_real K[4], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
-    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, see vmi_plan_prepare */
+    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, for the reduced argument v */
     vmi_theta_form theta;               /* its field kp = k' is set in every form */
 } jacobi_plan;
 
@@ -57,8 +57,9 @@ VM_API void vmi_shorten(vm_real *c)
     for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Computes the coefficients p->a of w^2 cs^2(w) and p->b of -theta^2 d(cs^2)/d theta in powers of v^2, where w = v/2
-   and theta = w^2, for |v| <= longest. The constant coefficients are 1 and are not stored. */
+/* Computes the coefficients p->a of w^2 cs^2(w) and p->b of -theta^2 d(cs^2)/d theta in powers of v^2, where
+   cs = cn/sn, w = v/2 and theta = w^2, for arguments |v| <= longest. The constant coefficients are 1 and are not
+   stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -118,7 +119,7 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
 
 /* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
-   (compare vmi_theta_near). theta_s is v times the second polynomial, since the derivative of sc^2 is 2 sc nc dc. */
+   (compare vmi_theta_near). theta_s is v times the polynomial p->b, since the derivative of sc^2 is 2 sc nc dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -143,7 +144,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* removes a NaN, but v.lo keeps it */
+        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* a NaN is lost in v.hi, but not in v.lo */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
@@ -151,8 +152,8 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* Returns u minus the nearest multiple of K, for a u that is too large for vmi_reduce_pieces. For m = 1 returns u
-   itself. */
+/* Returns u minus the nearest multiple j K, for a u that is too large for vmi_reduce_pieces. The last bits of *quarters
+   become those of j. For m = 1 returns the smaller of u and VMI_LONGEST. */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
@@ -170,7 +171,7 @@ VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits 
 }
 
 /* sn, cn and dn of the argument u for the plan's parameter.
-   u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, except for m = 1.
+   u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, unless m = 1.
    docs/cost.md has the time. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {

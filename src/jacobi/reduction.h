@@ -1,9 +1,9 @@
 /* jacobi/reduction.h - reduces the argument of an elliptic function by its quarter period
 
    The argument is written as u = j K + v, where K is the quarter period, j a whole number and |v| at most K/2 apart
-   from rounding. v needs a small relative error, for next to a zero sn is v itself. The closer u is to a zero, the more
-   digits of K are needed. Therefore K is used in three forms: as one word with corrections, in two words, or in three
-   words.
+   from rounding. v needs a small relative error, because next to a zero of sn the value of sn is nearly v or -v. The
+   closer u is to a multiple of K, the more digits of K are needed. Therefore K is used in three forms: as one word with
+   corrections, in two words, or in three words.
 
    Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_REDUCTION_H
@@ -17,7 +17,7 @@
 #include "integrals.h"
 #include "theta.h"
 
-/* The products of the pieces of K (see vmi_pieces) and a whole number below this one (2^30, float 2^13) are exact. */
+/* The product of a piece of K (see vmi_pieces) and a whole number below this limit (2^30, float 2^13) is exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
 /* Writes K to `piece` as a sum of three short numbers, the pieces, and a last word. The pieces are so short that their
@@ -51,7 +51,7 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
 {
     const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
     vmi_three rest;
-    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: below K, and a multiple of eps K/2 */
+    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: the result is below K and a multiple of eps K/2 */
     rest.mid = -j * K[2];
     rest.lo = -j * K[3];
     *quarters = vmi_to_bits(shifted); /* the last bits of `shifted` are those of j */
@@ -62,8 +62,8 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
 #define VMI_REDUCTION_GRID (VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0))
 
 /* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. The last bits of
-   *quarters become those of j. The relative error of the result is at most about eps. Where the result would be below
-   u/64, it would lose digits and is NaN.
+   *quarters become those of j. The relative error of the result is at most about eps. A result below u/64 would
+   lose digits: then the function returns NaN, and u must be reduced by vmi_reduce_long.
    Method: after two steps of the arithmetic-geometric mean the phase u (1 + f)^2 with f^2 = k' has the quarter period
    2 pi (1 + x S), where x S is small. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
    2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
@@ -80,7 +80,7 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     const vm_real h = (1 - f) / (1 + f), x = vmi_fourth_power(h), S = vmi_K_series(x);
     const vm_real u_head = vmi_head(u), phase = u_head * rate_head;
     const vm_real phase_lo = (u - u_head) * rate_head + u * rate_tail;
-    const int second = phase > 6 * half_pi.hi; /* serves as a number: a branch would often be mispredicted */
+    const int second = phase > 6 * half_pi.hi; /* 0 or 1, used in formulas: a branch would often be mispredicted */
     const vm_real j = (vm_real)(4 + 4 * second);
     const vm_real rest = (phase - j * half_pi.hi) + ((phase_lo - j * half_pi.mid) - j * half_pi.hi * x * S);
     *quarters = 0;
@@ -120,12 +120,12 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
         return vmi_two_terms(vmi_reduce_pieces(u, K, rate.hi / half_pi.hi, quarters));
     }
     v = rest.hi / rate.hi;
-    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* |v| < 2 there, and no caller needs the low word */
+    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and no caller needs the low word of v */
     error = vmi_two_product(v, rate.hi);
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
-/* Returns u minus the nearest multiple j K for any u >= 0 and m1, or NaN if u or m1 lies outside the domain. The low
+/* Returns u >= 0 minus the nearest multiple j K, or NaN if u or m1 is outside the domain of jacobi_sncndn. The low
    word of the result goes to *v_lo, the last bits of j to *quarters. reach is about (2u/K)^2; if reach is below 30,
    u < 2.5 K. */
 VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo,

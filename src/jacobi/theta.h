@@ -3,8 +3,8 @@
    Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so on.
    The four theta functions are computed for an argument v that was reduced to |v| <= K/2, up to a common factor. No
    subtraction loses digits, so that each of them has a small relative error. Near 0 (see VMI_NEAR) they come from the
-   Laurent series of cs^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a nome that
-   is at most 0.003.
+   Laurent series of cs^2 = (cn/sn)^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a
+   nome that is at most 0.003.
 
    Source: DLMF 20.2, 20.7, 22.6, 23.9. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_THETA_H
@@ -20,7 +20,7 @@
 typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
-    vm_real defect;    /* 1 - z/v, where z is the phase and v the argument */
+    vm_real defect;    /* 1 - z/v, where v is the argument and z its phase (see vmi_far_prepare) */
     vm_real f[3], g[2], scale[2]; /* f for P and Q, g for E, scale for theta_s and theta_c: see vmi_far_prepare */
 } vmi_theta_form;
 
@@ -41,7 +41,8 @@ typedef struct VM_TAG(vmi_thetas) {
    |v| <= K/2. */
 #define VMI_NEAR VM_C(2.2)
 
-/* Computes the terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., for theta = w^2 and m1_theta = (1 - m) w^2.
+/* Computes the terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., where c_k is proportional to w^(2k), from
+   theta = w^2 and m1_theta = (1 - m) w^2.
    Since cs^2(w) + (2 - m)/3 is Weierstrass' function of w (DLMF 23.9), for k > 3
      c_k = 3/((2k + 1)(k - 3)) (c_2 c_(k-2) + c_3 c_(k-3) + ... + c_(k-2) c_2) */
 VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
@@ -53,7 +54,7 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 }
 
 /* The theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
-   Only theta.c and f are computed by subtractions, and both are far from 0. If b/a = sc^2(w),
+   Only theta.c and f are computed by subtractions, and both are far from 0. For b/a = sc^2(w), sc = sn/cn, at 2w
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
@@ -90,15 +91,16 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     return theta;
 }
 
-/* Prepares the theta functions far from 0. Their argument is imaginary, i z, and q is the nome of c. k is sqrt(1 - c).
+/* Prepares the theta functions far from 0. They belong to a small parameter c with the nome q; k is sqrt(1 - c). Their
+   argument i z is imaginary, and z is called the phase.
      For m near 1 (the hyperbolic form), c = 1 - m and z = u agm(1, k).
      For m < -20 (the reciprocal form), c = 1/(1 - m) and z = k' u agm(1, k), since sn(u | m) = sd(k' u | m/(m - 1))/k'.
    In both forms c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2 = 0.03,
      theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
      theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X.
-   The terms that are left out are below 1e-18. The coefficients f contain the factor between theta_d and theta_n, so
-   that f0 is near 1/2. The factors `scale` are near 1, but in the reciprocal form that of theta_s contains 1/k'. x is
-   the parameter after one step of the arithmetic-geometric mean from 1 and k. */
+   The terms that are left out are below 1e-18. The coefficients f contain the factor by which theta_d and theta_n must
+   differ, so that f0 is near 1/2. The factors `scale` are near 1, but in the reciprocal form that of theta_s contains
+   1/k'. x is the parameter after one step of the arithmetic-geometric mean from 1 and k. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = vmi_smaller(m1, 1 / m1), root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
@@ -175,8 +177,8 @@ VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 }
 
 /* The theta functions at an argument that is larger by the given number of quarter periods. One quarter period turns s,
-   c, d, n into c, -k's, k'n, d; two of them change the signs of s and c. Products with 0, 1 and -1 replace a branch,
-   which would be mispredicted half the time. */
+   c, d, n into c, -k's, k'n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
+   branch, which would be mispredicted half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
     const vmi_bits one = vmi_to_bits(1), odd = (vmi_bits)0 - (quarters & 1);
