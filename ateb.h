@@ -189,13 +189,13 @@
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* slower than with inlining, with the same results */
+#define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
 #define VM_C(x) x##f            /* the constant x as a vm_real */
-#define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
+#define VM_LIBM(name) name##f   /* the name of the C library's function for a vm_real */
 #define VM_TAG(tag) tag##_float /* the tag of a struct, one for each precision: a C++ program can use both */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
@@ -212,7 +212,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* digits; 24 where double is as short as float (AVR). Table lengths depend on it. */
+#define VM_MANT_DIG DBL_MANT_DIG /* bits; 24 where double is as short as float (AVR). Table lengths depend on it. */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
@@ -331,8 +331,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 /* base/self_check.h - whether this compiler and this processor compute as varmass needs
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
-   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds the others when the
-   program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
+   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
+   when the program runs: it computes a few numbers that show whether sums keep their order, whether results are
    rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
@@ -372,7 +372,7 @@ VM_API int vmi_divides(vm_real one)
 }
 
 /* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
-   the middle between two numbers must be rounded to the even number. */
+   the middle between two neighbours must be rounded to the one whose last bit is 0. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -419,7 +419,7 @@ VM_API int vm_self_check(void)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* number of bits of the mantissa that are stored */
+#define VMI_STORED_DIG 52 /* number of bits that store the mantissa */
 #define VMI_BIAS 1023     /* stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
@@ -435,7 +435,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
-/* Returns the number that has these bits. */
+/* Returns the number whose bits are the given integer. */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -457,7 +457,7 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* Returns (y + y_lo) 2^k for y between 1/2 and 2. The result is rounded only once, also where it is subnormal. */
+/* Returns (y + y_lo) 2^k for y from 1/2 to 2 and its low word y_lo. The result is rounded once, even if subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
@@ -503,7 +503,7 @@ typedef int32_t vmi_signed_bits;
 #endif
 
 /* Returns the exact product a b as a pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor
-   underflows. Where the processor has a fused multiply-add, this is used; elsewhere both factors are split into halves,
+   underflows. A fused multiply-add is used where the processor has one; elsewhere both factors are split into halves,
    with the same result. Each "+ 0" makes a product a sum: a compiler that fuses operations then cannot use the
    unrounded product in a later sum. */
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
@@ -523,7 +523,7 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 
 /* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
    apart from rounding, with an error of 2^-(2p) x, and writes the number of this multiple modulo 4 to *quarter.
-   Beyond 2^(p-1) quarter periods the digits of x say nothing about the phase: then both results are 0. */
+   For x above 2^(p-1) q the digits of x do not determine its distance from a multiple: then both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -663,7 +663,7 @@ VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
     return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
 }
 
-/* Returns x if it lies between low and high, else the bound that x exceeds. A NaN stays NaN. */
+/* Returns x if it lies between low and high, else the nearer of these bounds. A NaN stays NaN. */
 VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
 {
     if (x > high) x = high;
@@ -677,7 +677,7 @@ VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * p
 /* The difference x - y of numbers in two words */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word is lost. */
+/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word of the result is not reliable. */
 VM_API vm_two vmi_two_root(vm_two x)
 {
     if (x.hi > 0) return vmi_root(x.hi, x.lo);
@@ -1604,9 +1604,9 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
    The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
-   bits everywhere: they use only basic operations, which every machine rounds in the same way. Most of them return a
-   result in two words, so that a power made from them has all its digits. They branch only where a result is subnormal,
-   so that a compiler can vectorise loops over them.
+   bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
+   exponential are computed in two words, so that a power made from them has all its digits. They branch only where a
+   result is subnormal, so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
@@ -1616,7 +1616,7 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 
 #include <stdint.h>
 
-/* Returns a constant of vmi_log for the interval `row`, one of 32. The number c lies close to all numbers of this
+/* Returns a constant of vmi_log for interval number `row`, 0 to 31, of its variable z. c is a number near all z of this
    interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
    multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
    rounding error. */
@@ -1805,8 +1805,8 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 }
 
 /* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
-   subtracted from pi/2; from the result, if it is above pi/8 (middle), pi/4 is subtracted. What remains is at most
-   pi/8, where the polynomial A gives the arctangent. */
+   subtracted from pi/2; if the result is above pi/8 (middle), pi/4 is subtracted from it. The angle is then at most
+   pi/8, and the polynomial A gives it. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1869,8 +1869,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* Computes the sine and the cosine of any angle x in radians. First x is reduced by a multiple of pi/2, which is used
-   in two words. Both results are NaN if x is infinite or NaN. */
+/* Computes the sine and the cosine of any angle x in radians. First a multiple of pi/2, where pi/2 has two words, is
+   subtracted from |x|. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -2025,7 +2025,7 @@ VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 }
 
 #endif
-/* base/chebyshev.h - the step that makes a polynomial shorter by means of Chebyshev's polynomials
+/* base/chebyshev.h - lowers the degree of a polynomial with the help of Chebyshev's polynomials
 
        vm_real c[3] = {1, 1, VM_C(0.5)};
        vmi_remove_highest(c, 2, 0); // 1 + t + t^2/2 is about c[0] + c[1] t for 0 <= t <= 1
@@ -2035,8 +2035,8 @@ VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
 #define VARMASS_BASE_CHEBYSHEV_H
 
 /* Removes the highest power of c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's polynomial of
-   degree n. For 0 <= t <= 1 this changes the values by at most |c_n| 2^(1-2n). The coefficients with an index below
-   `lowest` stay as they are. */
+   degree n for the interval 0 <= t <= 1. The values in this interval change by at most |c_n| 2^(1-2n). Coefficients
+   with an index below `lowest` stay as they are. */
 VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 {
     vm_real term = c[n];

@@ -182,13 +182,13 @@
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* slower than with inlining, with the same results */
+#define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
 #define VM_C(x) x##f            /* the constant x as a vm_real */
-#define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
+#define VM_LIBM(name) name##f   /* the name of the C library's function for a vm_real */
 #define VM_TAG(tag) tag##_float /* the tag of a struct, one for each precision: a C++ program can use both */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
@@ -205,7 +205,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* digits; 24 where double is as short as float (AVR). Table lengths depend on it. */
+#define VM_MANT_DIG DBL_MANT_DIG /* bits; 24 where double is as short as float (AVR). Table lengths depend on it. */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
@@ -324,8 +324,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 /* base/self_check.h - whether this compiler and this processor compute as varmass needs
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
-   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds the others when the
-   program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
+   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
+   when the program runs: it computes a few numbers that show whether sums keep their order, whether results are
    rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
@@ -365,7 +365,7 @@ VM_API int vmi_divides(vm_real one)
 }
 
 /* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
-   the middle between two numbers must be rounded to the even number. */
+   the middle between two neighbours must be rounded to the one whose last bit is 0. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -412,7 +412,7 @@ VM_API int vm_self_check(void)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* number of bits of the mantissa that are stored */
+#define VMI_STORED_DIG 52 /* number of bits that store the mantissa */
 #define VMI_BIAS 1023     /* stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
@@ -428,7 +428,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
-/* Returns the number that has these bits. */
+/* Returns the number whose bits are the given integer. */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -450,7 +450,7 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* Returns (y + y_lo) 2^k for y between 1/2 and 2. The result is rounded only once, also where it is subnormal. */
+/* Returns (y + y_lo) 2^k for y from 1/2 to 2 and its low word y_lo. The result is rounded once, even if subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
@@ -496,7 +496,7 @@ typedef int32_t vmi_signed_bits;
 #endif
 
 /* Returns the exact product a b as a pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor
-   underflows. Where the processor has a fused multiply-add, this is used; elsewhere both factors are split into halves,
+   underflows. A fused multiply-add is used where the processor has one; elsewhere both factors are split into halves,
    with the same result. Each "+ 0" makes a product a sum: a compiler that fuses operations then cannot use the
    unrounded product in a later sum. */
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
@@ -516,7 +516,7 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 
 /* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
    apart from rounding, with an error of 2^-(2p) x, and writes the number of this multiple modulo 4 to *quarter.
-   Beyond 2^(p-1) quarter periods the digits of x say nothing about the phase: then both results are 0. */
+   For x above 2^(p-1) q the digits of x do not determine its distance from a multiple: then both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -656,7 +656,7 @@ VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
     return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
 }
 
-/* Returns x if it lies between low and high, else the bound that x exceeds. A NaN stays NaN. */
+/* Returns x if it lies between low and high, else the nearer of these bounds. A NaN stays NaN. */
 VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
 {
     if (x > high) x = high;
@@ -670,7 +670,7 @@ VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * p
 /* The difference x - y of numbers in two words */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word is lost. */
+/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word of the result is not reliable. */
 VM_API vm_two vmi_two_root(vm_two x)
 {
     if (x.hi > 0) return vmi_root(x.hi, x.lo);
@@ -704,9 +704,9 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
    The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
-   bits everywhere: they use only basic operations, which every machine rounds in the same way. Most of them return a
-   result in two words, so that a power made from them has all its digits. They branch only where a result is subnormal,
-   so that a compiler can vectorise loops over them.
+   bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
+   exponential are computed in two words, so that a power made from them has all its digits. They branch only where a
+   result is subnormal, so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
@@ -716,7 +716,7 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 
 #include <stdint.h>
 
-/* Returns a constant of vmi_log for the interval `row`, one of 32. The number c lies close to all numbers of this
+/* Returns a constant of vmi_log for interval number `row`, 0 to 31, of its variable z. c is a number near all z of this
    interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
    multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
    rounding error. */
@@ -905,8 +905,8 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 }
 
 /* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
-   subtracted from pi/2; from the result, if it is above pi/8 (middle), pi/4 is subtracted. What remains is at most
-   pi/8, where the polynomial A gives the arctangent. */
+   subtracted from pi/2; if the result is above pi/8 (middle), pi/4 is subtracted from it. The angle is then at most
+   pi/8, and the polynomial A gives it. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -969,8 +969,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* Computes the sine and the cosine of any angle x in radians. First x is reduced by a multiple of pi/2, which is used
-   in two words. Both results are NaN if x is infinite or NaN. */
+/* Computes the sine and the cosine of any angle x in radians. First a multiple of pi/2, where pi/2 has two words, is
+   subtracted from |x|. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1028,8 +1028,8 @@ typedef struct VM_TAG(vmi_ladder) {
 } vmi_ladder;
 
 /* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. Then the sine
-   of the phase a_n u may replace the sn of the last step: they differ by at most eps/60. The relative error of a_n is
-   at most eps/16. */
+   of the phase a_n u may replace the sn of the last step: they differ by at most eps/60. The last a_n
+   differs from agm(1, b0) by a relative error of at most eps/16. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
@@ -1046,7 +1046,7 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 }
 
 /* Returns the quarter period K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0.
-   Plans need so many digits, and so does the reduction of an argument that is next to a multiple of K. */
+   Plans (jacobi/plans.h) need so many digits, and so does the reduction of an argument next to a multiple of K. */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON;
@@ -1067,8 +1067,8 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 
 /* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step is replaced by the series
    agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2, where s is the mean of a_n and b_n and c half
-   their difference. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). For the argument u this error
-   changes sn, cn and dn/k' by less than eps/8, since their slope is at most max(1, k'). */
+   their difference. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). Where the result serves to
+   reduce the argument u, this error changes sn, cn and dn/k' by less than eps/8: their slope is at most max(1, k'). */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
@@ -1098,10 +1098,11 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 #endif
 /* jacobi/integrals.h - complete elliptic integrals K and E
 
-   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x). The argument is
-   the parameter m = k^2 <= 1, negative ones included. The forms with suffix _m1 take m1 = 1 - m, which keeps its
-   digits where m is close to 1. Between m = -33.5 and m = 0.971 K and E are computed by series after one or two steps
-   of the arithmetic-geometric mean, for other m by sums with the logarithm of k' = sqrt(1 - m).
+   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx
+   between the same limits. The parameter is m = k^2 <= 1, negative ones included. The forms with suffix _m1 take
+   m1 = 1 - m, which keeps its digits where m is close to 1. Between m = -33.5 and m = 0.971 K and E are computed by
+   series after one or two steps of the arithmetic-geometric mean, for other m by sums with the logarithm of
+   k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 
@@ -1180,8 +1181,8 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
 }
 
 /* Returns the series S(x) in K = pi/(1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.0295. The error of x S is
-   2^-60 (float 2^-31). A step of the arithmetic-geometric mean replaces k' by 2 sqrt(k')/(1 + k'). It makes x small
-   enough for every m1 for which VMI_MIDDLE(m1) is 1. */
+   2^-60 (float 2^-31). A step of the arithmetic-geometric mean replaces k' by 2 sqrt(k')/(1 + k'). One such step makes
+   x small enough for every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1219,8 +1220,8 @@ VM_API vm_real vmi_E_series(vm_real x)
 }
 
 /* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
-   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m near 1 it comes from
-   logarithms, and for m < -33.5 too, since k' K(m) = K(mu) with 1 - mu = 1/(1 - m). */
+   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from
+   logarithms (vmi_K_by_log), and for m < -33.5 too, since k' K(m) = K(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -1241,8 +1242,8 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from the series, for m near 1 from logarithms,
-   and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
+/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for m > 0.971 from
+   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -1305,8 +1306,8 @@ VM_API vm_real jacobi_kpK(vm_real m)
    Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so on.
    The four theta functions are computed for an argument v that was reduced to |v| <= K/2, up to a common factor. No
    subtraction loses digits, so that each of them has a small relative error. Near 0 (see VMI_NEAR) they come from the
-   Laurent series of cs^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a nome that
-   is at most 0.003.
+   Laurent series of cs^2 = (cn/sn)^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a
+   nome that is at most 0.003.
 
    Source: DLMF 20.2, 20.7, 22.6, 23.9. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_THETA_H
@@ -1316,7 +1317,7 @@ VM_API vm_real jacobi_kpK(vm_real m)
 typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
-    vm_real defect;    /* 1 - z/v, where z is the phase and v the argument */
+    vm_real defect;    /* 1 - z/v, where v is the argument and z its phase (see vmi_far_prepare) */
     vm_real f[3], g[2], scale[2]; /* f for P and Q, g for E, scale for theta_s and theta_c: see vmi_far_prepare */
 } vmi_theta_form;
 
@@ -1337,7 +1338,8 @@ typedef struct VM_TAG(vmi_thetas) {
    |v| <= K/2. */
 #define VMI_NEAR VM_C(2.2)
 
-/* Computes the terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., for theta = w^2 and m1_theta = (1 - m) w^2.
+/* Computes the terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., where c_k is proportional to w^(2k), from
+   theta = w^2 and m1_theta = (1 - m) w^2.
    Since cs^2(w) + (2 - m)/3 is Weierstrass' function of w (DLMF 23.9), for k > 3
      c_k = 3/((2k + 1)(k - 3)) (c_2 c_(k-2) + c_3 c_(k-3) + ... + c_(k-2) c_2) */
 VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
@@ -1349,7 +1351,7 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 }
 
 /* The theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
-   Only theta.c and f are computed by subtractions, and both are far from 0. If b/a = sc^2(w),
+   Only theta.c and f are computed by subtractions, and both are far from 0. For b/a = sc^2(w), sc = sn/cn, at 2w
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
@@ -1386,15 +1388,16 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     return theta;
 }
 
-/* Prepares the theta functions far from 0. Their argument is imaginary, i z, and q is the nome of c. k is sqrt(1 - c).
+/* Prepares the theta functions far from 0. They belong to a small parameter c with the nome q; k is sqrt(1 - c). Their
+   argument i z is imaginary, and z is called the phase.
      For m near 1 (the hyperbolic form), c = 1 - m and z = u agm(1, k).
      For m < -20 (the reciprocal form), c = 1/(1 - m) and z = k' u agm(1, k), since sn(u | m) = sd(k' u | m/(m - 1))/k'.
    In both forms c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2 = 0.03,
      theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
      theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X.
-   The terms that are left out are below 1e-18. The coefficients f contain the factor between theta_d and theta_n, so
-   that f0 is near 1/2. The factors `scale` are near 1, but in the reciprocal form that of theta_s contains 1/k'. x is
-   the parameter after one step of the arithmetic-geometric mean from 1 and k. */
+   The terms that are left out are below 1e-18. The coefficients f contain the factor by which theta_d and theta_n must
+   differ, so that f0 is near 1/2. The factors `scale` are near 1, but in the reciprocal form that of theta_s contains
+   1/k'. x is the parameter after one step of the arithmetic-geometric mean from 1 and k. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = vmi_smaller(m1, 1 / m1), root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
@@ -1471,8 +1474,8 @@ VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 }
 
 /* The theta functions at an argument that is larger by the given number of quarter periods. One quarter period turns s,
-   c, d, n into c, -k's, k'n, d; two of them change the signs of s and c. Products with 0, 1 and -1 replace a branch,
-   which would be mispredicted half the time. */
+   c, d, n into c, -k's, k'n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
+   branch, which would be mispredicted half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
     const vmi_bits one = vmi_to_bits(1), odd = (vmi_bits)0 - (quarters & 1);
@@ -1500,15 +1503,15 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 /* jacobi/reduction.h - reduces the argument of an elliptic function by its quarter period
 
    The argument is written as u = j K + v, where K is the quarter period, j a whole number and |v| at most K/2 apart
-   from rounding. v needs a small relative error, for next to a zero sn is v itself. The closer u is to a zero, the more
-   digits of K are needed. Therefore K is used in three forms: as one word with corrections, in two words, or in three
-   words.
+   from rounding. v needs a small relative error, because next to a zero of sn the value of sn is nearly v or -v. The
+   closer u is to a multiple of K, the more digits of K are needed. Therefore K is used in three forms: as one word with
+   corrections, in two words, or in three words.
 
    Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_REDUCTION_H
 #define VARMASS_JACOBI_REDUCTION_H
 
-/* The products of the pieces of K (see vmi_pieces) and a whole number below this one (2^30, float 2^13) are exact. */
+/* The product of a piece of K (see vmi_pieces) and a whole number below this limit (2^30, float 2^13) is exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
 /* Writes K to `piece` as a sum of three short numbers, the pieces, and a last word. The pieces are so short that their
@@ -1542,7 +1545,7 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
 {
     const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
     vmi_three rest;
-    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: below K, and a multiple of eps K/2 */
+    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: the result is below K and a multiple of eps K/2 */
     rest.mid = -j * K[2];
     rest.lo = -j * K[3];
     *quarters = vmi_to_bits(shifted); /* the last bits of `shifted` are those of j */
@@ -1553,8 +1556,8 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
 #define VMI_REDUCTION_GRID (VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0))
 
 /* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. The last bits of
-   *quarters become those of j. The relative error of the result is at most about eps. Where the result would be below
-   u/64, it would lose digits and is NaN.
+   *quarters become those of j. The relative error of the result is at most about eps. A result below u/64 would
+   lose digits: then the function returns NaN, and u must be reduced by vmi_reduce_long.
    Method: after two steps of the arithmetic-geometric mean the phase u (1 + f)^2 with f^2 = k' has the quarter period
    2 pi (1 + x S), where x S is small. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
    2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
@@ -1571,7 +1574,7 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     const vm_real h = (1 - f) / (1 + f), x = vmi_fourth_power(h), S = vmi_K_series(x);
     const vm_real u_head = vmi_head(u), phase = u_head * rate_head;
     const vm_real phase_lo = (u - u_head) * rate_head + u * rate_tail;
-    const int second = phase > 6 * half_pi.hi; /* serves as a number: a branch would often be mispredicted */
+    const int second = phase > 6 * half_pi.hi; /* 0 or 1, used in formulas: a branch would often be mispredicted */
     const vm_real j = (vm_real)(4 + 4 * second);
     const vm_real rest = (phase - j * half_pi.hi) + ((phase_lo - j * half_pi.mid) - j * half_pi.hi * x * S);
     *quarters = 0;
@@ -1611,12 +1614,12 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
         return vmi_two_terms(vmi_reduce_pieces(u, K, rate.hi / half_pi.hi, quarters));
     }
     v = rest.hi / rate.hi;
-    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* |v| < 2 there, and no caller needs the low word */
+    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and no caller needs the low word of v */
     error = vmi_two_product(v, rate.hi);
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
-/* Returns u minus the nearest multiple j K for any u >= 0 and m1, or NaN if u or m1 lies outside the domain. The low
+/* Returns u >= 0 minus the nearest multiple j K, or NaN if u or m1 is outside the domain of jacobi_sncndn. The low
    word of the result goes to *v_lo, the last bits of j to *quarters. reach is about (2u/K)^2; if reach is below 30,
    u < 2.5 K. */
 VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo,
@@ -1643,18 +1646,18 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reac
 
    sn(u | m), cn(u | m) and dn(u | m) of Jacobi, for every real argument u and every parameter m = k^2 <= 1, negative
    ones included. sn and cn have the period 4 K(m), dn has 2 K(m). The motions of oscillators with cubic springs and
-   of bodies that rotate without torque are written with them. For many u and one m prepare a plan (jacobi/plans.h).
+   of bodies that rotate without torque are written with them. For many u and one m use a plan (jacobi/plans.h).
 
        vm_real sn, cn, dn;
        jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
 
-   Method: u is reduced by the quarter period. Near 0 a series is used (vmi_theta_near), far from 0 theta functions.
-   DLMF 22. Tests: tests/test_jacobi.c. */
+   Method: u is reduced to |v| <= K/2 by a multiple of K. Near 0 a series is used (vmi_theta_near), far from 0 theta
+   functions. Equations: DLMF 22. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
-/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN if u or m lies outside the
-   domain. dn lies between 1 and *bound. For a small |u| neither K nor k' is needed. */
+/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN outside the domain of
+   jacobi_sncndn. dn lies between 1 and *bound. For a small |u| the function computes neither K nor k'. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
     const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* about (2u/K)^2 */
@@ -1678,7 +1681,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     vm_real bound;
     const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
-    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* has one rounding less than theta.c (1/theta.n) */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less than theta.c (1/theta.n) has */
 }
 
 /* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies
@@ -1794,7 +1797,7 @@ VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 
        vm_real angle = jacobi_am(VM_C(1.2), VM_C(0.3)); // sin(angle) = sn(1.2 | 0.3)
 
-   DLMF 22.16. Tests: tests/test_jacobi.c. */
+   Equations: DLMF 22.16. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_AMPLITUDE_H
 #define VARMASS_JACOBI_AMPLITUDE_H
 
@@ -1827,7 +1830,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 }
 
 #endif
-/* base/chebyshev.h - the step that makes a polynomial shorter by means of Chebyshev's polynomials
+/* base/chebyshev.h - lowers the degree of a polynomial with the help of Chebyshev's polynomials
 
        vm_real c[3] = {1, 1, VM_C(0.5)};
        vmi_remove_highest(c, 2, 0); // 1 + t + t^2/2 is about c[0] + c[1] t for 0 <= t <= 1
@@ -1837,8 +1840,8 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 #define VARMASS_BASE_CHEBYSHEV_H
 
 /* Removes the highest power of c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's polynomial of
-   degree n. For 0 <= t <= 1 this changes the values by at most |c_n| 2^(1-2n). The coefficients with an index below
-   `lowest` stay as they are. */
+   degree n for the interval 0 <= t <= 1. The values in this interval change by at most |c_n| 2^(1-2n). Coefficients
+   with an index below `lowest` stay as they are. */
 VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 {
     vm_real term = c[n];
@@ -1853,8 +1856,8 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
    A plan holds what depends on m alone: the quarter period as a sum of short numbers, and polynomials that replace the
-   series. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md
-   has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
+   series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop
+   (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -1871,7 +1874,7 @@ typedef struct VM_TAG(jacobi_plan) {
     int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
     vm_real K[4], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
-    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, see vmi_plan_prepare */
+    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, for the reduced argument v */
     vmi_theta_form theta;               /* its field kp = k' is set in every form */
 } jacobi_plan;
 
@@ -1900,8 +1903,9 @@ VM_API void vmi_shorten(vm_real *c)
     for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Computes the coefficients p->a of w^2 cs^2(w) and p->b of -theta^2 d(cs^2)/d theta in powers of v^2, where w = v/2
-   and theta = w^2, for |v| <= longest. The constant coefficients are 1 and are not stored. */
+/* Computes the coefficients p->a of w^2 cs^2(w) and p->b of -theta^2 d(cs^2)/d theta in powers of v^2, where
+   cs = cn/sn, w = v/2 and theta = w^2, for arguments |v| <= longest. The constant coefficients are 1 and are not
+   stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -1961,7 +1965,7 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
 
 /* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
-   (compare vmi_theta_near). theta_s is v times the second polynomial, since the derivative of sc^2 is 2 sc nc dc. */
+   (compare vmi_theta_near). theta_s is v times the polynomial p->b, since the derivative of sc^2 is 2 sc nc dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -1986,7 +1990,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* removes a NaN, but v.lo keeps it */
+        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* a NaN is lost in v.hi, but not in v.lo */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
@@ -1994,8 +1998,8 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* Returns u minus the nearest multiple of K, for a u that is too large for vmi_reduce_pieces. For m = 1 returns u
-   itself. */
+/* Returns u minus the nearest multiple j K, for a u that is too large for vmi_reduce_pieces. The last bits of *quarters
+   become those of j. For m = 1 returns the smaller of u and VMI_LONGEST. */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
@@ -2013,7 +2017,7 @@ VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits 
 }
 
 /* sn, cn and dn of the argument u for the plan's parameter.
-   u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, except for m = 1.
+   u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, unless m = 1.
    docs/cost.md has the time. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
@@ -2080,8 +2084,9 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
 #ifndef VARMASS_JACOBI_MODULUS_H
 #define VARMASS_JACOBI_MODULUS_H
 
-/* Returns (1 - R)/q for |q| <= 0.1, where m = 16 q R and R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. This form loses
-   no digits for small q. Method: with b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q is
+/* Returns (1 - R)/q for |q| <= 0.1, where m = 16 q R is the parameter with the nome q, and
+   R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. No digits are lost for small q. Method: for
+   b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3 the quotient (1 - b)/q is
    (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
 VM_API vm_real vmi_theta_loss(vm_real q)
 {
@@ -2093,7 +2098,7 @@ VM_API vm_real vmi_theta_loss(vm_real q)
 /* A parameter m, given by a nome q */
 typedef struct VM_TAG(vmi_solution) {
     int circular;        /* 1 if q is the nome of m, else 0 */
-    int upside;          /* used if circular is 0: 0 if q is the nome of 1 - m, 1 if q is that of 1/(1 - m) */
+    int upside;          /* used if circular is 0: 0 if q is the nome of 1 - m, 1 if q is the nome of 1/(1 - m) */
     vm_real q, L, L_lo;  /* the nome q, which is exp(-L - L_lo) if circular is 0 */
 } vmi_solution;
 
@@ -2114,8 +2119,9 @@ VM_API vm_real vmi_solve_middle(vm_real c)
 /* After a step of Newton's method that is shorter than this number, the error is below eps. */
 #define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
-/* Finds L = -ln q with K = L theta_3(q)^2/2 = c, for c >= K(1/2). The unknown is lambda = 2c - L = 2c (1 - theta_3^-2),
-   between 0 and 0.57. Newton's method starts at lambda = 0 and needs at most seven steps. */
+/* Finds s->L = -ln q from K = L theta_3(q)^2/2 = c, for c >= K(1/2). The unknown of Newton's method is
+   lambda = 2c - L = 2c (1 - theta_3^-2), between 0 and 0.57. The method starts at lambda = 0 and needs at most seven
+   steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -2138,10 +2144,10 @@ VM_API vm_real vmi_small_log(vm_real x)
     return x - x * x * (VM_C(0.5) - x * (VM_C(0.3333333333333333333) - x * (VM_C(0.25) - x * VM_C(0.2))));
 }
 
-/* Finds L = -ln q with k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c, for 0 < c <= K(-1). Newton's method solves
+/* Finds s->L = -ln q from k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c, for 0 < c <= K(-1). Newton's method solves
      L/2 - ln L - 2 ln(1 + q^2 + q^6) = ln(2/c),
-   whose left side is convex and rising. Newton's method starts above the solution and needs at most seven steps. The
-   residual is computed in two words. */
+   whose left side is a convex, rising function of L. The method starts above the solution and needs at most seven
+   steps. The residual is computed in two words. */
 VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
 {
     const vm_two ln_c = vmi_log(c), ln2 = vmi_log(2);
@@ -2163,8 +2169,8 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
 }
 
 /* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. Both are
-   one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 1 - m underflows to 0 or overflows (in float much
-   earlier), so that every such c gives the result of c = 1000. */
+   one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows (in float
+   for much smaller c too), so that every such c gives the result of c = 1000. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
     const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1) and K(1/2) */
@@ -2184,8 +2190,8 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where these
-   numbers do not. */
+/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials of -L, since q may underflow where
+   16 q does not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {
     const vm_two ln2 = vmi_log(2);
@@ -2331,7 +2337,7 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 #define VARMASS_JACOBI_DESCENDING_H
 
 /* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation, beginning with the sine and
-   cosine of the phase a_n u. The functions are quotients of four numbers, sn : cn : dn : 1 = s : c : d : q. One step
+   cosine of the phase a_n u. The results s, c, d, q give sn = s/q, cn = c/q and dn = d/q. The step back from n + 1 to n
    turns s, c, d, q into
      s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a = a_n, b = b_n, a+ = a_(n+1).
    No subtraction occurs, not even for m < 0. */

@@ -603,7 +603,7 @@ VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
     }
 }
 
-/* Solves a x = b for a matrix without entries below the diagonal; x replaces b. */
+/* Solves a x = b for a triangular matrix a. Its entries below the diagonal are not read. x replaces b. */
 VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
 {
     int j, k;
@@ -614,7 +614,7 @@ VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
 }
 
 /* Solves a x = b for any matrix by elimination with exchange of rows. x replaces b, and a is overwritten. Returns
-   VM_SINGULAR if a column has no pivot (b is overwritten then, too), and VM_OK otherwise. */
+   VM_SINGULAR if the pivot of a column is 0 or NaN (b is overwritten then, too), and VM_OK otherwise. */
 VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 {
     int i, j, k;
@@ -642,7 +642,7 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
    scale is work space for n numbers. Rows and columns are first scaled so that the diagonal is 1: then the units of
    the coordinates do not matter, and the condition number is nearly the least that scaling can reach (van der Sluis
    1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot is
-   not above 4 n eps, which happens for every matrix that is not positive definite, and VM_OK otherwise. */
+   not above 4 n eps, as for every matrix that is not positive definite, and VM_OK otherwise. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     int i, j;
@@ -673,9 +673,9 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #define VARMASS_BASE_ZERO_H
 
 /* Returns a zero of f between a and b, as accurate as the type allows, where fa = f(a) and fb = f(b) have opposite
-   signs. Method (Illinois): the next x lies on the secant through the ends of the interval; when one end has stayed for
-   two steps, its value of f is halved. Every fourth step bisects the interval if the last four have not made it eight
-   times shorter. */
+   signs. Method (Illinois): the next x is the zero of the secant through both ends of the interval; when one end has
+   stayed for two steps, its value of f is halved. Every fourth step bisects the interval unless the last four steps
+   have made it eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
@@ -805,9 +805,9 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 #ifndef VARMASS_BASE_POLYNOMIAL_H
 #define VARMASS_BASE_POLYNOMIAL_H
 
-/* Returns the correction of the approximate root i. It is Newton's step for the polynomial divided by z - z_j for each
-   other approximate root z_j; this division keeps two approximations from converging to the same root. The correction
-   is 0 where the polynomial is 0 within its rounding errors. */
+/* Returns the correction that is subtracted from the approximate root i. It is Newton's step for the polynomial divided
+   by z - z_j for each other approximate root z_j; this division keeps two approximations from converging to the same
+   root. The correction is 0 where the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -862,7 +862,7 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
    pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this distance */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this fraction of it */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -895,7 +895,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* the start is not symmetric about the real axis: symmetry would persist */
+    for (i = 0; i < m; i++) /* start values symmetric about the real axis would stay symmetric; these are not */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
@@ -983,8 +983,8 @@ VM_API vm_real vmi_log_ratio(vm_real x)
     return vmi_log1p(vmi_two(x, 0)).hi / x;
 }
 
-/* Returns (x - y)/x^2, where y = ln(1 + x) is given with x. For |x| >= 1/4 the result is a quotient in two words; its
-   error is that of x and y, amplified by the subtraction. For smaller |x| the result is one word, from the series of
+/* Returns (x - y)/x^2, where the caller gives x and y = ln(1 + x). For |x| >= 1/4 the result has two words, and its
+   error is that of x and y, amplified by the subtraction. For smaller |x| the result has one word, from the series of
    ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 {
@@ -1010,8 +1010,8 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
-   Method: two steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973) from a start that is right to
-   2 %. The residual is computed in two words, so that the error is little more than the rounding of the last step.
+   Method: two steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973) from a start value with an
+   error of at most 2 %. The residual is computed in two words, so that the error is little more than a rounding.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
@@ -1024,7 +1024,7 @@ VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
     return first * ((half_q - first / 2) / (half_q - first));
 }
 
-/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| and a rough value w of W. */
+/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| in two words and a rough value w of W. */
 VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
 {
     int i;
@@ -1038,8 +1038,8 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
 
 /* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
    to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
-   -eps/2 and 0 is caused by rounding and means x = -1/e. The start for W_-1 is by Barry, Culligan-Hensley and Barry
-   (ACM TOMS 21, 1995); the start for W_0 is a series in sqrt(2s), which is good for s < 0.4. */
+   -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry, Culligan-Hensley and Barry
+   (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
@@ -1064,8 +1064,8 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
     return -(sum.hi + (sum.lo + dv));
 }
 
-/* Returns -1 - ln(-x) for x < -1/4. It is computed from 1 + e x in two words, so that it keeps its digits where x is
-   close to -1/e. */
+/* Returns -1 - ln(-x), the s of vmi_lambert_near, for x < -1/4. It is computed from 1 + e x in two words, so that it
+   keeps its digits where x is close to -1/e. */
 VM_API vm_two vmi_lambert_depth(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -7933,7 +7933,7 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real
    This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
-       int status = vmi_osc_slow_at(&problem, 0, 1, length, 1, &now); // at t = 0; length, s, as in vmi_law_derivatives
+       int status = vmi_osc_slow_at(&problem, 0, 1, 10, 1, &now); // laws at t = 0, from values up to 10 s
        if (!status) r = vmi_osc_reduce(&now, alpha, x, v);
    Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H

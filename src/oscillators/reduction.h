@@ -10,7 +10,7 @@
    This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
-       int status = vmi_osc_slow_at(&problem, 0, 1, length, 1, &now); // at t = 0; length, s, as in vmi_law_derivatives
+       int status = vmi_osc_slow_at(&problem, 0, 1, 10, 1, &now); // laws at t = 0, from values up to 10 s
        if (!status) r = vmi_osc_reduce(&now, alpha, x, v);
    Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
