@@ -7934,7 +7934,7 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real
        vmi_osc_slow now;
        vmi_osc_reduced r;
        int status = vmi_osc_slow_at(&problem, 0, 1, 10, 1, &now); // laws at t = 0, from values up to 10 s
-       if (!status) r = vmi_osc_reduce(&now, alpha, x, v);
+       if (!status) r = vmi_osc_reduce(&now, problem.alpha, problem.x, problem.v);
    Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
 #define VARMASS_OSCILLATORS_REDUCTION_H
