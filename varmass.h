@@ -8121,6 +8121,7 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
    order five (oscillators/expansion.h). It is plain data and may lie in flash.
        vmi_ripple r;
        vmi_ripple_values f;
+       vm_real sa, ca;
        vmi_ripple_init(&r, VM_C(1.5), ateb_pi(VM_C(1.5)));
        vmi_ripple_complete(&r);
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
