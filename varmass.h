@@ -8395,7 +8395,12 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
 
    C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
-       dJ = vmi_expansion_J(&ripple, 5, &f, E); // ln(mean action/action), where f holds C, S ... at the phase
+       vmi_ripple r;
+       vmi_ripple_values f;
+       vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_J;
+       vmi_ripple_init(&r, 1, VM_PI);      // a linear spring
+       vmi_ripple_at(&r, 2, 0, 0, 1, &f);  // phase 0: sa = 0, ca = 1
+       ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action over the action
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H
@@ -9224,7 +9229,7 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
    or 5. Its error is of that order in the relative change of mass and stiffness within a radian.
        vmi_osc_mean mean;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
-       int status = vmi_osc_mean_at(&plan, t, &mean);
+       int status = vmi_osc_mean_at(&plan, 10, &mean);
        if (!status) status = vmi_osc_order_n(&plan, VM_ROUTE_ORDER5, &w, &mean, &motion);
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_MEAN_MOTION_H

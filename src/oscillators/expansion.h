@@ -14,7 +14,12 @@
 
    C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
-       dJ = vmi_expansion_J(&ripple, 5, &f, E); // ln(mean action/action), where f holds C, S ... at the phase
+       vmi_ripple r;
+       vmi_ripple_values f;
+       vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_J;
+       vmi_ripple_init(&r, 1, VM_PI);      // a linear spring
+       vmi_ripple_at(&r, 2, 0, 0, 1, &f);  // phase 0: sa = 0, ca = 1
+       ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action over the action
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H

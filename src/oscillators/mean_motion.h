@@ -7,7 +7,7 @@
    or 5. Its error is of that order in the relative change of mass and stiffness within a radian.
        vmi_osc_mean mean;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
-       int status = vmi_osc_mean_at(&plan, t, &mean);
+       int status = vmi_osc_mean_at(&plan, 10, &mean);
        if (!status) status = vmi_osc_order_n(&plan, VM_ROUTE_ORDER5, &w, &mean, &motion);
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_MEAN_MOTION_H
