@@ -6,6 +6,7 @@
    goes from the mean motion to the motion by the transformation of oscillators/expansion.h, cut off after order 2, 3, 4
    or 5. Its error is of that order in the relative change of mass and stiffness within a radian.
        vmi_osc_mean mean;
+       vm_osc_motion motion;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
        int status = vmi_osc_mean_at(&plan, 10, &mean);
        if (!status) status = vmi_osc_order_n(&plan, VM_ROUTE_ORDER5, &w, &mean, &motion);
