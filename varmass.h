@@ -10839,8 +10839,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
        shortest panel, so that no step skips the change.
    What the estimate of averaged equations with F covers:
      - the error of their integration, and the error of cos and cn in place of ca;
-     - what averaging leaves out: the ripple within a period, its effect on phase and amplitude at the start, and terms
-       of second order in this ripple;
+     - what averaging leaves out: the ripple within a period, its effect at the start, and terms of second order in it;
      - a force that changes within a period, as in a resonance. For this the estimate calls F over a period at the start
        and over periods at eight later times, so it misses a force that acts only for a short time between them.
 
