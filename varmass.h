@@ -8528,7 +8528,11 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 }
 
 /* The time, s, of 16 radians of the phase. From rates within such a time the derivatives of a user's law are found. */
-VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p) { return p->Om > 0 ? 16 / p->Om : 0; }
+VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
+{
+    if (!(p->Om > 0)) return 0;
+    return 16 / p->Om;
+}
 
 /* Finds whether both laws are exponentials in the same u (see the field base), so that all integrals along them have
    closed forms. With damping the integral of b/m must also be proportional to u. That is so for m = m0 (1 + base t),
@@ -8540,7 +8544,8 @@ VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
     p->closed = vmi_law_exponential_form(&o->mass, &base_m, &p->rate_m) &&
                 vmi_law_exponential_form(&o->stiffness, &base_k, &p->rate_k) && !o->force;
     if (!p->closed) return;
-    p->base = p->rate_m == 0 ? base_k : base_m;
+    p->base = base_m;
+    if (p->rate_m == 0) p->base = base_k;
     if (p->rate_m == 0 && p->rate_k == 0) p->base = 0;
     if (p->rate_m != 0 && p->rate_k != 0 && base_m != base_k) p->closed = 0;
     if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
@@ -8576,7 +8581,8 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     if (status) return status;
     state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
     vmi_osc_disturbance(&p->slow, state.W, p->E);
-    p->start_order = p->ripple.has_polynomials ? 5 : 2;
+    p->start_order = 2;
+    if (p->ripple.has_polynomials) p->start_order = 5;
     p->mean = vmi_osc_mean_of(p, p->start_order, &state, p->E);
     return VM_OK;
 }
