@@ -11562,6 +11562,7 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
 {
     vm_real stiffness, slope;
     const int status = vmi_jeffcott_mass_at(r, t, &now->mass, &now->rate);
+    now->omega = VM_NAN;
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, 0, &slope);
     if (stiffness <= 0) return VM_BAD_STIFFNESS;

@@ -272,7 +272,7 @@ static void null_drum(void)
 {
     static const vm_real y[6] = {R(0.1), 0, 0, 0, R(0.2), 1};
     vm_drum d = {R(0.3), 20, R(0.9), R(0.45), R(0.9), R(0.05), 2000, 3};
-    vm_drum_shaft shaft;
+    vm_drum_shaft shaft = {0};
     STATUS(2, vm_drum_at(IN(0, vm_drum, &d), 1, X(1, vm_drum_geometry)));
     STATUS(3, vm_drum_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
     STATUS(3, vm_drum_rhs_reduced(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));

@@ -63,6 +63,7 @@ static slow_state closed_form(const vm_osc_problem *o, double t)
     vm_osc_plan p;
     vmi_osc_mean mean;
     slow_state c = {0, 0};
+    memset(&mean, 0, sizeof mean);
     CHECK(vm_osc_plan_init(&p, o) == VM_OK && vmi_osc_mean_at(&p, R(t), &mean) == VM_OK);
     c.A = (double)p.A * exp((double)mean.ln_A);
     c.psi = pi / (double)p.ripple.pi * (double)(p.psi + p.Om * mean.phase);
@@ -786,7 +787,7 @@ static void test_missing_mass(void)
 static double drift_of(double reactive, double damping)
 {
     const vm_osc_problem o = problem(2, vm_law_linear(2, R(0.1)), reactive, damping);
-    vmi_osc_rates r;
+    vmi_osc_rates r = {0, 0, 0, 0};
     CHECK(vmi_osc_rates_at(&o, 5, 1, &r) == VM_OK);
     near("(346)", "", mass_at(&o, 5), 2.5, 1e-15);
     return ((double)o.alpha + 3) * (double)r.p;
