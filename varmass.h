@@ -11008,7 +11008,7 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
    tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* the error exceeds the estimate in one case of 400, by a factor of at most 1.9 */
+    const vm_real reserve = VM_C(1.5); /* in one case of 400 the error exceeds the estimate, up to 1.9 times */
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;
