@@ -961,7 +961,7 @@ VM_INLINE int vmi_nearest(vm_real x)
     return (int)(x + VM_COPYSIGN(VM_C(0.5), x));
 }
 
-/* Returns the logarithm of a number x in two words, also in two words. */
+/* The logarithm of x; argument and result are double-word numbers (hi + lo). */
 VM_API vm_two vmi_two_log(vm_two x)
 {
     const vm_two l = vmi_log(x.hi);
@@ -1027,9 +1027,10 @@ typedef struct VM_TAG(vmi_ladder) {
     vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 for the last n */
 } vmi_ladder;
 
-/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. Then the sine
-   of the phase a_n u may replace the sn of the last step: they differ by at most eps/60. The last a_n
-   differs from agm(1, b0) by a relative error of at most eps/16. */
+/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. This is the
+   parameter of the last sn, sn(a_n u), from which vmi_descend computes sn(u). Then sin(a_n u) may replace the last sn:
+   they differ by at most eps/60 for |a_n u| <= pi/4. The relative error of the last a_n, as a value of agm(1, b0), is
+   at most eps/16. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
@@ -2168,9 +2169,9 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     s->L_lo = sum.lo;
 }
 
-/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. Both are
-   one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows (in float
-   for much smaller c too), so that every such c gives the result of c = 1000. */
+/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. Both
+   equations are one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows
+   (in float for much smaller c too), so that every such c gives the result of c = 1000. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
     const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1) and K(1/2) */
@@ -2509,22 +2510,23 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
    the periodic part of the angle by which a torque-free body turns. There are two forms.
    The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
-     C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)).
-   The transformed form, by Jacobi's transformation, is used for larger K. With Qd = exp(-pi K/(2K')) < exp(-pi),
-   v = (2n + 1) pi/(4K') and |u| <= K it is
+     C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)), with + for C_n and - for S_n.
+   The transformed form, the theta series after Jacobi's imaginary transformation, is used for larger K. With
+   Qd = exp(-pi K/(2K')) < exp(-pi), v = (2n + 1) pi/(4K') and |u| <= K it is
      e^(-i pi u y/(4KK')) times the sum over n >= 0 of
      Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')).
    In both forms four terms leave an error of 1e-19. The sums are stored as polynomials: in cos 2z in the direct form,
    in exp(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
     vm_real decay; /* in the transformed form exp(-pi |u|/(2K')) = exp(-decay |x|), where x = u/(4K); decay = 0 means
-                      that the fields hold the direct form, the sum of cos 2nz and sin 2nz */
+                      that the fields hold the direct form, the Fourier series in cos 2nz and sin 2nz */
     vm_real shift; /* the angle of the factor e^(-i pi u y/(4KK')) is shift x turns, where x = u/(4K) */
     vm_real Q;     /* Qd = exp(-pi K/(2K')), the nome of the transformed form; 0 in the direct form */
     vm_real re[4], im[4]; /* coefficients of the two polynomials, for the real and the imaginary part */
 } vmi_doubled_theta;
 
-/* Prepares the direct form, the sum of cos 2nz and sin 2nz. Kc is K' = K(1 - m). */
+/* Prepares the direct form of theta_4, its Fourier series in cos 2nz and sin 2nz, z = pi u/(2K). Kc is
+   K' = K(1 - m). */
 VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
 {
     vmi_doubled_theta d;
@@ -2548,8 +2550,8 @@ VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
     return d;
 }
 
-/* Prepares the transformed form, by Jacobi's transformation. Kc is K' = K(1 - m). K may be infinite: then x is u
-   itself, not u/(4K). */
+/* Prepares the transformed form of theta_4, the theta series after Jacobi's imaginary transformation. Kc is
+   K' = K(1 - m). K may be infinite: then the argument x of vmi_doubled_at is u itself, not u/(4K). */
 VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 {
     const int aperiodic = !VM_IS_FINITE(K);
@@ -2576,7 +2578,8 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 /* The polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
-/* The theta function at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), which the caller applies */
+/* The theta function theta_4 at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), which the caller
+   applies */
 VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, vm_real *im)
 {
     if (d->decay > 0) {

@@ -19,7 +19,7 @@
 #include "../base/words.h"
 
 /* Returns coefficient i of the polynomial in t = 2q - 1 that equals (1 + q)(2 + q)(3 + q) f(q), where
-     f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha, between 1 and 2 for 0 < q <= 1.
+     f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha with q = 1/(alpha + 1), between 1 and 2 for 0 < q <= 1.
    The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A coefficient
    has up to three words; which_word = 0 selects the largest. Words that are too small to change the result are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
@@ -95,7 +95,7 @@ VM_API vm_two vmi_ateb_polynomial(vm_two t)
     return sum;
 }
 
-/* Returns f(q) = q Pi_alpha with a relative error of 2^-102 (float 2^-44) */
+/* Returns f(q) = q Pi_alpha, where q = 1/(alpha + 1), with a relative error of 2^-102 (float 2^-44) */
 VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 {
     const vm_two one = {1, 0}, minus_one = {-1, 0}, twice_q = vmi_two(2 * q.hi, 2 * q.lo);
@@ -125,9 +125,9 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
     return vmi_three_times(sum, vmi_three_words(n.hi / 2, n.mid / 2, 0));
 }
 
-/* The columns of the table of g(q) = Pi_alpha - (alpha + 1): the low words of g and of its slope at q = row/32, g and
-   its slope at that q, and the further coefficients of the Taylor series. The slope has only half of the digits of a
-   vm_real, so that a product with it can be exact. */
+/* The columns of the table of g(q) = Pi_alpha - (alpha + 1), q = 1/(alpha + 1): the low words of g and of its slope at
+   q = row/32, g and its slope at that q, and the further coefficients of the Taylor series. The slope has only half of
+   the digits of a vm_real, so that a product with it can be exact. */
 enum {
     VMI_ATEB_G_LOW,
     VMI_ATEB_G_SLOPE_LOW,
@@ -137,7 +137,8 @@ enum {
     VMI_ATEB_G_COLUMNS = VM_MANT_DIG > 24 ? 12 : 8
 };
 
-/* Returns a number from the table of g(q). Row 0 is for q = 0 (g = 2 ln 2), row 32 for q = 1 (g = 1). */
+/* Returns a number from the table of g(q), where q = 1/(alpha + 1). Row 0 is for q = 0 (g = 2 ln 2), row 32 for q = 1
+   (g = 1). */
 VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -346,9 +347,9 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
     return VM_READ(table[row][column]);
 }
 
-/* Returns g(q) = Pi_alpha - (alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute error below 2^-66
-   (float 2^-36). g is computed as a polynomial in the distance h of q from the nearest multiple of 1/32. The low word
-   of the result may be as large as 2^-13. */
+/* Returns g(q) = Pi_alpha - (alpha + 1), q = 1/(alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute
+   error below 2^-66 (float 2^-36). g is computed as a polynomial in the distance h of q from the nearest multiple of
+   1/32. The low word of the result may be as large as 2^-13. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24

@@ -263,7 +263,7 @@ VM_INLINE int vmi_nearest(vm_real x)
     return (int)(x + VM_COPYSIGN(VM_C(0.5), x));
 }
 
-/* Returns the logarithm of a number x in two words, also in two words. */
+/* The logarithm of x; argument and result are double-word numbers (hi + lo). */
 VM_API vm_two vmi_two_log(vm_two x)
 {
     const vm_two l = vmi_log(x.hi);

@@ -1,7 +1,7 @@
 /* base/scalars.h - functions that keep their digits where the plain formula loses them
 
    The functions compute e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the
-   limits of the C library's pow.
+   values of the C library's pow for 0 and infinity.
 
        vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
 
@@ -18,8 +18,8 @@
 /* Returns infinity if the condition holds, else 0. */
 VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
 
-/* Returns x^y for x >= 0 within 0.6 ulp, and NaN for x < 0. At 0 and infinity it has the limits of the C library's
-   pow. */
+/* Returns x^y for x >= 0 within 0.6 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity it has the values of
+   the C library's pow. */
 VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {
     if (x != x || y != y || x < 0) return VM_NAN;

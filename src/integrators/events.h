@@ -245,8 +245,8 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
             continue;
         }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
-        /* With gap = 1 only the evenly spaced points follow: a short excursion of g is expected only after x = 0, where
-           an event may have changed y or f. */
+        /* gap = 1 ends the evaluations at short distances; those at the evenly spaced points go on. A short excursion
+           of g is expected only after the start of the step, where an event may have changed y or f. */
         if (e->side && start > 0) gap = 1;
     }
     return ODE_OK;

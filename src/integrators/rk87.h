@@ -122,11 +122,13 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 }
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
-   The difference of orders 8 and 7 hardly shows a jump in the first 0.9 of the step: the weights of its derivatives
-   before the jump add up to 4e-4 at most, while the error is a quarter of the jump. The weights of this function, of
-   order 5, add up to 0.1, 0.17 or 0.25 in magnitude. If f is smooth, the weighted sum `seen` of the k is much smaller
-   than `change`, the change of f along the step. The result seen^2/(seen + change) is then of order 9, and below the
-   difference of orders 8 and 7 unless the tolerance is loose. */
+   This error is up to a quarter of the jump. The result of order 8 minus that of order 7 hardly shows a jump in the
+   first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. In the sum
+   `seen`, of order 5, the weights of the k before the jump add up in magnitude to
+     0.11 for a jump before 0.155 of the step (k1), 0.17 before 0.465 (k1, k7), 0.25 before 0.9 (k1, k7, k6).
+   If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The result
+   seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
+   loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -

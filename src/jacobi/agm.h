@@ -30,9 +30,10 @@ typedef struct VM_TAG(vmi_ladder) {
     vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 for the last n */
 } vmi_ladder;
 
-/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. Then the sine
-   of the phase a_n u may replace the sn of the last step: they differ by at most eps/60. The last a_n
-   differs from agm(1, b0) by a relative error of at most eps/16. */
+/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. This is the
+   parameter of the last sn, sn(a_n u), from which vmi_descend computes sn(u). Then sin(a_n u) may replace the last sn:
+   they differ by at most eps/60 for |a_n u| <= pi/4. The relative error of the last a_n, as a value of agm(1, b0), is
+   at most eps/16. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;

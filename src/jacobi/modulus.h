@@ -99,9 +99,9 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     s->L_lo = sum.lo;
 }
 
-/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. Both are
-   one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows (in float
-   for much smaller c too), so that every such c gives the result of c = 1000. */
+/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. Both
+   equations are one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows
+   (in float for much smaller c too), so that every such c gives the result of c = 1000. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
     const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1) and K(1/2) */

@@ -113,22 +113,23 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
    the periodic part of the angle by which a torque-free body turns. There are two forms.
    The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
-     C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)).
-   The transformed form, by Jacobi's transformation, is used for larger K. With Qd = exp(-pi K/(2K')) < exp(-pi),
-   v = (2n + 1) pi/(4K') and |u| <= K it is
+     C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)), with + for C_n and - for S_n.
+   The transformed form, the theta series after Jacobi's imaginary transformation, is used for larger K. With
+   Qd = exp(-pi K/(2K')) < exp(-pi), v = (2n + 1) pi/(4K') and |u| <= K it is
      e^(-i pi u y/(4KK')) times the sum over n >= 0 of
      Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')).
    In both forms four terms leave an error of 1e-19. The sums are stored as polynomials: in cos 2z in the direct form,
    in exp(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
     vm_real decay; /* in the transformed form exp(-pi |u|/(2K')) = exp(-decay |x|), where x = u/(4K); decay = 0 means
-                      that the fields hold the direct form, the sum of cos 2nz and sin 2nz */
+                      that the fields hold the direct form, the Fourier series in cos 2nz and sin 2nz */
     vm_real shift; /* the angle of the factor e^(-i pi u y/(4KK')) is shift x turns, where x = u/(4K) */
     vm_real Q;     /* Qd = exp(-pi K/(2K')), the nome of the transformed form; 0 in the direct form */
     vm_real re[4], im[4]; /* coefficients of the two polynomials, for the real and the imaginary part */
 } vmi_doubled_theta;
 
-/* Prepares the direct form, the sum of cos 2nz and sin 2nz. Kc is K' = K(1 - m). */
+/* Prepares the direct form of theta_4, its Fourier series in cos 2nz and sin 2nz, z = pi u/(2K). Kc is
+   K' = K(1 - m). */
 VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
 {
     vmi_doubled_theta d;
@@ -152,8 +153,8 @@ VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
     return d;
 }
 
-/* Prepares the transformed form, by Jacobi's transformation. Kc is K' = K(1 - m). K may be infinite: then x is u
-   itself, not u/(4K). */
+/* Prepares the transformed form of theta_4, the theta series after Jacobi's imaginary transformation. Kc is
+   K' = K(1 - m). K may be infinite: then the argument x of vmi_doubled_at is u itself, not u/(4K). */
 VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 {
     const int aperiodic = !VM_IS_FINITE(K);
@@ -180,7 +181,8 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 /* The polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
-/* The theta function at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), which the caller applies */
+/* The theta function theta_4 at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), which the caller
+   applies */
 VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, vm_real *im)
 {
     if (d->decay > 0) {

@@ -5,7 +5,7 @@
        vm_vec3 none = {0, 0, 0};
        vm_body moving; // whole and part are vm_bodies
        int status = vm_separation_for_rest(&whole, &part, NULL, NULL, &none, &moving); // VM_OK: the rest does not
-                                                                                      // turn if the part is `moving`
+           // turn if the part leaves with the motion that is now in the variable `moving`
 
    Tests: tests/test_inverse.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_INVERSE_H
@@ -212,7 +212,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
     /* The velocity v_r = c k x SS2 must supply the angular momentum h that the spins of part and rest do not account
-       for. It supplies m M/M1 SS2 x v_r. M, m, M1 are the masses of whole, part and rest; k is the unit vector along
+       for. v_r supplies m M/M1 SS2 x v_r. M, m, M1 are the masses of whole, part and rest; k is the unit vector along
        z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));

@@ -71,7 +71,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix, n rows of n numbers */
     vm_real *b;      /* the factors of the rates in the linear terms of T, n numbers */
-    vm_real *rates;  /* pi - b, and later the rates q', n numbers */
+    vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
 } vmi_lagrange_parts;
@@ -177,11 +177,11 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 }
 
 /* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns 0 or an error that
-   ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite, VM_NOT_FINITE
-   if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive definite if, for
-   example, a mass has become negative; use an event to stop the run before that. The number of calls of system->energy
-   grows with n^2. */
+   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi; ctx is a vm_lagrange_system. Returns 0 or
+   an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite,
+   VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive
+   definite if, for example, a mass has become negative; use an event to stop the run before that. The number of calls
+   of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -201,8 +201,9 @@ VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lag
     return status;
 }
 
-/* Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'.
-   y is an array of 2 n numbers. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, or VM_OK. */
+/* Initial state y of a system at time t, from its n coordinates q and n rates q'.
+   y is an array of 2 n numbers: the n coordinates q followed by the n generalized momenta pi. Returns VM_BAD_ARGUMENT,
+   VM_NOT_FINITE, or VM_OK. */
 VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
     vmi_lagrange_parts w;
@@ -222,8 +223,9 @@ VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_rea
     return VM_OK;
 }
 
-/* Rates q' of a system at time t, from its state y = q, pi.
-   y has 2 n numbers, rates has n. Returns VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE, or VM_OK. */
+/* Rates q' of a system at time t, from its state y.
+   y has 2 n numbers: the n coordinates q followed by the n generalized momenta pi. rates has n numbers. Returns
+   VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE, or VM_OK. */
 VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_real *y, vm_real *rates)
 {
     int status;

@@ -76,8 +76,8 @@ VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *r
     return vmi_put_body(&b, relative);
 }
 
-/* Absolute motion of a body whose motion is given relative to the body `to`. It undoes vm_to_relative and has its
-   statuses. The pointer absolute may be equal to relative. */
+/* Computes the absolute motion of a body from its motion relative to the body `to`. The function is the inverse of
+   vm_to_relative and returns the same statuses. The pointer absolute may be equal to relative. */
 VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *absolute)
 {
     vm_body b;
@@ -86,8 +86,8 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion in the plane relative to the frame that moves rigidly with the body `to`. vx, vy and omega change as in
-   vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
+/* Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`. vx, vy and omega change
+   as in vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
@@ -97,8 +97,8 @@ VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body
     return vmi_put_body2(&b, absolute->angle, relative);
 }
 
-/* Absolute motion in the plane of a body whose motion is given relative to the body `to`. It undoes vm_to_relative2
-   and has its statuses. */
+/* Computes the absolute plane motion of a body from its motion relative to the body `to`. The function is the inverse
+   of vm_to_relative2 and returns the same statuses. */
 VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body2 *absolute)
 {
     vm_body whole, b;
@@ -110,8 +110,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump from motions relative to the first body. In its own frame this body is at rest, and the equations of
-   a jump have the same form as in an inertial frame. */
+/* Computes a jump from motions relative to `body`. In its own frame `body` is at rest, and the equations of a jump have
+   the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {

@@ -39,7 +39,7 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
     return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Velocity after the mass changes from m0 to m by mass with the absolute velocity u (151), (171).
+/* Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171).
    v0 (m/s) is the velocity at mass m0 (kg), u is in m/s, and impulse (N s) is that of the outer forces during the
    change. The case u = 0 is that of Levi-Civita. About a fixed axle this formula gives the angular velocity, with
    moments of inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */

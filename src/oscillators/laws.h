@@ -36,7 +36,8 @@ struct VM_TAG(vm_law) {
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
     vm_law_function function; /* the user's function for vm_law_user; else null */
     void *ctx;                /* the user's pointer, last argument of function */
-    vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0 if it is unknown */
+    vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
+                                 it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null if this is no law */
     int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f(0), f(t) are enough */
@@ -73,7 +74,7 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
 }
 
 /* Checks that a constructor made the law, and that the law is finite and positive between 0 and t, as far as this can
-   be told without a walk from 0 to t. With if_not_positive = VM_OK it may have any sign. A table is checked as a
+   be told without a walk from 0 to t. With if_not_positive = VM_OK the law may have any sign. A table is checked as a
    whole. */
 VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 {
@@ -242,7 +243,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* f and its derivatives, each f1 times the one before */
+/* f and its derivatives; each is f1 times the derivative of the order before */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -440,8 +441,8 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
 }
 
 /* Writes the series of the rate f' between t and t + *length. The length is halved until the last terms of the series
-   are rounding errors, that is, until they do not become much smaller any more. Terms of their size are set to 0. It
-   is halved, too, where the function fails, which may be known for a short time only. */
+   are rounding errors, that is, until they do not become much smaller any more. Terms of their size are set to 0. The
+   length is also halved where the user's function fails, because the function may be defined only close to t. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -500,9 +501,9 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
 /* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
    VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law evaluate the function at 20 points in each
    panel of time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump
-   exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set
-   law.change_time to that time, s: then no panel and no step of an integrator is longer. A change_time that is negative
-   or less than |t|/2^20 is refused with VM_DOMAIN. */
+   exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time
+   to that time, s: then no panel and no step of an integrator is longer than change_time. A change_time that is
+   negative or less than |t|/2^20 is refused with VM_DOMAIN. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);

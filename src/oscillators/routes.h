@@ -96,7 +96,7 @@ typedef struct VM_TAG(vmi_osc_route) {
     vmi_osc_integration integrate; /* the integration, or null if there is none */
 } vmi_osc_route;
 
-/* Returns an entry of the table of routes with this name, solution and integration. */
+/* Makes the table entry of a route from its name, closed form and integration. */
 VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solution, vmi_osc_integration integrate)
 {
     vmi_osc_route route;
@@ -164,9 +164,9 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. route is one of VM_ROUTE_....
-   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of it
-   that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment at the
-   start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
+   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
+   this error that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment
+   at the start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
    computed but the error of integration is larger than the tolerance. An error leaves *motion untouched; it returns
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
@@ -200,7 +200,7 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
    tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* the error is up to 1.9 times the estimate, in one case of 400 more than 1 */
+    const vm_real reserve = VM_C(1.5); /* in one case of 400 the error exceeds the estimate, up to 1.9 times */
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;

@@ -102,8 +102,8 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* The growth a1 m A'/A at the amplitude A, N s/m: the averages of Van der Pol's term and of the reactive force (410).
-   It is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
+/* The growth a1 m A'/A at the amplitude A, N s/m: the averages of Van der Pol's term and of the reactive force (410),
+   with the mass m. The growth is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
 VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 {
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
@@ -156,8 +156,8 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 
 /* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). It is 0 where
    there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. The relative
-   error is at most 3e-15 (float 6e-6) beside that of the method. Returns NaN for a null pointer, an oscillator that
-   is not prepared, or an infinite mass_rate. */
+   rounding error is at most 3e-15 (float 6e-6); the error of averaging comes on top. Returns NaN for a null pointer, an
+   oscillator that is not prepared, or an infinite mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
@@ -189,11 +189,11 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 }
 
 /* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
-   The mass may follow any slow law. y = (A, psi) holds the mean amplitude, m, and the Ateb phase: x = A ca(psi), and
-   |x| = A at the turning points. vdp points to a prepared vm_vdp. For the method VM_VDP_ATEB and a start from rest, let
-   e be the largest of the numbers feed, c A^2 and m', divided by m Om, where Om is the rate of psi. Then, up to the
-   time m/feed, the relative error of A is of the order of e^2, and the error of psi of the order of e. The statuses are
-   those of vm_vdp_rhs. */
+   The mass M may follow any slow law. y = (A, psi) holds the mean amplitude A in metres and the Ateb phase psi:
+   x = A ca(psi), and |x| = A at the turning points. vdp points to a prepared vm_vdp with the fields feed and c. For the
+   method VM_VDP_ATEB and a start from rest, let e be the largest of feed, c A^2 and M', divided by M psi'. Then, up to
+   the time M/feed, the relative error of A is of the order of e^2, and the error of psi of the order of e. The statuses
+   are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;

@@ -60,7 +60,7 @@ VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, 
     *ln_Om = ((1 - g) * ln_k - (1 + g * r) * ln_m) / 2 - g * decay;
 }
 
-/* The mean motion of the plan at t = 0 */
+/* The mean motion at t = 0 of the oscillator for which the plan was made */
 VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
 {
     vmi_osc_mean mean;
@@ -128,8 +128,8 @@ VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
 }
 
 /* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
-   6; product is |E_0 E_2|, cube is |E_0|^3. From integrals of these two over the phase it gives a bound of the
-   phase. */
+   6; product is |E_0 E_2|, cube is |E_0|^3. If product and cube are integrals of these numbers over the phase, the
+   result is a bound of the error of the phase. */
 VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
@@ -153,7 +153,7 @@ typedef struct VM_TAG(vmi_osc_panel) {
 /* Mass, stiffness and rates at the points of Gauss' rule of a panel */
 typedef struct VM_TAG(vmi_osc_panel_laws) {
     vmi_osc_rates rates[VMI_GAUSS];
-    vm_real p_rate[VMI_GAUSS]; /* the derivatives of p in `rates` by time, 1/s^2 */
+    vm_real p_rate[VMI_GAUSS]; /* time derivatives of the field p of `rates`, 1/s^2 */
 } vmi_osc_panel_laws;
 
 /* Reads the laws at the points of Gauss' rule. Writes the series of 1/m and of k, and how far they are from the laws at
@@ -181,8 +181,8 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The factor by which rounding errors of the rates a and p become errors of p', on a panel of 1 s. In float they are as
-   large as fast changes, and are taken for these. */
+/* The factor by which rounding errors of the rates a and p become errors of p', on a panel of 1 s. In float the factor
+   is 0: there such errors cannot be told from fast changes, and count as fast changes. */
 VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
 
 /* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
@@ -301,8 +301,8 @@ VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, 
     return VM_OK;
 }
 
-/* Sets the fields now, ln_A and ratio of *mean for the time t. Where the laws' derivatives jump at t, it takes those on
-   the side from which the walk comes; side is 1 forward, -1 backward in time. */
+/* Sets the fields now, ln_A and ratio of *mean for the time t. Where the laws' derivatives jump at t, their values on
+   the side from which the walk comes are taken; side is 1 forward, -1 backward in time. */
 VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
@@ -371,7 +371,7 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
 /* -- The walk -- */
 
 /* Sets the mean motion at the start of a walk backward in time. The plan has the mean motion that belongs to the
-   laws just after t = 0; this is the one that belongs to the laws just before. */
+   laws just after t = 0; *mean becomes the mean motion that belongs to the laws just before t = 0. */
 VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;

@@ -197,7 +197,7 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 }
 
 /* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
-   with the index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start
+   with the index `into`, which was absent. If relative is 1, this motion is given relative to the body. vm_scene_start
    returns VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
@@ -215,7 +215,7 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
 }
 
 /* The event separates a part from a body in the plane. The part has the motion *part and becomes the body with the
-   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
+   index `into`, which was absent. If relative is 1, this motion is given relative to the body. vm_scene_start returns
    VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
@@ -225,9 +225,9 @@ VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, co
     return event;
 }
 
-/* The event separates a part from a body of any motion. The part has the motion *part and becomes the body with the
-   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
-   VM_BAD_ARGUMENT if part is NULL. */
+/* The event separates a part from a body, which may have any kind of motion. The part has the motion *part and becomes
+   the body with the index `into`, which was absent. If relative is 1, this motion is given relative to the body.
+   vm_scene_start returns VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -275,8 +275,8 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
     return event;
 }
 
-/* The event attaches a body to another body, of any motion. The body `added` becomes a part of `body` and is no longer
-   present. */
+/* The event attaches a body to another body; both may have any kind of motion. The body `added` becomes a part of
+   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION for kinds that cannot jump together. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);

@@ -135,7 +135,7 @@ typedef struct VM_TAG(vm_mass_law_values) {
 enum {
     VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
-    VMI_ORDER_LINK = 2 /* links stand last, since their force is the reaction to all other forces */
+    VMI_ORDER_LINK = 2 /* links stand last, since the force of a link depends on all other forces on its ends */
 };
 
 /* What an effect needs of the mass of its body */
@@ -153,12 +153,12 @@ struct VM_TAG(vm_effect) {
     /* fields set once by vm_scene_start, so that evaluations are fast */
     int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
     int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
-    int other_x, other_v; /* indices in y: position and velocity of the coordinate that takes the reaction */
+    int other_x, other_v; /* indices in y: position and velocity of the coordinate on which the opposite force acts */
     vm_load *load;        /* load of the body on which the effect acts */
-    vm_load *other_load;  /* load of the body that takes the reaction; NULL for the ground */
+    vm_load *other_load;  /* load of the body on which the opposite force acts; NULL for the ground */
     /* further fields set by the constructor */
     int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
-    int other, other_coordinate; /* index and coordinate of the body that takes the reaction, or VM_GROUND */
+    int other, other_coordinate; /* body and coordinate on which the opposite force acts, or VM_GROUND */
     vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
     vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function given to vm_effect_force */
     vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function given to vm_effect_mass_law */
@@ -288,21 +288,21 @@ VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
     return size;
 }
 
-/* Position of the coordinate on which an effect acts, relative to the coordinate that takes the reaction or to the
-   ground */
+/* Position of the coordinate on which an effect acts, relative to the coordinate on which the opposite force acts,
+   or to the ground */
 VM_INLINE vm_real vmi_effect_x(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->x] - y[e->other_x] : y[e->x];
 }
 
-/* Velocity of the coordinate on which an effect acts, relative to the coordinate that takes the reaction or to the
-   ground */
+/* Velocity of the coordinate on which an effect acts, relative to the coordinate on which the opposite force acts,
+   or to the ground */
 VM_INLINE vm_real vmi_effect_v(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->v] - y[e->other_v] : y[e->v];
 }
 
-/* Adds the force f to the coordinate on which the effect acts, and -f to the coordinate that takes the reaction */
+/* Adds the force f to the coordinate on which the effect acts, and the opposite force -f to the other coordinate */
 VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 {
     e->load->force[e->coordinate] += f;
