@@ -131,9 +131,9 @@
 
      mechanics/relative: motion relative to a moving body, and jumps given in such motions
        vm_to_relative                 Motion of a body relative to the frame that moves rigidly with the body `to`
-       vm_to_absolute                 Absolute motion of a body whose motion is given relative to the body `to`
-       vm_to_relative2                Motion in the plane relative to the frame that moves rigidly with the body `to`
-       vm_to_absolute2                Absolute motion in the plane of a body whose motion is given relative to the body `to`
+       vm_to_absolute                 Computes the absolute motion of a body from its motion relative to the body `to`
+       vm_to_relative2                Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`
+       vm_to_absolute2                Computes the absolute plane motion of a body from its motion relative to the body `to`
        vm_separate_relative           Separation, with motions given relative to the whole
        vm_attach_relative             Attachment, with motions given relative to the first body
        vm_separate_relative2          Separation in the plane, with motions given relative to the whole
@@ -212,7 +212,7 @@
        vm_flow1_rhs                   Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176)
 
      mechanics/rocket: closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
-       vm_velocity_by_momentum        Velocity after the mass changes from m0 to m by mass with the absolute velocity u (151), (171)
+       vm_velocity_by_momentum        Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171)
        vm_tsiolkovsky                 Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m
        vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate
        vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
@@ -234,8 +234,8 @@
 
      mechanics/lagrange: Lagrange's equations with variable mass
        vm_lagrange_rhs                Right-hand side of Lagrange's equations with variable mass (247)
-       vm_lagrange_start              Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'
-       vm_lagrange_rates              Rates q' of a system at time t, from its state y = q, pi
+       vm_lagrange_start              Initial state y of a system at time t, from its n coordinates q and n rates q'
+       vm_lagrange_rates              Rates q' of a system at time t, from its state y
        vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
 
      mechanics/euler_angles: Euler's angles
@@ -251,10 +251,10 @@
        vm_osc_exact                   Exact motion x(t) (282) and x'(t) (283) from rest at x0 (m, either sign)
        vm_osc_amplitude_phase         Amplitude A >= 0 (m) and Ateb phase psi in (-Pi, Pi] of the state x (m), v (m/s)
        vm_osc_exact_from              Exact motion x(t), x'(t) from any state x(0) = x0 (m), x'(0) = v0 (m/s)
-       vm_osc_omega_trig              Frequency Omega_alpha (293) of the cosine with the exact period, a pure number
+       vm_osc_omega_trig              Frequency Omega_alpha (293) of the cosine with the exact period of the oscillator, a pure number
        vm_osc_trig                    Approximation x0 cos(Omega t) (291) and its velocity (295), from rest at x0
-       vm_osc_jacobi_parameter        Parameter m = k^2 (307) of the cn with the exact period; -1.8079 < m < 0.8062
-       vm_osc_omega_jacobi            Frequency Omega_1* (300) of the cn with the exact period, a pure number
+       vm_osc_jacobi_parameter        Parameter m (307) of the cn that approximates x(t) with the exact period of the oscillator
+       vm_osc_omega_jacobi            Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number
        vm_osc_jacobi                  Approximation x0 cn(Omega_1 t | m) (297) and its velocity (302), from rest at x0
        vm_osc_approximation_errors    Errors of the approximations by cos and cn, as the fields of vm_osc_errors
 
@@ -428,10 +428,10 @@
      scenes/jumps: separation and attachment as events of a scene
        vm_then_separate_on_line       The event separates a part from a body on a line or on an axle
        vm_then_separate_in_plane      The event separates a part from a body in the plane
-       vm_then_separate               The event separates a part from a body of any motion
+       vm_then_separate               The event separates a part from a body, which may have any kind of motion
        vm_then_attach_on_line         The event attaches a body to another body on the same line or axle
        vm_then_attach_in_plane        The event attaches a body to another body in the plane
-       vm_then_attach                 The event attaches a body to another body, of any motion
+       vm_then_attach                 The event attaches a body to another body; both may have any kind of motion
 
      scenes/run: runs of a scene with its events and its output
        vm_scene_run                   Run of a scene from *t to t_end, with its events and its output */
@@ -912,7 +912,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 /* base/scalars.h - functions that keep their digits where the plain formula loses them
 
    The functions compute e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the
-   limits of the C library's pow.
+   values of the C library's pow for 0 and infinity.
 
        vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
 
@@ -923,8 +923,8 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 /* Returns infinity if the condition holds, else 0. */
 VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
 
-/* Returns x^y for x >= 0 within 0.6 ulp, and NaN for x < 0. At 0 and infinity it has the limits of the C library's
-   pow. */
+/* Returns x^y for x >= 0 within 0.6 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity it has the values of
+   the C library's pow. */
 VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {
     if (x != x || y != y || x < 0) return VM_NAN;
@@ -2533,8 +2533,8 @@ VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *r
     return vmi_put_body(&b, relative);
 }
 
-/* Absolute motion of a body whose motion is given relative to the body `to`. It undoes vm_to_relative and has its
-   statuses. The pointer absolute may be equal to relative. */
+/* Computes the absolute motion of a body from its motion relative to the body `to`. The function is the inverse of
+   vm_to_relative and returns the same statuses. The pointer absolute may be equal to relative. */
 VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *absolute)
 {
     vm_body b;
@@ -2543,8 +2543,8 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion in the plane relative to the frame that moves rigidly with the body `to`. vx, vy and omega change as in
-   vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
+/* Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`. vx, vy and omega change
+   as in vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
@@ -2554,8 +2554,8 @@ VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body
     return vmi_put_body2(&b, absolute->angle, relative);
 }
 
-/* Absolute motion in the plane of a body whose motion is given relative to the body `to`. It undoes vm_to_relative2
-   and has its statuses. */
+/* Computes the absolute plane motion of a body from its motion relative to the body `to`. The function is the inverse
+   of vm_to_relative2 and returns the same statuses. */
 VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body2 *absolute)
 {
     vm_body whole, b;
@@ -2567,8 +2567,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump from motions relative to the first body. In its own frame this body is at rest, and the equations of
-   a jump have the same form as in an inertial frame. */
+/* Computes a jump from motions relative to `body`. In its own frame `body` is at rest, and the equations of a jump have
+   the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2634,7 +2634,7 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
        vm_vec3 none = {0, 0, 0};
        vm_body moving; // whole and part are vm_bodies
        int status = vm_separation_for_rest(&whole, &part, NULL, NULL, &none, &moving); // VM_OK: the rest does not
-                                                                                      // turn if the part is `moving`
+           // turn if the part leaves with the motion that is now in the variable `moving`
 
    Tests: tests/test_inverse.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_INVERSE_H
@@ -2833,7 +2833,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
     /* The velocity v_r = c k x SS2 must supply the angular momentum h that the spins of part and rest do not account
-       for. It supplies m M/M1 SS2 x v_r. M, m, M1 are the masses of whole, part and rest; k is the unit vector along
+       for. v_r supplies m M/M1 SS2 x v_r. M, m, M1 are the masses of whole, part and rest; k is the unit vector along
        z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
@@ -5964,7 +5964,7 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
     return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Velocity after the mass changes from m0 to m by mass with the absolute velocity u (151), (171).
+/* Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171).
    v0 (m/s) is the velocity at mass m0 (kg), u is in m/s, and impulse (N s) is that of the outer forces during the
    change. The case u = 0 is that of Levi-Civita. About a fixed axle this formula gives the angular velocity, with
    moments of inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */
@@ -6568,7 +6568,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix, n rows of n numbers */
     vm_real *b;      /* the factors of the rates in the linear terms of T, n numbers */
-    vm_real *rates;  /* pi - b, and later the rates q', n numbers */
+    vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
 } vmi_lagrange_parts;
@@ -6674,11 +6674,11 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 }
 
 /* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns 0 or an error that
-   ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite, VM_NOT_FINITE
-   if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive definite if, for
-   example, a mass has become negative; use an event to stop the run before that. The number of calls of system->energy
-   grows with n^2. */
+   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi; ctx is a vm_lagrange_system. Returns 0 or
+   an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite,
+   VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive
+   definite if, for example, a mass has become negative; use an event to stop the run before that. The number of calls
+   of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -6698,8 +6698,9 @@ VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lag
     return status;
 }
 
-/* Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'.
-   y is an array of 2 n numbers. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, or VM_OK. */
+/* Initial state y of a system at time t, from its n coordinates q and n rates q'.
+   y is an array of 2 n numbers: the n coordinates q followed by the n generalized momenta pi. Returns VM_BAD_ARGUMENT,
+   VM_NOT_FINITE, or VM_OK. */
 VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
     vmi_lagrange_parts w;
@@ -6719,8 +6720,9 @@ VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_rea
     return VM_OK;
 }
 
-/* Rates q' of a system at time t, from its state y = q, pi.
-   y has 2 n numbers, rates has n. Returns VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE, or VM_OK. */
+/* Rates q' of a system at time t, from its state y.
+   y has 2 n numbers: the n coordinates q followed by the n generalized momenta pi. rates has n numbers. Returns
+   VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE, or VM_OK. */
 VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_real *y, vm_real *rates)
 {
     int status;
@@ -7130,8 +7132,8 @@ VM_API void vmi_osc_by_wave(const vmi_osc_wave *w, vm_real t, vm_real x0, vm_rea
     *v = -VM_COPYSIGN(w->speed * vm_osc_vmax(x0, omega0, w->alpha), x0) * s;
 }
 
-/* Frequency Omega_alpha (293) of the cosine with the exact period, a pure number. It is valid for x0 = omega0 = 1; in
-   general the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
+/* Frequency Omega_alpha (293) of the cosine with the exact period of the oscillator, a pure number. It is valid for
+   x0 = omega0 = 1; in general the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
 
 /* Approximation x0 cos(Omega t) (291) and its velocity (295), from rest at x0. Amplitude and period are exact. The
@@ -7143,12 +7145,13 @@ VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* Parameter m = k^2 (307) of the cn with the exact period; -1.8079 < m < 0.8062. */
+/* Parameter m (307) of the cn that approximates x(t) with the exact period of the oscillator. m = k^2 may be negative:
+   -1.8079 < m < 0.8062. */
 VM_API vm_real vm_osc_jacobi_parameter(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
 
-/* Frequency Omega_1* (300) of the cn with the exact period, a pure number. It is valid for x0 = omega0 = 1; in
-   general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. It is computed by (300) with K =
-   Pi_alpha/((alpha+1) k') from (307). */
+/* Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number. It is valid for
+   x0 = omega0 = 1; in general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. It is computed by (300) with
+   K = Pi_alpha/((alpha+1) k') from (307). */
 VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 {
     return VM_SQRT(2 / ((alpha + 1) * jacobi_solve_kpK_m1(ateb_pi(alpha) / (alpha + 1))));
@@ -7353,7 +7356,8 @@ struct VM_TAG(vm_law) {
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
     vm_law_function function; /* the user's function for vm_law_user; else null */
     void *ctx;                /* the user's pointer, last argument of function */
-    vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0 if it is unknown */
+    vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
+                                 it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null if this is no law */
     int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f(0), f(t) are enough */
@@ -7390,7 +7394,7 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
 }
 
 /* Checks that a constructor made the law, and that the law is finite and positive between 0 and t, as far as this can
-   be told without a walk from 0 to t. With if_not_positive = VM_OK it may have any sign. A table is checked as a
+   be told without a walk from 0 to t. With if_not_positive = VM_OK the law may have any sign. A table is checked as a
    whole. */
 VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 {
@@ -7559,7 +7563,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* f and its derivatives, each f1 times the one before */
+/* f and its derivatives; each is f1 times the derivative of the order before */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -7757,8 +7761,8 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
 }
 
 /* Writes the series of the rate f' between t and t + *length. The length is halved until the last terms of the series
-   are rounding errors, that is, until they do not become much smaller any more. Terms of their size are set to 0. It
-   is halved, too, where the function fails, which may be known for a short time only. */
+   are rounding errors, that is, until they do not become much smaller any more. Terms of their size are set to 0. The
+   length is also halved where the user's function fails, because the function may be defined only close to t. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -7817,9 +7821,9 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
 /* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
    VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law evaluate the function at 20 points in each
    panel of time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump
-   exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set
-   law.change_time to that time, s: then no panel and no step of an integrator is longer. A change_time that is negative
-   or less than |t|/2^20 is refused with VM_DOMAIN. */
+   exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time
+   to that time, s: then no panel and no step of an integrator is longer than change_time. A change_time that is
+   negative or less than |t|/2^20 is refused with VM_DOMAIN. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);
@@ -8874,7 +8878,7 @@ VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, 
     *ln_Om = ((1 - g) * ln_k - (1 + g * r) * ln_m) / 2 - g * decay;
 }
 
-/* The mean motion of the plan at t = 0 */
+/* The mean motion at t = 0 of the oscillator for which the plan was made */
 VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
 {
     vmi_osc_mean mean;
@@ -8942,8 +8946,8 @@ VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
 }
 
 /* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
-   6; product is |E_0 E_2|, cube is |E_0|^3. From integrals of these two over the phase it gives a bound of the
-   phase. */
+   6; product is |E_0 E_2|, cube is |E_0|^3. If product and cube are integrals of these numbers over the phase, the
+   result is a bound of the error of the phase. */
 VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
@@ -8967,7 +8971,7 @@ typedef struct VM_TAG(vmi_osc_panel) {
 /* Mass, stiffness and rates at the points of Gauss' rule of a panel */
 typedef struct VM_TAG(vmi_osc_panel_laws) {
     vmi_osc_rates rates[VMI_GAUSS];
-    vm_real p_rate[VMI_GAUSS]; /* the derivatives of p in `rates` by time, 1/s^2 */
+    vm_real p_rate[VMI_GAUSS]; /* time derivatives of the field p of `rates`, 1/s^2 */
 } vmi_osc_panel_laws;
 
 /* Reads the laws at the points of Gauss' rule. Writes the series of 1/m and of k, and how far they are from the laws at
@@ -8995,8 +8999,8 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The factor by which rounding errors of the rates a and p become errors of p', on a panel of 1 s. In float they are as
-   large as fast changes, and are taken for these. */
+/* The factor by which rounding errors of the rates a and p become errors of p', on a panel of 1 s. In float the factor
+   is 0: there such errors cannot be told from fast changes, and count as fast changes. */
 VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
 
 /* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
@@ -9115,8 +9119,8 @@ VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, 
     return VM_OK;
 }
 
-/* Sets the fields now, ln_A and ratio of *mean for the time t. Where the laws' derivatives jump at t, it takes those on
-   the side from which the walk comes; side is 1 forward, -1 backward in time. */
+/* Sets the fields now, ln_A and ratio of *mean for the time t. Where the laws' derivatives jump at t, their values on
+   the side from which the walk comes are taken; side is 1 forward, -1 backward in time. */
 VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
@@ -9185,7 +9189,7 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
 /* -- The walk -- */
 
 /* Sets the mean motion at the start of a walk backward in time. The plan has the mean motion that belongs to the
-   laws just after t = 0; this is the one that belongs to the laws just before. */
+   laws just after t = 0; *mean becomes the mean motion that belongs to the laws just before t = 0. */
 VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;
@@ -10900,7 +10904,7 @@ typedef struct VM_TAG(vmi_osc_route) {
     vmi_osc_integration integrate; /* the integration, or null if there is none */
 } vmi_osc_route;
 
-/* Returns an entry of the table of routes with this name, solution and integration. */
+/* Makes the table entry of a route from its name, closed form and integration. */
 VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solution, vmi_osc_integration integrate)
 {
     vmi_osc_route route;
@@ -10968,9 +10972,9 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. route is one of VM_ROUTE_....
-   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of it
-   that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment at the
-   start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
+   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
+   this error that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment
+   at the start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
    computed but the error of integration is larger than the tolerance. An error leaves *motion untouched; it returns
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
@@ -11004,7 +11008,7 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
    tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* the error is up to 1.9 times the estimate, in one case of 400 more than 1 */
+    const vm_real reserve = VM_C(1.5); /* in one case of 400 the error exceeds the estimate, up to 1.9 times */
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;
@@ -11299,8 +11303,8 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* The growth a1 m A'/A at the amplitude A, N s/m: the averages of Van der Pol's term and of the reactive force (410).
-   It is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
+/* The growth a1 m A'/A at the amplitude A, N s/m: the averages of Van der Pol's term and of the reactive force (410),
+   with the mass m. The growth is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
 VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 {
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
@@ -11353,8 +11357,8 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 
 /* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). It is 0 where
    there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. The relative
-   error is at most 3e-15 (float 6e-6) beside that of the method. Returns NaN for a null pointer, an oscillator that
-   is not prepared, or an infinite mass_rate. */
+   rounding error is at most 3e-15 (float 6e-6); the error of averaging comes on top. Returns NaN for a null pointer, an
+   oscillator that is not prepared, or an infinite mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
@@ -11386,11 +11390,11 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 }
 
 /* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
-   The mass may follow any slow law. y = (A, psi) holds the mean amplitude, m, and the Ateb phase: x = A ca(psi), and
-   |x| = A at the turning points. vdp points to a prepared vm_vdp. For the method VM_VDP_ATEB and a start from rest, let
-   e be the largest of the numbers feed, c A^2 and m', divided by m Om, where Om is the rate of psi. Then, up to the
-   time m/feed, the relative error of A is of the order of e^2, and the error of psi of the order of e. The statuses are
-   those of vm_vdp_rhs. */
+   The mass M may follow any slow law. y = (A, psi) holds the mean amplitude A in metres and the Ateb phase psi:
+   x = A ca(psi), and |x| = A at the turning points. vdp points to a prepared vm_vdp with the fields feed and c. For the
+   method VM_VDP_ATEB and a start from rest, let e be the largest of feed, c A^2 and M', divided by M psi'. Then, up to
+   the time M/feed, the relative error of A is of the order of e^2, and the error of psi of the order of e. The statuses
+   are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -12852,7 +12856,7 @@ typedef struct VM_TAG(vm_mass_law_values) {
 enum {
     VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
-    VMI_ORDER_LINK = 2 /* links stand last, since their force is the reaction to all other forces */
+    VMI_ORDER_LINK = 2 /* links stand last, since the force of a link depends on all other forces on its ends */
 };
 
 /* What an effect needs of the mass of its body */
@@ -12870,12 +12874,12 @@ struct VM_TAG(vm_effect) {
     /* fields set once by vm_scene_start, so that evaluations are fast */
     int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
     int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
-    int other_x, other_v; /* indices in y: position and velocity of the coordinate that takes the reaction */
+    int other_x, other_v; /* indices in y: position and velocity of the coordinate on which the opposite force acts */
     vm_load *load;        /* load of the body on which the effect acts */
-    vm_load *other_load;  /* load of the body that takes the reaction; NULL for the ground */
+    vm_load *other_load;  /* load of the body on which the opposite force acts; NULL for the ground */
     /* further fields set by the constructor */
     int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
-    int other, other_coordinate; /* index and coordinate of the body that takes the reaction, or VM_GROUND */
+    int other, other_coordinate; /* body and coordinate on which the opposite force acts, or VM_GROUND */
     vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
     vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function given to vm_effect_force */
     vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function given to vm_effect_mass_law */
@@ -13005,21 +13009,21 @@ VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
     return size;
 }
 
-/* Position of the coordinate on which an effect acts, relative to the coordinate that takes the reaction or to the
-   ground */
+/* Position of the coordinate on which an effect acts, relative to the coordinate on which the opposite force acts,
+   or to the ground */
 VM_INLINE vm_real vmi_effect_x(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->x] - y[e->other_x] : y[e->x];
 }
 
-/* Velocity of the coordinate on which an effect acts, relative to the coordinate that takes the reaction or to the
-   ground */
+/* Velocity of the coordinate on which an effect acts, relative to the coordinate on which the opposite force acts,
+   or to the ground */
 VM_INLINE vm_real vmi_effect_v(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->v] - y[e->other_v] : y[e->v];
 }
 
-/* Adds the force f to the coordinate on which the effect acts, and -f to the coordinate that takes the reaction */
+/* Adds the force f to the coordinate on which the effect acts, and the opposite force -f to the other coordinate */
 VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 {
     e->load->force[e->coordinate] += f;
@@ -15704,7 +15708,7 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 }
 
 /* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
-   with the index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start
+   with the index `into`, which was absent. If relative is 1, this motion is given relative to the body. vm_scene_start
    returns VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
@@ -15722,7 +15726,7 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
 }
 
 /* The event separates a part from a body in the plane. The part has the motion *part and becomes the body with the
-   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
+   index `into`, which was absent. If relative is 1, this motion is given relative to the body. vm_scene_start returns
    VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
@@ -15732,9 +15736,9 @@ VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, co
     return event;
 }
 
-/* The event separates a part from a body of any motion. The part has the motion *part and becomes the body with the
-   index `into`, which was absent. If relative is 1, its motion is given relative to the body. vm_scene_start returns
-   VM_BAD_ARGUMENT if part is NULL. */
+/* The event separates a part from a body, which may have any kind of motion. The part has the motion *part and becomes
+   the body with the index `into`, which was absent. If relative is 1, this motion is given relative to the body.
+   vm_scene_start returns VM_BAD_ARGUMENT if part is NULL. */
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -15782,8 +15786,8 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
     return event;
 }
 
-/* The event attaches a body to another body, of any motion. The body `added` becomes a part of `body` and is no longer
-   present. */
+/* The event attaches a body to another body; both may have any kind of motion. The body `added` becomes a part of
+   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION for kinds that cannot jump together. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
