@@ -266,13 +266,14 @@ static void test_forced(void)
 {
     enum { N = 200 };
     static double ratio[N];
-    int i, route, count = 0;
+    int i, route, count = 0, by_rk87 = 0;
     for (i = 0; i < COUNT(routes_forced); i++) {
         const routes_case *c = routes_forced + i;
         const vm_osc_problem o = problem_of(c);
         vm_osc_motion m;
         double one;
-        CHECK(vm_osc_within(&o, R(c->T), R(by_precision(1e-6, 1e-2)), &m) >= 0 && m.route == VM_ROUTE_COLLOCATION);
+        CHECK(vm_osc_within(&o, R(c->T), R(by_precision(1e-6, 1e-2)), &m) >= 0 && m.route >= VM_ROUTE_COLLOCATION);
+        by_rk87 += m.route == VM_ROUTE_RK87;
         if (estimate_ratio(c, &o, &m, &one))
             check_error("forced", "exact, true/est", "", 1 / one, 10, i, c->force);
         for (route = 0; route <= VM_ROUTE_ATEB; route++) {
@@ -283,6 +284,7 @@ static void test_forced(void)
             }
         }
     }
+    CHECK(by_rk87 <= 1); /* in one problem a beat brings the amplitude down to 2 %: no vibration is left there */
     judge("averaged", ratio, count, 2, 10, 15);
 }
 

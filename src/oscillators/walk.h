@@ -243,7 +243,7 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
    to 0 first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
-    const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], radians = W * VM_FABS(length);
+    const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], phase_length = W * VM_FABS(length);
     const vm_real least = vmi_larger(noise * VM_SQRT(vmi_legendre_square(panel->E)), panel->noise);
     vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i, where x goes from -1 to 1 on the panel */
     vm_real dropped[VMI_GAUSS];
@@ -254,14 +254,14 @@ VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_r
         dropped[i] = panel->E[i];
         panel->E[i] = 0;
     }
-    mean->dropped += radians * VM_SQRT(vmi_legendre_square(dropped));
+    mean->dropped += phase_length * VM_SQRT(vmi_legendre_square(dropped));
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
         size[i] = rate * VM_SQRT(vmi_legendre_square(panel->E));
-        mean->change[i] += radians * size[i];
+        mean->change[i] += phase_length * size[i];
         vmi_legendre_derive(panel->E);
-        rate *= 2 / radians;
+        rate *= 2 / phase_length;
     }
-    mean->third += vmi_osc_third_rate(&p->ripple, radians * size[0] * size[2], panel->cube);
+    mean->third += vmi_osc_third_rate(&p->ripple, phase_length * size[0] * size[2], panel->cube);
 }
 
 /* Advances the mean motion over a panel. */
