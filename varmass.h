@@ -10448,13 +10448,13 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
     const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has such errors, which no round mends */
     const int most_rounds = 40;
     vm_real change, before = 0;
-    int round, status;
-    for (round = 0; round < most_rounds; round++) {
+    int sweeps, status;
+    for (sweeps = 0; sweeps < most_rounds; sweeps++) {
         status = vmi_osc_sweep(c, s, &change);
         if (status) return status;
         if (before > 0) c->contraction = vmi_smaller(vmi_larger(change / before, least_contraction), 1);
         if (change * c->contraction <= c->sweep_limit) break;
-        if (round > 2 && !(change < before)) break;
+        if (sweeps > 2 && !(change < before)) break;
         before = change;
     }
     c->left += change * c->contraction;
@@ -10555,7 +10555,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
     vm_real series[VMI_GAUSS], part = vmi_osc_find_part(c, beyond, c->stop, series);
     vmi_step_waves waves;
     vmi_osc_step s;
-    int i, round, status;
+    int i, attempt, status;
     s.sign = 1;
     s.waves = &waves;
     s.length = part * beyond->length;
@@ -10563,7 +10563,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
         s.rates.t[i] = vmi_legendre_at(series, 2 * part * c->rule.node[i] - 1);
         s.rates.ln_A[i] = beyond->rates.ln_A[i];
     }
-    for (round = 0; round < rounds; round++) {
+    for (attempt = 0; attempt < rounds; attempt++) {
         vm_real missing;
         vmi_osc_course_waves(c, c->psi, s.length, &waves);
         status = vmi_osc_iterate(c, &s);
