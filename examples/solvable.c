@@ -17,12 +17,12 @@ static const double m0 = 2, k = 8, a = 0.05, x0 = 0.3, v0 = 0.1; /* kg, N/m^3, 1
 static double exact(double t)
 {
     const double growth = 1 + a * t, omega0 = sqrt(k / m0), p0 = a / 5;
-    double A0, psi, sa, ca, W0;
-    vm_osc_amplitude_phase(x0, v0 + p0 * x0, omega0, 3, &A0, &psi);
-    W0 = sqrt(2) * omega0 * A0;
-    psi += 5 * W0 * (pow(growth, 0.2) - 1) / a;
+    double start_amplitude, psi, sa, ca, start_rate;
+    vm_osc_amplitude_phase(x0, v0 + p0 * x0, omega0, 3, &start_amplitude, &psi);
+    start_rate = sqrt(2) * omega0 * start_amplitude;
+    psi += 5 * start_rate * (pow(growth, 0.2) - 1) / a;
     ateb_saca(psi, 3, &sa, &ca);
-    return A0 * pow(growth, -0.2) * ca;
+    return start_amplitude * pow(growth, -0.2) * ca;
 }
 
 int main(void)
