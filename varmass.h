@@ -14143,7 +14143,8 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
 /* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. */
 VM_API int vmi_check_mass_of_time(const vm_effect *e)
 {
-    return ((const vm_law *)e->ctx)->derivatives ? VM_OK : VM_BAD_ARGUMENT;
+    if (!((const vm_law *)e->ctx)->derivatives) return VM_BAD_ARGUMENT;
+    return VM_OK;
 }
 
 /* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass that

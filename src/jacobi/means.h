@@ -61,13 +61,20 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
     } else {
         /* For m < 0, cn(u | m) = cd(k' u | m/(m - 1)) with k' = sqrt(1 - m). cd has the same means as sn. The mean of
            sn^2 is 1 - C2. */
-        const vm_real ratio = m < 0 ? -1 / m : m1.hi / m; /* (1 - M)/M for M = m or, if m < 0, M = m/(m - 1) */
         const vm_real second = vmi_mean_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo));
-        const vm_real s2c2 = (second - ratio * (1 - 2 * second)) / 3, fourth = second - s2c2;
-        const vm_real s2c4 = (fourth - ratio * (3 * second - 4 * fourth)) / 5;
-        *C2 = m < 0 ? 1 - second : second;
-        *C4 = m < 0 ? 1 - (second + s2c2) : fourth;
-        *C6 = m < 0 ? 1 - (second + (2 * s2c2 - s2c4)) : fourth - s2c4;
+        vm_real ratio = m1.hi / m, s2c2, s2c4, fourth; /* ratio is (1 - M)/M for M = m or, if m < 0, M = m/(m - 1) */
+        if (m < 0) ratio = -1 / m;
+        s2c2 = (second - ratio * (1 - 2 * second)) / 3;
+        fourth = second - s2c2;
+        s2c4 = (fourth - ratio * (3 * second - 4 * fourth)) / 5;
+        *C2 = second;
+        *C4 = fourth;
+        *C6 = fourth - s2c4;
+        if (m < 0) {
+            *C2 = 1 - second;
+            *C4 = 1 - (second + s2c2);
+            *C6 = 1 - (second + (2 * s2c2 - s2c4));
+        }
     }
 }
 
