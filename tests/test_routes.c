@@ -709,6 +709,14 @@ static void test_not_slow(void)
     o.mass = vm_law_linear(1, R(2));
     CHECK(vm_osc_by_route(&o, VM_ROUTE_ORDER5, 10, 0, &m) == VM_OK && m.error == VM_INFINITY);
     CHECK(vm_osc_within(&o, 10, R(1e-3), &n) == VM_OK && n.route >= VM_ROUTE_COLLOCATION);
+    { /* so far from slow that the mean motion has no numbers: the estimates say that nothing is known */
+        vm_osc_problem far_off = problem(0, vm_law_linear(1, R(0.001)), 1, 0);
+        vm_osc_motion by;
+        int route;
+        far_off.x = R(1e15);
+        for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_ORDER5; route++)
+            if (vm_osc_by_route(&far_off, route, 0, 0, &by) == VM_OK) CHECK(by.error >= 0);
+    }
 }
 
 /* Where nothing changes, the motion is exact to roundings and said to be; at rest it stays at rest. */

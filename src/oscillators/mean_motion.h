@@ -135,7 +135,9 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     const vm_real shift = (p->mean.psi - p->psi) + n / 2 * p->slow.p / p->Om * M;
     const vm_real phase = VM_FABS(r->gamma) * (n + 2) / 2 * ln_A * turns + VM_FABS(shift) + ripple +
                           VM_FABS(mean->first);
-    return phase + ln_A + e / (2 * (n + 2)) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    const vm_real error = phase + ln_A + e / (2 * (n + 2)) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    if (!(error >= 0)) return VM_INFINITY; /* the laws are so far from slow that the mean motion has no numbers */
+    return error;
 }
 
 /* Writes how large the first terms are that the transformation of an order leaves out at t, of the phase and of ln
