@@ -24,9 +24,10 @@
                     Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
                     rotation; streams of mass with their reactive force and torque; rockets; a band that winds up on a
                     drum
-     oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping; Van
-                    der Pol's oscillator, Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation,
-                    resonance, turning points
+     oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
+                    Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
+                    Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
+                    points
      scenes/        bodies, the effects that act on them, the events that change them: only what is listed is
                     simulated
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
@@ -282,6 +283,28 @@
        vm_osc_plan_within             Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan
        vm_osc_by_route                Motion x(t), x'(t) at time t (s, either sign) by a given route
        vm_osc_within                  Motion x(t), x'(t) at time t (s, either sign) within a tolerance
+
+     oscillators/odd_force: vibration under an odd elastic force of any form, with constant mass
+       vm_odd_force_user              Odd elastic force F(x) by a user's function, which is called for x >= 0 only
+       vm_odd_period                  Exact period, s, of the motion from rest at x0 (m, either sign) under a force F per unit mass
+       vm_odd_action                  Action, m^2/s, of the motion from rest at x0
+       vm_odd_exact_from              Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s) at t = 0, with F per unit mass
+
+     oscillators/duffing: Duffing's oscillator, with the elastic force k1 x + k3 x^3
+       vm_duffing_force               Duffing's force k1 x + k3 x^3
+       vm_duffing_energy              The energy per unit mass, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2
+       vm_duffing_period              Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign)
+       vm_duffing_action              Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign)
+       vm_duffing_exact_from          Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s) at t = 0
+
+     oscillators/odd_motion: vibration under an odd elastic force with slow mass, stiffness and damping
+       vm_odd_plan_init               Plan for many values of one problem's motion between t = 0 and t_end (s, either sign)
+
+     oscillators/odd_routes: routes to the motion of a vibration under an odd elastic force, and its integration
+       vm_odd_rhs                     Equation of motion of a vibration under an odd elastic force, for rk45 or rk87
+       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route, VM_ODD_...
+       vm_odd_plan_within             Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance
+       vm_odd_within                  Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan
 
      oscillators/slow: laws that oscillators with slowly varying mass share
        vm_osc_amplitude_law           Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly
@@ -11105,6 +11128,1898 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
         if (status) return status;
     }
     return vm_osc_plan_within(&plan, t, tolerance, motion);
+}
+
+#endif
+/* oscillators/odd_force.h - vibration under an odd elastic force of any form, with constant mass
+
+   The equation is x'' + F(x) = 0, where F is odd and force per unit mass: x + x^3, sin x, tanh x, or a function of the
+   user. A vm_odd_force holds F; the constructors are vm_odd_force_user here and vm_duffing_force (oscillators/duffing.h).
+   At an amplitude A one quadrature gives the period, the action and x(t):
+       int hard(vm_real x, vm_real *f, void *ctx) { *f = x + x * x * x; return 0; }
+       vm_odd_force force = vm_odd_force_user(hard, NULL);
+       vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
+   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g), where g is the mean of F(x)/x over the
+   squares between x^2 and A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit is the motion at
+   one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of v dx over a period,
+   divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
+   Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
+#define VARMASS_OSCILLATORS_ODD_FORCE_H
+
+/* -- The force and its orbits -- */
+
+/* A user's odd function: writes F(x) for x >= 0 to *f and returns 0, or another number where it fails. F must be
+   smooth for x >= 0; at x = 0 it may have a kink, as x|x| does. */
+typedef int (*vm_odd_function)(vm_real x, vm_real *f, void *ctx);
+
+typedef struct VM_TAG(vmi_orbit) vmi_orbit;
+typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
+
+/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions of
+   this header and to the user's function and ctx, which must outlive it. */
+typedef struct VM_TAG(vm_odd_force) vm_odd_force;
+struct VM_TAG(vm_odd_force) {
+    vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
+    vm_odd_function function; /* the user's function; else null */
+    void *ctx;                /* the user's pointer, last argument of function */
+    /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
+    int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* F(x) for any x; null if this is no force */
+    int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit); /* its size and place */
+    int (*complete)(vmi_orbit *orbit);                   /* all other fields of an orbit, from its size and place */
+    void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point); /* a point of a complete orbit */
+    int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);     /* the phase of a state on the orbit */
+    int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v); /* the state at a phase */
+};
+
+/* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
+enum { VMI_ORBIT_AROUND_0 = 0, VMI_ORBIT_RIGHT = 1, VMI_ORBIT_LEFT = -1 };
+
+/* The largest number of equal parts of 0 <= theta <= pi/2, and of equal pieces of 0 <= x <= A */
+enum { VMI_ORBIT_PARTS = 8, VMI_ORBIT_NODES = VMI_ORBIT_PARTS * VMI_GAUSS };
+
+/* An orbit of x'' + F(x) = 0 */
+struct VM_TAG(vmi_orbit) {
+    const vm_odd_force *force;
+    vm_real size;              /* amplitude, m, if the orbit lies around 0; else half the difference of the largest and
+                                  the smallest x^2, m^2 */
+    int place;                 /* VMI_ORBIT_... */
+    vm_real span;              /* the phase between theta = 0 and theta = pi/2: pi/2 around 0, else pi */
+    vm_real w, j;              /* rate of the phase, 1/s, and action */
+    vm_real energy_slope;      /* derivative of the energy by `size` */
+    vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
+    vm_real lambda, m1;        /* of Duffing's force: rate of the argument of Jacobi's functions, and their 1 - k^2 */
+    int pieces;                /* of other forces: equal pieces of 0 ... `size`, on each of which F is a series */
+    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* of other forces: Legendre series of F on the pieces */
+    vm_real above[VMI_ORBIT_PARTS];             /* of other forces: integral of F from the end of a piece to `size` */
+};
+
+/* A point of an orbit, 0 <= theta <= pi/2; theta = 0 is the turning point with the largest |x|. x is positive. */
+struct VM_TAG(vmi_orbit_point) {
+    vm_real x, v;          /* position and velocity */
+    vm_real slowness;      /* dt/dtheta */
+    vm_real x_size;        /* derivative of x by the orbit's size, at fixed theta */
+    vm_real slowness_size; /* derivative of the slowness by the orbit's size, at fixed theta */
+};
+
+/* The largest |x| on a complete orbit, m */
+VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
+{
+    if (orbit->place == VMI_ORBIT_AROUND_0) return orbit->size;
+    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2, as size = (A^2 - B^2)/2 */
+}
+
+/* -- Integrals over theta -- */
+
+/* A function of theta as Legendre series on `parts` equal parts of 0 ... pi/2, and its integral */
+typedef struct VM_TAG(vmi_orbit_sum) {
+    int parts;
+    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS];
+    vm_real start[VMI_ORBIT_PARTS + 1]; /* the integral from 0 to the start of each part; the last one is the whole */
+} vmi_orbit_sum;
+
+/* The angle theta of node i, if there are `parts` equal parts with 20 nodes each */
+VM_API vm_real vmi_orbit_node(int parts, int i)
+{
+    const vm_real in_part = (1 + vmi_gauss_node(i % VMI_GAUSS)) / 2;
+    return VM_PI / 2 * (((vm_real)(i / VMI_GAUSS) + in_part) / (vm_real)parts);
+}
+
+/* Makes the sums of two functions from their values at the nodes. */
+VM_API void vmi_orbit_sums(int parts, const vm_real *values_a, const vm_real *values_b, vmi_orbit_sum *a,
+                           vmi_orbit_sum *b)
+{
+    const vm_real width = VM_PI / 2 / (vm_real)parts;
+    int i;
+    a->parts = parts;
+    b->parts = parts;
+    a->start[0] = 0;
+    b->start[0] = 0;
+    for (i = 0; i < parts; i++) {
+        vmi_legendre_fit(values_a + i * VMI_GAUSS, values_b + i * VMI_GAUSS, a->series[i], b->series[i]);
+        a->start[i + 1] = a->start[i] + width * a->series[i][0];
+        b->start[i + 1] = b->start[i] + width * b->series[i][0];
+    }
+}
+
+/* The integral from 0 to pi/2 */
+VM_API vm_real vmi_orbit_whole(const vmi_orbit_sum *sum) { return sum->start[sum->parts]; }
+
+/* The part that holds theta, 0 <= theta <= pi/2. Writes the place of theta in it, from -1 to 1. */
+VM_API int vmi_orbit_part(const vmi_orbit_sum *sum, vm_real theta, vm_real *place)
+{
+    const vm_real parts_before = theta / (VM_PI / 2) * (vm_real)sum->parts;
+    int part = (int)VM_FLOOR(parts_before);
+    if (part >= sum->parts) part = sum->parts - 1;
+    if (part < 0) part = 0;
+    *place = 2 * (parts_before - (vm_real)part) - 1;
+    return part;
+}
+
+/* The integral from 0 to theta, 0 <= theta <= pi/2 */
+VM_API vm_real vmi_orbit_sum_to(const vmi_orbit_sum *sum, vm_real theta)
+{
+    vm_real place;
+    const int part = vmi_orbit_part(sum, theta, &place);
+    const vm_real half = VM_PI / 4 / (vm_real)sum->parts;
+    return sum->start[part] + half * vmi_legendre_integral(sum->series[part], place);
+}
+
+/* The value of the function at theta, 0 <= theta <= pi/2 */
+VM_API vm_real vmi_orbit_value(const vmi_orbit_sum *sum, vm_real theta)
+{
+    vm_real place;
+    const int part = vmi_orbit_part(sum, theta, &place);
+    return vmi_legendre_at(sum->series[part], place);
+}
+
+/* The size of the terms that the series leave out, relative to the mean of the function */
+VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
+{
+    vm_real largest = 0;
+    int i;
+    for (i = 0; i < sum->parts; i++) {
+        const vm_real tail = vmi_legendre_tail(sum->series[i]);
+        if (!(tail <= largest)) largest = tail;
+    }
+    return largest / (vmi_orbit_whole(sum) / (VM_PI / 2));
+}
+
+/* The theta at which the integral of a positive function from 0 is `target`, between 0 and its whole integral. Newton's
+   method, with bisection where a step leaves the interval in which the solution lies. */
+VM_API vm_real vmi_orbit_theta(const vmi_orbit_sum *sum, vm_real target)
+{
+    const int most = 64;
+    vm_real low = 0, high = VM_PI / 2, theta = VM_PI / 2 * (target / vmi_orbit_whole(sum));
+    int i;
+    if (!(target > 0)) return 0;
+    if (!(target < vmi_orbit_whole(sum))) return VM_PI / 2;
+    for (i = 0; i < most; i++) {
+        const vm_real rest = vmi_orbit_sum_to(sum, theta) - target;
+        vm_real next = theta - rest / vmi_orbit_value(sum, theta);
+        if (rest > 0) high = theta;
+        else low = theta;
+        if (!(next > low && next < high)) next = low + (high - low) / 2;
+        if (VM_FABS(next - theta) <= VM_EPSILON * theta) return next;
+        theta = next;
+    }
+    return theta;
+}
+
+/* -- A phase, brought to the part of an orbit that repeats -- */
+
+/* A phase on the part 0 ... span, of which all other parts are mirror images */
+typedef struct VM_TAG(vmi_orbit_folded) {
+    vm_real phi;  /* between 0 and the orbit's span */
+    vm_real sign; /* -1 where the phase is a mirror image, so that odd functions change their sign; else 1 */
+    vm_real side; /* -1 where x has the other sign than at phase 0; else 1 */
+} vmi_orbit_folded;
+
+/* Folds a phase of any size. */
+VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
+{
+    vmi_orbit_folded f;
+    const vm_real turn = 2 * orbit->span, turns = VM_FLOOR(phi / turn + VM_C(0.5));
+    const vm_real rest = phi - turn * turns;
+    f.sign = rest < 0 ? -1 : 1;
+    f.phi = vmi_smaller(VM_FABS(rest), orbit->span);
+    f.side = 1;
+    if (orbit->place == VMI_ORBIT_LEFT) f.side = -1;
+    if (orbit->place == VMI_ORBIT_AROUND_0 && turns != 2 * VM_FLOOR(turns / 2)) f.side = -1;
+    return f;
+}
+
+/* The derivative dt/dtheta at all nodes, and its derivative by the orbit's size. Doubles the number of parts until the
+   series leave out no more than `enough`, as far as VMI_ORBIT_PARTS allows. */
+VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_sum *time, vmi_orbit_sum *time_size)
+{
+    vm_real slowness[VMI_ORBIT_NODES], by_size[VMI_ORBIT_NODES];
+    int i, parts;
+    for (parts = 1; parts <= VMI_ORBIT_PARTS; parts *= 2) {
+        for (i = 0; i < parts * VMI_GAUSS; i++) {
+            vmi_orbit_point point;
+            orbit->force->point(orbit, vmi_orbit_node(parts, i), &point);
+            slowness[i] = point.slowness;
+            by_size[i] = point.slowness_size;
+        }
+        vmi_orbit_sums(parts, slowness, by_size, time, time_size);
+        if (vmi_orbit_tail(time) <= enough) break;
+    }
+}
+
+/* -- Forces by a user's function -- */
+
+/* F(x) for any x. Returns VM_DOMAIN where the user's function fails, VM_NOT_FINITE where F is not finite. */
+VM_API int vmi_odd_user_at(const vm_odd_force *force, vm_real x, vm_real *f)
+{
+    *f = 0;
+    if (x == 0) return VM_OK;
+    if (force->function(VM_FABS(x), f, force->ctx)) return VM_DOMAIN;
+    if (!VM_IS_FINITE(*f)) return VM_NOT_FINITE;
+    if (x < 0) *f = -*f;
+    return VM_OK;
+}
+
+/* F at one point of an orbit, and two means up to the amplitude A, or up to the end of a piece */
+typedef struct VM_TAG(vmi_odd_forces) {
+    vm_real f;     /* F(x) */
+    vm_real mean;  /* mean of F between x and the end */
+    vm_real slope; /* (F(end) - F(x))/(end - x) */
+} vmi_odd_forces;
+
+/* Sums of the Legendre series of F on a piece of the length 2 half, at y between -1 and 1, where 1 is the piece's end.
+   With D_k = (1 - P_k(y))/(1 - y) no difference of close numbers occurs near the end. */
+VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_real half)
+{
+    vm_real before = 0, now = 1, D_before = 0, D = 0;
+    vmi_odd_forces r = {0, 0, 0};
+    int k;
+    for (k = 0; k < VMI_GAUSS; k++) {
+        const vm_real next = vmi_legendre_next(k, y, now, before);
+        const vm_real D_next = ((vm_real)(2 * k + 1) * (1 + y * D) - (vm_real)k * D_before) / (vm_real)(k + 1);
+        r.f += series[k] * now;
+        r.mean += series[k] * (D_next - D_before) / (vm_real)(2 * k + 1);
+        r.slope += series[k] * D;
+        before = now;
+        now = next;
+        D_before = D;
+        D = D_next;
+    }
+    r.slope /= half;
+    return r;
+}
+
+/* F and its means between x = share A and the amplitude A, 0 <= share <= 1 */
+VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
+{
+    const vm_real A = orbit->size, half = A / (2 * (vm_real)orbit->pieces);
+    int piece = (int)(share * (vm_real)orbit->pieces);
+    vm_real y, rest;
+    vmi_odd_forces r;
+    if (piece >= orbit->pieces) piece = orbit->pieces - 1;
+    y = 2 * (share * (vm_real)orbit->pieces - (vm_real)piece) - 1;
+    r = vmi_odd_user_sums(orbit->series[piece], y, half);
+    if (piece == orbit->pieces - 1) return r;
+    rest = A * (1 - share);
+    r.mean = (r.mean * (half * (1 - y)) + orbit->above[piece]) / rest;
+    r.slope = (orbit->energy_slope - r.f) / rest;
+    return r;
+}
+
+/* The point at theta. Between x and the amplitude A, F has the mean g (A + x)/2. */
+VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
+{
+    const vm_real A = orbit->size;
+    vm_real sine, cosine, g, g_size;
+    vmi_odd_forces r;
+    vmi_sincos(theta, &sine, &cosine);
+    r = vmi_odd_user_forces(orbit, vmi_larger(cosine, 0));
+    g = 2 * r.mean / (A * (1 + cosine));
+    g_size = (2 * (A * r.slope + r.f) / (A * (1 + cosine)) - 2 * g) / A;
+    point->x = A * cosine;
+    point->v = -A * sine * VM_SQRT(g);
+    point->slowness = 1 / VM_SQRT(g);
+    point->x_size = cosine;
+    point->slowness_size = -point->slowness * (g_size / (2 * g));
+}
+
+/* Fits the series of F on this number of pieces of 0 ... A. Writes the size of the terms that they leave out, relative
+   to the root mean square of F. */
+VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
+{
+    const vm_real length = orbit->size / (vm_real)pieces;
+    vm_real values[VMI_GAUSS], same[VMI_GAUSS], square = 0, largest = 0;
+    int i, k;
+    orbit->pieces = pieces;
+    orbit->above[pieces - 1] = 0;
+    orbit->energy_slope = 0;
+    for (k = pieces - 1; k >= 0; k--) {
+        for (i = 0; i < VMI_GAUSS; i++) {
+            const vm_real x = length * ((vm_real)k + (1 + vmi_gauss_node(i)) / 2);
+            const int status = vmi_odd_user_at(orbit->force, x, &values[i]);
+            if (status) return status;
+        }
+        vmi_legendre_fit(values, values, orbit->series[k], same);
+        square += vmi_legendre_square(orbit->series[k]) / (vm_real)pieces;
+        largest = vmi_larger(vmi_legendre_tail(orbit->series[k]), largest);
+        if (k > 0) orbit->above[k - 1] = orbit->above[k] + length * orbit->series[k][0];
+    }
+    for (i = 0; i < VMI_GAUSS; i++) orbit->energy_slope += orbit->series[pieces - 1][i];
+    *tail = largest / VM_SQRT(square);
+    return VM_OK;
+}
+
+/* Fits series of F between 0 and the orbit's amplitude, on as few pieces as are enough. Returns VM_NO_LAW if F is not
+   smooth enough for them. */
+VM_API int vmi_odd_user_series(vmi_orbit *orbit)
+{
+    const vm_real enough = 64 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-5);
+    vm_real tail = 0;
+    int pieces;
+    for (pieces = 1; pieces <= VMI_ORBIT_PARTS; pieces *= 2) {
+        const int status = vmi_odd_user_fit(orbit, pieces, &tail);
+        if (status) return status;
+        if (tail <= enough) break;
+    }
+    if (tail <= accepted) return VM_OK;
+    return VM_NO_LAW;
+}
+
+/* Completes an orbit whose amplitude is known. Returns VM_NO_LAW where there is no vibration of this amplitude, and
+   where the quadrature is not accurate: close to a separatrix, and for a force that is not smooth. */
+VM_API int vmi_odd_user_complete(vmi_orbit *orbit)
+{
+    const vm_real enough = 16 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-10) : VM_C(1e-4);
+    vmi_orbit_sum time, time_size;
+    vm_real squares[VMI_ORBIT_NODES], largest = 0;
+    int i, status = vmi_odd_user_series(orbit);
+    if (status) return status;
+    vmi_orbit_times(orbit, enough, &time, &time_size);
+    if (!(vmi_orbit_tail(&time) <= accepted)) return VM_NO_LAW;
+    for (i = 0; i < time.parts * VMI_GAUSS; i++) {
+        vmi_orbit_point point;
+        vmi_odd_user_point(orbit, vmi_orbit_node(time.parts, i), &point);
+        squares[i] = point.v * point.v * point.slowness;
+        largest = vmi_larger(-point.v, largest);
+    }
+    orbit->span = VM_PI / 2;
+    orbit->w = orbit->span / vmi_orbit_whole(&time);
+    vmi_orbit_sums(time.parts, squares, squares, &time, &time_size);
+    orbit->j = vmi_orbit_whole(&time) / orbit->span;
+    orbit->swing = orbit->size;
+    orbit->vmax = largest;
+    return VM_IS_FINITE(orbit->w) && orbit->w > 0 && orbit->energy_slope > 0 ? VM_OK : VM_NO_LAW;
+}
+
+/* A state, for the search of its amplitude */
+typedef struct VM_TAG(vmi_odd_state) {
+    const vm_odd_force *force;
+    vm_real x, v; /* position >= 0 and velocity */
+    int status;   /* of the user's function */
+} vmi_odd_state;
+
+/* The potential energy between x and x + more, less the kinetic energy of the state: 0 where x + more is the amplitude */
+VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
+{
+    vmi_odd_state *s = (vmi_odd_state *)state;
+    const vm_real length = more / (vm_real)VMI_ORBIT_PARTS;
+    vm_real sum = 0, f;
+    int i, k;
+    for (k = 0; k < VMI_ORBIT_PARTS; k++) {
+        for (i = 0; i < VMI_GAUSS; i++) {
+            const vm_real x = s->x + length * ((vm_real)k + (1 + vmi_gauss_node(i)) / 2);
+            const int status = vmi_odd_user_at(s->force, x, &f);
+            if (status) s->status = status;
+            sum += vmi_gauss_weight(i) / 2 * f;
+        }
+    }
+    return sum * length - s->v * s->v / 2;
+}
+
+/* The orbit through a state. A trial of the amplitude is doubled or halved until the amplitude lies between two of
+   them. Returns VM_NO_LAW where there is no amplitude. */
+VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
+{
+    const int most = 200;
+    vmi_odd_state s;
+    vm_real step, missing, before;
+    int i = 0;
+    s.force = force;
+    s.x = VM_FABS(x);
+    s.v = v;
+    s.status = VM_OK;
+    orbit->force = force;
+    orbit->place = VMI_ORBIT_AROUND_0;
+    orbit->size = s.x;
+    if (v == 0) return VM_OK;
+    step = s.x > 0 ? s.x : VM_FABS(v);
+    missing = vmi_odd_user_missing(step, &s);
+    for (; missing > 0 && i < most && !s.status; i++) {
+        step /= 2;
+        missing = vmi_odd_user_missing(step, &s);
+    }
+    before = missing;
+    for (; !(missing > 0) && i < most && !s.status; i++) {
+        before = missing;
+        step *= 2;
+        missing = vmi_odd_user_missing(step, &s);
+    }
+    if (s.status) return s.status;
+    if (!(missing > 0)) return VM_NO_LAW;
+    orbit->size = s.x + vmi_find_zero(vmi_odd_user_missing, &s, step / 2, step, before, missing);
+    return s.status;
+}
+
+/* The phase of a state on a complete orbit. It puts x = A cos(theta) and v = -A sin(theta)/(dt/dtheta). */
+VM_API int vmi_odd_user_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
+{
+    const vm_real above = vmi_larger(orbit->size - VM_FABS(x), 0) * (orbit->size + VM_FABS(x));
+    vmi_orbit_sum time, time_size;
+    vmi_orbit_point point;
+    vm_real theta;
+    vmi_orbit_times(orbit, 16 * VM_EPSILON, &time, &time_size);
+    vmi_odd_user_point(orbit, vmi_atan2(VM_SQRT(above), VM_FABS(x)), &point);
+    theta = vmi_atan2(VM_FABS(v) * point.slowness, VM_FABS(x));
+    *phi = orbit->w * vmi_orbit_sum_to(&time, theta);
+    if (x < 0) *phi = VM_PI - *phi;
+    if (v > 0) *phi = -*phi;
+    return VM_OK;
+}
+
+/* Position and velocity at a phase */
+VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v)
+{
+    const vmi_orbit_folded f = vmi_orbit_fold(orbit, phi);
+    vmi_orbit_sum time, time_size;
+    vmi_orbit_point point;
+    vmi_orbit_times(orbit, 16 * VM_EPSILON, &time, &time_size);
+    vmi_odd_user_point(orbit, vmi_orbit_theta(&time, f.phi / orbit->w), &point);
+    *x = f.side * point.x;
+    *v = f.side * f.sign * point.v;
+    return VM_OK;
+}
+
+/* Odd elastic force F(x) by a user's function, which is called for x >= 0 only. ctx is handed to it. F must be
+   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must be
+   so smooth that polynomials of degree 19 represent it on 8 pieces; otherwise all functions refuse it with VM_NO_LAW. A null function makes no
+   force: it is refused with VM_BAD_ARGUMENT. */
+VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
+{
+    vm_odd_force force;
+    force.k1 = 0;
+    force.k3 = 0;
+    force.function = function;
+    force.ctx = ctx;
+    force.at = NULL;
+    if (function) force.at = vmi_odd_user_at; /* else there is no force */
+    force.orbit_through = vmi_odd_user_through;
+    force.complete = vmi_odd_user_complete;
+    force.point = vmi_odd_user_point;
+    force.phase = vmi_odd_user_phase;
+    force.at_phase = vmi_odd_user_at_phase;
+    return force;
+}
+
+/* -- Motion with constant mass -- */
+
+/* Makes the complete orbit through a state. A state of rest has the size 0 and no other fields. */
+VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
+{
+    int status;
+    if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v)) return VM_NOT_FINITE;
+    status = force->orbit_through(force, x, v, orbit);
+    if (status || orbit->size == 0) return status;
+    if (!VM_IS_FINITE(orbit->size)) return VM_NOT_FINITE;
+    return force->complete(orbit);
+}
+
+/* Exact period, s, of the motion from rest at x0 (m, either sign) under a force F per unit mass. Returns NaN for a null
+   pointer, a force that no constructor made, x0 = 0, infinite x0, and where there is no vibration. The relative error
+   is at most 1e-13 (float 1e-5). */
+VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
+{
+    vmi_orbit orbit;
+    if (!force || !force->at || vmi_orbit_of_state(force, x0, 0, &orbit) || orbit.size == 0) return VM_NAN;
+    return 2 * VM_PI / orbit.w;
+}
+
+/* Action, m^2/s, of the motion from rest at x0: the integral of v dx over a period, divided by 2 pi. A slow change of
+   the force keeps it constant. Errors and accuracy are those of vm_odd_period, but it is 0 for x0 = 0. */
+VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
+{
+    vmi_orbit orbit;
+    if (!force || !force->at || vmi_orbit_of_state(force, x0, 0, &orbit)) return VM_NAN;
+    if (orbit.size == 0) return 0;
+    return orbit.j;
+}
+
+/* Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s) at t = 0, with F per unit mass. The errors of x and
+   v are at most 1e-12 (float 1e-4) of the amplitude and of the largest velocity, times 1 + t/period. Returns
+   VM_BAD_ARGUMENT for null pointers and for a force that no constructor made, VM_NOT_FINITE for infinite numbers and a
+   force that is infinite, VM_DOMAIN where the user's function fails, and VM_NO_LAW where there is no vibration, on a
+   separatrix and close to it, and for a force that is not smooth. An error leaves *x and *v untouched. */
+VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, vm_real v0, vm_real *x, vm_real *v)
+{
+    vmi_orbit orbit;
+    vm_real phi, now[2];
+    int status;
+    if (!force || !force->at || !x || !v) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vmi_orbit_of_state(force, x0, v0, &orbit);
+    if (status) return status;
+    now[0] = x0;
+    now[1] = v0;
+    if (orbit.size > 0) {
+        status = force->phase(&orbit, x0, v0, &phi);
+        if (!status) status = force->at_phase(&orbit, phi + orbit.w * t, &now[0], &now[1]);
+        if (status) return status;
+    }
+    if (!VM_IS_FINITE(now[0]) || !VM_IS_FINITE(now[1])) return VM_NOT_FINITE;
+    *x = now[0];
+    *v = now[1];
+    return VM_OK;
+}
+
+#endif
+/* oscillators/duffing.h - Duffing's oscillator, with the elastic force k1 x + k3 x^3
+
+   With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is written
+   with Jacobi's functions, for each sign of the coefficients:
+     c1 >= 0, c3 >= 0   hardening spring: every motion is a vibration around 0, x = A cn
+     c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away
+     c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
+                        them, x = A dn; the separatrix x = A/cosh between them has an infinite period
+       vm_real x, v;
+       vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
+       vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
+   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h.
+   Guide: docs/duffing.md. Tests: tests/test_duffing.c. */
+#ifndef VARMASS_OSCILLATORS_DUFFING_H
+#define VARMASS_OSCILLATORS_DUFFING_H
+
+/* -- The orbit through a state -- */
+
+/* k1 x + k3 x^3 */
+VM_API int vmi_duffing_at(const vm_odd_force *force, vm_real x, vm_real *f)
+{
+    *f = x * (force->k1 + force->k3 * (x * x));
+    return VM_IS_FINITE(*f) ? VM_OK : VM_NOT_FINITE;
+}
+
+/* By how much the square of the amplitude is larger than x^2. The number d solves c3 d^2/2 + slope d = v^2, where
+   slope = c1 + c3 x^2. Returns NaN for a motion that runs away. */
+VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
+{
+    const vm_real root = VM_SQRT(slope * slope + 2 * c3 * (v * v));
+    if (v == 0 && slope >= 0) return 0;
+    if (slope >= 0) return 2 * (v * v) / (slope + root);
+    if (c3 > 0) return (root - slope) / c3;
+    return VM_NAN;
+}
+
+/* The size and place of the orbit through (x, v). In two wells the orbit is an inner one if its energy is below that of
+   rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
+VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
+{
+    const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
+    const vm_real twice_energy = v * v + (x * x) * (k1 + k3 * (x * x) / 2);
+    vm_real above;
+    orbit->force = force;
+    orbit->place = VMI_ORBIT_AROUND_0;
+    if (k1 < 0 && k3 > 0 && twice_energy <= 0) {
+        const vm_real to_rest = slope / k3; /* x^2 minus its value at rest in the well */
+        orbit->size = VM_SQRT(to_rest * to_rest + 2 * (v * v) / k3);
+        if (x > 0) orbit->place = VMI_ORBIT_RIGHT;
+        if (x < 0) orbit->place = VMI_ORBIT_LEFT;
+        if (x == 0) orbit->size = 0; /* rest between the wells */
+        return VM_OK;
+    }
+    orbit->size = 0;
+    if (x == 0 && v == 0) return VM_OK;
+    above = vmi_duffing_above(k3, slope, v);
+    if (!(above >= 0) || !VM_IS_FINITE(above)) return VM_NO_LAW;
+    orbit->size = VM_FABS(x);
+    if (above > 0) orbit->size = VM_SQRT(x * x + above);
+    return VM_OK;
+}
+
+/* -- The shape of an orbit -- */
+
+/* Completes an orbit around 0: x = A cn(lambda t | m) with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3 A^2/2)/lambda^2.
+   For c3 < 0 the parameter m is negative. */
+VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, square = orbit->size * orbit->size;
+    const vm_real lambda2 = k1 + k3 * square, m1 = (k1 + k3 * square / 2) / lambda2, m = k3 * square / (2 * lambda2);
+    vm_real C2, C4, C6;
+    if (!(lambda2 > 0) || !(m1 > 0)) return VM_NO_LAW;
+    jacobi_cn_means(m, &C2, &C4, &C6);
+    orbit->span = VM_PI / 2;
+    orbit->lambda = VM_SQRT(lambda2);
+    orbit->m1 = m1;
+    orbit->w = VM_PI / 2 * orbit->lambda / jacobi_K_m1(m1);
+    orbit->j = square * lambda2 * (m1 * (1 - C2) + m * (C2 - C4)) / orbit->w;
+    orbit->energy_slope = orbit->size * lambda2;
+    orbit->swing = orbit->size;
+    orbit->vmax = orbit->size * VM_SQRT(k1 + k3 * square / 2);
+    if (k1 < 0) orbit->vmax = lambda2 / VM_SQRT(2 * k3); /* at x^2 = -k1/k3, where the force is 0 */
+    return VM_OK;
+}
+
+/* Completes an orbit in a well, at rest^2 = -c1/c3: x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3 A^2/2
+   and 1 - m = (rest^2 - size)/A^2. */
+VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
+{
+    const vm_real k3 = orbit->force->k3, rest = -orbit->force->k1 / k3, size = orbit->size;
+    const vm_real A = VM_SQRT(rest + size), B = VM_SQRT(vmi_larger(rest - size, 0));
+    const vm_real m1 = (rest - size) / (rest + size), m = 2 * size / (rest + size);
+    vm_real C2, C4, C6;
+    if (!(m1 > 0)) return VM_NO_LAW;
+    jacobi_cn_means(m, &C2, &C4, &C6);
+    orbit->span = VM_PI;
+    orbit->lambda = A * VM_SQRT(k3 / 2);
+    orbit->m1 = m1;
+    orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
+    orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, over w */
+    orbit->energy_slope = k3 * size / 2;
+    orbit->swing = size / (A + B); /* (A - B)/2 */
+    orbit->vmax = size * VM_SQRT(k3 / 2);
+    return VM_OK;
+}
+
+/* Completes an orbit of size > 0. Returns VM_NO_LAW on a separatrix and where the motion runs away. */
+VM_API int vmi_duffing_complete(vmi_orbit *orbit)
+{
+    int status;
+    if (orbit->place == VMI_ORBIT_AROUND_0) status = vmi_duffing_complete_outer(orbit);
+    else status = vmi_duffing_complete_inner(orbit);
+    if (!status && !(orbit->w > 0 && VM_IS_FINITE(orbit->w) && VM_IS_FINITE(orbit->j))) status = VM_NO_LAW;
+    return status;
+}
+
+/* The point at theta: around 0, x = A cos(theta); in a well, x^2 = rest^2 + size cos(2 theta) */
+VM_API void vmi_duffing_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size;
+    vm_real sine, cosine;
+    vmi_sincos(theta, &sine, &cosine);
+    if (orbit->place == VMI_ORBIT_AROUND_0) {
+        const vm_real share = 1 + cosine * cosine, g = k1 + k3 * (size * size) * share / 2;
+        point->x = size * cosine;
+        point->v = -size * sine * VM_SQRT(g);
+        point->x_size = cosine;
+        point->slowness = 1 / VM_SQRT(g);
+        point->slowness_size = -point->slowness * (k3 * size * share / (2 * g));
+    } else {
+        const vm_real cosine2 = 1 - 2 * sine * sine, x = VM_SQRT(-k1 / k3 + size * cosine2), root = VM_SQRT(k3 / 2);
+        point->x = x;
+        point->v = -2 * size * sine * cosine * root;
+        point->x_size = cosine2 / (2 * x);
+        point->slowness = 1 / (x * root);
+        point->slowness_size = -point->slowness * point->x_size / x;
+    }
+}
+
+/* The incomplete integral F = u of the first kind, from s2 = sn^2(u), c2 = cn^2(u) and d2 = dn^2(u), 0 <= u <= K */
+VM_API vm_real vmi_duffing_argument(vm_real s2, vm_real c2, vm_real d2)
+{
+    return VM_SQRT(s2) * vmi_carlson_rf(vmi_two(c2, 0), vmi_two(d2, 0), vmi_two(1, 0)).hi;
+}
+
+/* The argument u of Jacobi's functions at a state of a complete orbit */
+VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_real v)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1;
+    vm_real s2, c2, u;
+    if (orbit->place == VMI_ORBIT_AROUND_0) {
+        const vm_real g = k1 + k3 * (x * x + size * size) / 2; /* v^2 = g (A^2 - x^2) */
+        c2 = vmi_smaller(x * x / (size * size), 1);
+        s2 = vmi_smaller(v * v / (g * (size * size)), 1);
+    } else {
+        const vm_real cosine = vmi_clamp((x * x + k1 / k3) / size, -1, 1); /* of the angle 2 theta */
+        const vm_real sine = v / (size * VM_SQRT(k3 / 2)), angle = vmi_atan2(VM_FABS(sine), cosine) / 2;
+        vm_real s, c;
+        vmi_sincos(angle, &s, &c);
+        s2 = s * s;
+        c2 = c * c;
+    }
+    u = vmi_duffing_argument(s2, c2, c2 + m1 * s2);
+    if (orbit->place == VMI_ORBIT_AROUND_0 && x < 0) u = 2 * jacobi_K_m1(m1) - u;
+    if (v * (orbit->place == VMI_ORBIT_LEFT ? -1 : 1) > 0) u = -u;
+    return u;
+}
+
+/* The state at the argument u of Jacobi's functions */
+VM_API void vmi_duffing_at_argument(const vmi_orbit *orbit, vm_real u, vm_real *x, vm_real *v)
+{
+    vm_real sn, cn, dn;
+    jacobi_sncndn_m1(u, orbit->m1, &sn, &cn, &dn);
+    if (orbit->place == VMI_ORBIT_AROUND_0) {
+        *x = orbit->size * cn;
+        *v = -orbit->size * orbit->lambda * (sn * dn);
+    } else {
+        const vm_real k3 = orbit->force->k3, A = (vm_real)orbit->place * VM_SQRT(orbit->size - orbit->force->k1 / k3);
+        *x = A * dn;
+        *v = -(vm_real)orbit->place * orbit->size * VM_SQRT(2 * k3) * (sn * cn);
+    }
+}
+
+/* The phase of a state on a complete orbit */
+VM_API int vmi_duffing_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
+{
+    *phi = vmi_duffing_argument_of(orbit, x, v) * (orbit->w / orbit->lambda);
+    return VM_OK;
+}
+
+/* The state at a phase */
+VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v)
+{
+    vmi_duffing_at_argument(orbit, phi * (orbit->lambda / orbit->w), x, v);
+    return VM_OK;
+}
+
+/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but not both may be negative or 0: then
+   nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
+VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
+{
+    vm_odd_force force = vm_odd_force_user(NULL, NULL);
+    force.k1 = k1;
+    force.k3 = k3;
+    force.at = vmi_duffing_at;
+    force.orbit_through = vmi_duffing_through;
+    force.complete = vmi_duffing_complete;
+    force.point = vmi_duffing_point;
+    force.phase = vmi_duffing_phase;
+    force.at_phase = vmi_duffing_at_phase;
+    return force;
+}
+
+/* -- Constant mass: functions of numbers -- */
+
+/* The energy per unit mass, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2. It is conserved. Returns NaN for infinite arguments. */
+VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
+{
+    if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
+    return v * v / 2 + (x * x) * (c1 / 2 + c3 * (x * x) / 4);
+}
+
+/* Whether a state lies on the separatrix x = A/cosh, which goes out from x = 0 and comes back in infinite time */
+VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
+    if (!(k1 < 0) || !(k3 > 0) || orbit->size == 0) return 0;
+    if (orbit->place == VMI_ORBIT_AROUND_0) return k1 + k3 * (orbit->size * orbit->size) / 2 == 0;
+    return orbit->size == -k1 / k3;
+}
+
+/* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
+   A motion in one of two wells is one vibration there. The period is infinite on the separatrix. The relative error is
+   at most 8 eps where no terms of c1 + c3 x0^2 and c1 + c3 x0^2/2 cancel. Returns NaN where the motion runs away, at
+   x0 = 0, and for infinite arguments. */
+VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
+{
+    const vm_odd_force force = vm_duffing_force(c1, c3);
+    vmi_orbit orbit;
+    if (!VM_IS_FINITE(x0) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
+    if (vmi_duffing_through(&force, x0, 0, &orbit) || orbit.size == 0) return VM_NAN;
+    if (vmi_duffing_is_separatrix(&orbit)) return VM_INFINITY;
+    if (vmi_duffing_complete(&orbit)) return VM_NAN;
+    return 2 * VM_PI / orbit.w;
+}
+
+/* Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
+   It is the integral of v dx over a period, divided by 2 pi; a slow change keeps it constant. Domain and accuracy are
+   those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
+VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
+{
+    const vm_odd_force force = vm_duffing_force(c1, c3);
+    if (!VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
+    return vm_odd_action(&force, x0);
+}
+
+/* The motion x = A/cosh(lambda t) on the separatrix, with A^2 = -2 c1/c3 and lambda^2 = -c1 */
+VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x,
+                                      vm_real *v)
+{
+    const vm_real A = VM_COPYSIGN(VM_SQRT(-2 * c1 / c3), x0), lambda = VM_SQRT(-c1);
+    const vm_real tanh0 = -v0 / (lambda * x0), cosh0 = A / x0;
+    vm_real tanh_t, sech_t, unused, both;
+    jacobi_sncndn_m1(lambda * t, 0, &tanh_t, &sech_t, &unused);
+    both = 1 + tanh0 * tanh_t; /* cosh(a + b) = cosh a cosh b (1 + tanh a tanh b) */
+    *x = A * sech_t / (cosh0 * both);
+    *v = -lambda * *x * ((tanh0 + tanh_t) / both);
+}
+
+/* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s) at t = 0.
+   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps of
+   the amplitude and of the largest velocity, times 1 + t/period, where no terms of c1 + c3 A^2 and c1 + c3 A^2/2 cancel
+   at the amplitude A. Writes NaN where the motion runs away and for infinite arguments, and nothing where an output is
+   null. Equations: DLMF 22.19(ii). */
+VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
+{
+    if (!x || !v) return;
+    const vm_odd_force force = vm_duffing_force(c1, c3);
+    vmi_orbit orbit;
+    *x = VM_NAN;
+    *v = VM_NAN;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(x0) || !VM_IS_FINITE(v0) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return;
+    if (vmi_duffing_through(&force, x0, v0, &orbit)) return;
+    if (orbit.size == 0) {
+        *x = x0;
+        *v = v0;
+    } else if (vmi_duffing_is_separatrix(&orbit) && x0 != 0) {
+        vmi_duffing_on_separatrix(t, x0, v0, c1, c3, x, v);
+    } else if (!vmi_duffing_complete(&orbit)) {
+        vmi_duffing_at_argument(&orbit, vmi_duffing_argument_of(&orbit, x0, v0) + orbit.lambda * t, x, v);
+    }
+}
+
+#endif
+/* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
+
+   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping and reactive force all act as one damping h:
+       x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
+   so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
+   canonical, and their Hamiltonian is that of constant mass plus 2 h a, times mu sqrt(k/m), with the function
+       a(phi) = (integral of v dx from phase 0) - j phi
+   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order in h
+   the mean action and the mean phase are
+       j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
+       phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
+   where M is the mean of a^2, an index j means the derivative by j at fixed phase, and h' = dh/ds.
+       vmi_orbit_ripple ripple;
+       vmi_orbit_ripple_values now;
+       vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit
+       vmi_orbit_ripple_at(&ripple, &orbit, phi, &now);
+   Source: the averaging of canonical equations by Lie series, to second order; docs/duffing.md.
+   Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
+#define VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
+
+/* The functions of the ripple on one orbit. "By size" means the derivative by orbit.size at fixed phase. */
+typedef struct VM_TAG(vmi_orbit_ripple) {
+    vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
+    vmi_orbit_sum squares;         /* integral of v^2 over time */
+    vmi_orbit_sum B, B_size;       /* integrals of a over the phase, and of its derivative by size */
+    vm_real B_mean, B_size_mean;   /* the means of these integrals */
+    vm_real M, M_size;             /* mean of a^2, and its derivative by size */
+    vm_real w_size, j_size;        /* derivatives of w and j by size */
+    vm_real largest_a;             /* largest |a|/j */
+    vm_real largest_B;             /* largest w |(B/w)_j| */
+} vmi_orbit_ripple;
+
+/* The ripple at one phase */
+typedef struct VM_TAG(vmi_orbit_ripple_values) {
+    vm_real a, B; /* see above */
+    vm_real B_j;  /* (B/w)_j */
+} vmi_orbit_ripple_values;
+
+/* Values at the nodes of theta, from which the sums are made */
+typedef struct VM_TAG(vmi_orbit_nodes) {
+    int n;
+    vmi_orbit_point point[VMI_ORBIT_NODES];
+    vm_real a[VMI_ORBIT_NODES], a_size[VMI_ORBIT_NODES]; /* a, and its derivative by size at fixed phase */
+    vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
+} vmi_orbit_nodes;
+
+/* Computes a and its derivative at the nodes. At fixed phase a changes by v times the change of x. */
+VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
+{
+    vm_real squares[VMI_ORBIT_NODES];
+    const int parts = r->time.parts;
+    int i;
+    nodes->n = parts * VMI_GAUSS;
+    for (i = 0; i < nodes->n; i++) {
+        vmi_orbit_point *p = nodes->point + i;
+        orbit->force->point(orbit, vmi_orbit_node(parts, i), p);
+        squares[i] = p->v * p->v * p->slowness;
+    }
+    vmi_orbit_sums(parts, squares, squares, &r->squares, &r->B);
+    for (i = 0; i < nodes->n; i++) {
+        const vmi_orbit_point *p = nodes->point + i;
+        const vm_real theta = vmi_orbit_node(parts, i), time = vmi_orbit_sum_to(&r->time, theta);
+        const vm_real phi_size = r->w_size * time + orbit->w * vmi_orbit_sum_to(&r->time_size, theta);
+        nodes->a[i] = vmi_orbit_sum_to(&r->squares, theta) - orbit->j * (orbit->w * time);
+        nodes->a_size[i] = p->v * (p->x_size - p->v * phi_size / orbit->w);
+        nodes->phase_rate[i] = orbit->w * p->slowness;
+    }
+}
+
+/* The mean over the phase of a function with these values at the nodes */
+VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, const vm_real *values)
+{
+    vm_real sum = 0;
+    int i;
+    for (i = 0; i < nodes->n; i++) sum += vmi_gauss_weight(i % VMI_GAUSS) * values[i] * nodes->phase_rate[i];
+    return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
+}
+
+/* The derivative by j of B/w, from B and its derivative by size */
+VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
+{
+    return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
+}
+
+/* Computes B, the means and the largest values from the nodes. */
+VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, vmi_orbit_ripple *r)
+{
+    const int parts = r->time.parts;
+    vm_real first[VMI_ORBIT_NODES], second[VMI_ORBIT_NODES];
+    int i;
+    for (i = 0; i < nodes->n; i++) {
+        first[i] = nodes->a[i] * nodes->phase_rate[i];
+        second[i] = nodes->a_size[i] * nodes->phase_rate[i];
+    }
+    vmi_orbit_sums(parts, first, second, &r->B, &r->B_size);
+    for (i = 0; i < nodes->n; i++) {
+        first[i] = nodes->a[i] * nodes->a[i];
+        second[i] = 2 * nodes->a[i] * nodes->a_size[i];
+    }
+    r->M = vmi_orbit_mean(orbit, nodes, first);
+    r->M_size = vmi_orbit_mean(orbit, nodes, second);
+    for (i = 0; i < nodes->n; i++) {
+        const vm_real theta = vmi_orbit_node(parts, i);
+        first[i] = vmi_orbit_sum_to(&r->B, theta);
+        second[i] = vmi_orbit_sum_to(&r->B_size, theta);
+    }
+    r->B_mean = vmi_orbit_mean(orbit, nodes, first);
+    r->B_size_mean = vmi_orbit_mean(orbit, nodes, second);
+    r->largest_a = 0;
+    r->largest_B = 0;
+    for (i = 0; i < nodes->n; i++) {
+        const vm_real B_j = vmi_orbit_B_j(orbit, r, first[i] - r->B_mean, second[i] - r->B_size_mean);
+        r->largest_a = vmi_larger(VM_FABS(nodes->a[i]) / orbit->j, r->largest_a);
+        r->largest_B = vmi_larger(VM_FABS(B_j) * orbit->w, r->largest_B);
+    }
+}
+
+/* Computes the ripple of a complete orbit. Its terms are small, so that 8 digits are enough for them. */
+VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-5);
+    vmi_orbit_nodes nodes;
+    vmi_orbit_times(orbit, enough, &r->time, &r->time_size);
+    r->w_size = -orbit->w * (vmi_orbit_whole(&r->time_size) / vmi_orbit_whole(&r->time));
+    r->j_size = orbit->energy_slope / orbit->w;
+    vmi_orbit_ripple_nodes(orbit, r, &nodes);
+    vmi_orbit_ripple_means(orbit, &nodes, r);
+}
+
+/* The ripple at a phase of any size */
+VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
+                                vmi_orbit_ripple_values *now)
+{
+    const vmi_orbit_folded f = vmi_orbit_fold(orbit, phi);
+    const vm_real time = f.phi / orbit->w, theta = vmi_orbit_theta(&r->time, time);
+    const vm_real B_size = vmi_orbit_sum_to(&r->B_size, theta) - r->B_size_mean;
+    now->a = f.sign * (vmi_orbit_sum_to(&r->squares, theta) - orbit->j * f.phi);
+    now->B = vmi_orbit_sum_to(&r->B, theta) - r->B_mean;
+    now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
+}
+
+/* (M/w)_j, on which the mean rate of the phase depends */
+VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
+}
+
+/* The mean action that belongs to the action j of an orbit at a phase. h is the damping above and h_rate = dh/ds. */
+VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
+                                     const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
+{
+    const vm_real w = orbit->w, w_j = r->w_size / r->j_size, first = 2 * h * now->a / w;
+    const vm_real M2_j = (vmi_orbit_M_j(r, orbit) - r->M * w_j / (w * w)) / w; /* (M/w^2)_j */
+    vm_real second = -(2 * h_rate + 4 * h * h) * now->B / (w * w) + 4 * h * h * orbit->j * now->B_j / w;
+    second += 2 * h * h * (M2_j - (now->a * now->a - r->M) * w_j / (w * w * w));
+    return orbit->j + first + second;
+}
+
+#endif
+/* oscillators/odd_motion.h - vibration under an odd elastic force with slow mass, stiffness and damping
+
+   The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
+       m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
+   F is odd: Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the user (oscillators/odd_force.h).
+   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. Shortest useful call:
+       vm_odd_problem problem;
+       vm_odd_motion motion;
+       problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
+       problem.mass = vm_law_linear(2, VM_C(0.01));           // 0.01 kg/s settle on the body
+       problem.stiffness = vm_law_linear(1, 0);               // constant
+       problem.damping = vm_law_linear(VM_C(0.02), 0);        // 0.02 N s/m
+       problem.reactive = 1;
+       problem.x = VM_C(0.2);
+       problem.v = 0;
+       if (vm_odd_within(&problem, 60, VM_C(1e-3), &motion) == VM_OK) printf("%g m\n", (double)motion.x);
+   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws are
+   not slow or the motion crosses a separatrix. A plan holds the mean motion from 0 to a given time.
+   Guide: docs/duffing.md. Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ODD_MOTION_H
+#define VARMASS_OSCILLATORS_ODD_MOTION_H
+
+#include <string.h>
+
+/* Routes to x(t) and x'(t), the cheapest first */
+enum {
+    VM_ODD_MEAN = 0,   /* the mean motion: averaging with an error of first order in the rates of the laws */
+    VM_ODD_ORDER2 = 1, /* the mean motion and its ripple within a period: an error of second order */
+    VM_ODD_RK87 = 2    /* integration of the equation of motion by rk87 */
+};
+
+/* A vibration under an odd elastic force, and its state at t = 0 */
+typedef struct VM_TAG(vm_odd_problem) {
+    vm_odd_force force; /* F(x), N, by vm_duffing_force or vm_odd_force_user */
+    vm_law mass;        /* mass m(t), kg, positive */
+    vm_law stiffness;   /* factor k(t) of the whole elastic force, a pure number, positive */
+    vm_law damping;     /* damping b(t), kg/s; positive takes energy out */
+    vm_real reactive;   /* share of the full reactive force: 1 where mass that joins or leaves is at rest, 0 where this
+                           mass has the body's own velocity; numbers between are allowed */
+    vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
+} vm_odd_problem;
+
+/* The motion at one time */
+typedef struct VM_TAG(vm_odd_motion) {
+    vm_real x, v;      /* position, m, and velocity, m/s */
+    vm_real amplitude; /* the largest |x| of the present vibration, m; NaN where x and v belong to no vibration */
+    vm_real error;     /* estimate of the larger of |error of x|/swing and |error of v|/vmax, where swing is half the
+                          distance of the turning points and vmax the largest velocity of the present vibration */
+    int route;         /* the route that was taken, VM_ODD_... */
+    long evals;        /* evaluations of the equation of motion; 0 where nothing was integrated */
+} vm_odd_motion;
+
+/* -- The laws at one time -- */
+
+/* Mass, stiffness, damping and the rates that follow from them, at one time */
+typedef struct VM_TAG(vmi_odd_rates) {
+    vm_real m, k, b;   /* mass, stiffness and damping */
+    vm_real m_rate;    /* dm/dt, kg/s */
+    vm_real speed;     /* ds/dt = sqrt(k/m) */
+    vm_real turn;      /* relative rate of `speed`, 1/s */
+    vm_real h;         /* damping h of orbit_ripple.h, times `speed`, 1/s */
+} vmi_odd_rates;
+
+/* Reads the laws at t. Where a rate jumps at t, side = 1 asks for its value after t, side = -1 before t. */
+VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
+    if (status) return status;
+    r->m = m[0];
+    r->k = k[0];
+    r->b = b[0];
+    r->m_rate = m[1];
+    r->speed = VM_SQRT(k[0] / m[0]);
+    r->turn = (k[1] / k[0] - m[1] / m[0]) / 2;
+    r->h = (r->turn + (o->reactive * m[1] + b[0]) / m[0]) / 2;
+    return VM_OK;
+}
+
+/* The damping h of orbit_ripple.h and its derivatives by s, where ds/dt = sqrt(k/m) */
+typedef struct VM_TAG(vmi_odd_slow) {
+    vm_real h, h1, h2;
+} vmi_odd_slow;
+
+/* Computes h and its derivatives at t; length, s, is for the derivatives of users' laws (see vmi_law_derivatives). */
+VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
+{
+    enum { TERMS = 4 };
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], ln_m[TERMS], ln_k[TERMS], inverse[TERMS];
+    vm_real h[3], turn[2], speed, rate, rate_rate;
+    int i, status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, length, b);
+    if (status) return status;
+    speed = VM_SQRT(k[0] / m[0]);
+    vmi_series_of_derivatives(TERMS, 1, m);
+    vmi_series_of_derivatives(TERMS, 1, k);
+    vmi_series_of_derivatives(TERMS, 1, b);
+    vmi_series_log_rate(TERMS, m, ln_m);
+    vmi_series_log_rate(TERMS, k, ln_k);
+    vmi_series_inverse(TERMS, m, inverse);
+    for (i = 0; i < 3; i++)
+        h[i] = (ln_k[i] + (2 * o->reactive - 1) * ln_m[i] + 2 * vmi_series_product(i, b, inverse)) / 4;
+    for (i = 0; i < 2; i++) turn[i] = (ln_k[i] - ln_m[i]) / 2;
+    rate = h[1] - turn[0] * h[0];
+    rate_rate = 2 * h[2] - turn[1] * h[0] - turn[0] * h[1];
+    slow->h = h[0] / speed;
+    slow->h1 = rate / (speed * speed);
+    slow->h2 = (rate_rate - 2 * turn[0] * rate) / (speed * speed * speed);
+    return VM_OK;
+}
+
+/* -- The plan -- */
+
+/* The largest number of panels of time that a plan holds (a user's law needs 32 at least), and the number of derivatives
+   that tell how fast the laws change */
+enum { VMI_ODD_PANELS = 48, VMI_ODD_ORDERS = 7 };
+
+/* A panel of time, on which the laws and the mean motion are Legendre series */
+typedef struct VM_TAG(vmi_odd_panel) {
+    vm_real t, length;          /* its start and its length, s, negative backward in time */
+    vm_real phase;              /* mean phase at its start */
+    vm_real decay;              /* integral of b/m from 0 to its start */
+    vm_real ln_J;               /* ln of the mean action J over its value at t = 0; it changes at points of tables */
+    vm_real rate[VMI_GAUSS];    /* series of the rate of the mean phase, 1/s */
+    vm_real size[VMI_GAUSS];    /* series of the size of the mean orbit (see vmi_orbit) */
+    /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */
+    vm_real change[VMI_ODD_ORDERS];
+    vm_real knots;              /* what order two leaves out of ln J at points of tables, from 0 to the end */
+} vmi_odd_panel;
+
+/* The mean motion of a problem from t = 0 to a given time. Fill it by vm_odd_plan_init; read its fields, but do not
+   change them. It points to the tables, functions and contexts of the problem. */
+typedef struct VM_TAG(vm_odd_plan) {
+    vm_odd_problem problem; /* a copy of the problem */
+    vm_real t_end;          /* the time up to which the plan was asked for, s */
+    vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or less */
+    vm_real m0, k0, speed0; /* mass, stiffness and sqrt(k/m) at t = 0 */
+    int at_rest;            /* 1 where the body rests in equilibrium, else 0 */
+    vmi_orbit start;        /* the orbit of the state at t = 0; its size is 0 where there is no vibration */
+    vm_real phi;            /* phase of this state */
+    vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
+    vmi_odd_slow slow;      /* damping h at t = 0 */
+    vm_real gamma;          /* the relative change of w over that of j, at t = 0 */
+    vm_real a0, B0;         /* fields largest_a and largest_B of the ripple at t = 0 */
+    int n;                  /* number of panels */
+    vmi_odd_panel panel[VMI_ODD_PANELS];
+} vm_odd_plan;
+
+/* Finds the orbit with this ln j by Newton's method, from the size that the orbit has as a guess. A step that leads out
+   of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
+VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
+{
+    const vm_real enough = 4 * VM_EPSILON, longest = 2;
+    const int most = 80;
+    vm_real size = orbit->size, step = 0;
+    int i, status = VM_NO_LAW;
+    for (i = 0; i < most; i++) {
+        orbit->size = size * vmi_exp(step, 0);
+        status = orbit->force->complete(orbit);
+        if (status && status != VM_NO_LAW) return status;
+        if (status || !(orbit->j > 0)) {
+            step /= 2;
+            if (VM_FABS(step) < enough) return VM_NO_LAW;
+            continue;
+        }
+        size = orbit->size;
+        step = (ln_j - vmi_log(orbit->j).hi) * (orbit->w * orbit->j) / (orbit->energy_slope * size);
+        step = vmi_clamp(step, -longest, longest);
+        if (VM_FABS(step) <= enough) return VM_OK;
+    }
+    return VM_NO_LAW;
+}
+
+/* The change of ln j by the adiabatic law, from t = 0 to a time with these laws and this integral of b/m */
+VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
+{
+    const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
+    return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay);
+}
+
+/* A time in which the orbit turns by 16 radians, s; derivatives of users' laws are found within it */
+VM_API vm_real vmi_odd_sampling_time(vm_real w, vm_real speed) { return 16 / (w * speed); }
+
+/* -- A panel -- */
+
+/* The laws at the nodes of a panel, and what follows from them */
+typedef struct VM_TAG(vmi_odd_nodes) {
+    vmi_odd_rates rates[VMI_GAUSS];
+    vm_real decay[VMI_GAUSS];  /* integral of b/m from t = 0 */
+    vm_real h_rate[VMI_GAUSS]; /* time derivative of the field h of the rates, 1/s^2 */
+    vm_real edge;              /* largest relative difference between 1/m or k and its series at the panel's ends */
+    vm_real decay_end;         /* integral of b/m from t = 0 to the end of the panel */
+    vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS]; /* series of 1/m and k */
+} vmi_odd_nodes;
+
+/* Reads the laws at the nodes of a panel. */
+VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
+{
+    const int side = vmi_time_side(panel->length);
+    vm_real inverse[VMI_GAUSS], k[VMI_GAUSS], losses[VMI_GAUSS], h[VMI_GAUSS], loss[VMI_GAUSS], h_series[VMI_GAUSS];
+    int i, status;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real t = panel->t + panel->length * ((1 + vmi_gauss_node(i)) / 2);
+        status = vmi_odd_rates_at(o, t, side, &at->rates[i]);
+        if (status) return status;
+        inverse[i] = 1 / at->rates[i].m;
+        k[i] = at->rates[i].k;
+        losses[i] = at->rates[i].b / at->rates[i].m;
+        h[i] = at->rates[i].h;
+    }
+    vmi_legendre_fit(inverse, k, at->inverse, at->stiffness);
+    vmi_legendre_fit(losses, h, loss, h_series);
+    vmi_legendre_derive(h_series);
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real x = vmi_gauss_node(i);
+        at->decay[i] = panel->decay + panel->length / 2 * vmi_legendre_integral(loss, x);
+        at->h_rate[i] = 2 / panel->length * vmi_legendre_at(h_series, x);
+    }
+    at->decay_end = panel->decay + panel->length * loss[0];
+    at->edge = 0;
+    status = vmi_panel_edge(&o->mass, VM_BAD_MASS, 1, panel->t, panel->length, at->inverse, &at->edge);
+    if (status) return status;
+    return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
+}
+
+/* Adds to panel->change what this panel adds, from the series of h/w: root mean squares in place of absolute values.
+   Coefficients that are as small as rounding errors are left out. The series is overwritten. */
+VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
+{
+    const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
+    const vm_real turns = VM_FABS(panel->length * panel->rate[0]);
+    const vm_real least = noise * VM_SQRT(vmi_legendre_square(ratio));
+    vm_real scale = turns;
+    int i;
+    for (i = 0; i < VMI_GAUSS; i++)
+        if (VM_FABS(ratio[i]) <= least) ratio[i] = 0;
+    for (i = 0; i < VMI_ODD_ORDERS; i++) {
+        panel->change[i] += scale * VM_SQRT(vmi_legendre_square(ratio));
+        vmi_legendre_derive(ratio);
+        scale *= 2 / turns;
+    }
+}
+
+/* The number of the kth node in the order of time, 0 <= k < 20: 0, 2 ... 18, 19, 17 ... 1 */
+VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
+
+/* Computes the series of a panel. Its fields for the start and its length are set. orbit is a guess of the mean orbit
+   at the start; it becomes the orbit at the last node. */
+VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
+{
+    vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS], bend[VMI_GAUSS], ratio[VMI_GAUSS];
+    int i, k, status = vmi_odd_read(&p->problem, panel, at);
+    if (status) return status;
+    for (k = 0; k < VMI_GAUSS; k++) {
+        vmi_orbit_ripple ripple;
+        vm_real h, h1, M_j;
+        const vmi_odd_rates *now;
+        i = vmi_odd_node_number(k);
+        now = at->rates + i;
+        status = vmi_orbit_find(orbit, p->ln_j + panel->ln_J + vmi_odd_adiabatic(p, now, at->decay[i]));
+        if (status) return status;
+        vmi_orbit_ripple_init(&ripple, orbit);
+        h = now->h / now->speed;
+        h1 = (at->h_rate[i] - now->h * now->turn) / (now->speed * now->speed);
+        M_j = vmi_orbit_M_j(&ripple, orbit) / orbit->j;
+        sizes[i] = orbit->size;
+        bends[i] = h * M_j;
+        ratios[i] = h / orbit->w;
+        rates[i] = (orbit->w - M_j * (h1 + 2 * h * h)) * now->speed;
+    }
+    vmi_legendre_fit(bends, ratios, bend, ratio);
+    vmi_legendre_derive(bend);
+    for (i = 0; i < VMI_GAUSS; i++) rates[i] += 2 / panel->length * vmi_legendre_at(bend, vmi_gauss_node(i));
+    vmi_legendre_fit(rates, sizes, panel->rate, panel->size);
+    vmi_odd_add_changes(panel, ratio);
+    return VM_OK;
+}
+
+/* Whether a panel is short enough for its series. Phase and size are evaluated inside the panel, where the terms that
+   their series leave out are not squared. whole is the length of the walk, s. */
+VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, vm_real whole)
+{
+    const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
+    if (!(at->edge <= vmi_panel_edge_limit(limit))) return 0;
+    if (!vmi_panel_is_resolved(at->inverse, limit) || !vmi_panel_is_resolved(at->stiffness, limit)) return 0;
+    return vmi_panel_is_resolved(panel->rate, fine) && vmi_panel_is_resolved(panel->size, fine);
+}
+
+/* -- The walk from t = 0 to the plan's end -- */
+
+/* Adds a resolved panel to the plan, and writes the start of the next one to *next. */
+VM_API void vmi_odd_keep(vm_odd_plan *p, const vmi_odd_panel *panel, const vmi_odd_nodes *at, vmi_odd_panel *next)
+{
+    p->panel[p->n] = *panel;
+    p->n++;
+    *next = *panel;
+    next->t += panel->length;
+    next->phase += panel->length * panel->rate[0];
+    next->decay = at->decay_end;
+    p->reach = next->t;
+}
+
+/* Adds the panels of a piece of time without points of tables. Returns VM_NO_LAW where the averaged motion ends: at a
+   separatrix, and where the plan has no room for more panels. */
+VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_orbit *orbit, vmi_odd_panel *next)
+{
+    const vm_real whole = VM_FABS(p->t_end), shortest_at_end = whole / 64;
+    vmi_panels panels = vmi_panels_from(next->t, end, longest, whole);
+    while (vmi_panels_next(&panels)) {
+        vmi_odd_panel panel = *next;
+        vmi_odd_nodes at;
+        vmi_orbit trial = *orbit;
+        int status;
+        if (p->n == VMI_ODD_PANELS) return VM_NO_LAW;
+        panel.t = panels.t;
+        panel.length = panels.side * panels.step;
+        status = vmi_odd_panel_of(p, &panel, &trial, &at);
+        if (status && (status != VM_NO_LAW || panels.step < shortest_at_end)) return status;
+        if (status || !vmi_odd_panel_is_resolved(&panel, &at, whole)) {
+            if (vmi_panels_halve(&panels)) continue;
+            return VM_NO_LAW;
+        }
+        *orbit = trial;
+        vmi_odd_keep(p, &panel, &at, next);
+        vmi_panels_advance(&panels);
+        next->t = panels.t;
+        p->reach = panels.t;
+    }
+    return VM_OK;
+}
+
+/* Takes the mean motion past t, a point of a table: the derivative of h jumps there, but the motion does not, so that
+   the mean action jumps. */
+VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
+{
+    const int side = vmi_time_side(p->t_end);
+    const vm_real length = vmi_odd_sampling_time(orbit->w, p->speed0);
+    vmi_odd_rates rates;
+    vmi_odd_slow before, after;
+    vmi_orbit_ripple ripple;
+    vmi_orbit_ripple_values now;
+    vm_real w, left;
+    int status = vmi_odd_rates_at(&p->problem, next->t, -side, &rates);
+    if (!status) status = vmi_orbit_find(orbit, p->ln_j + next->ln_J + vmi_odd_adiabatic(p, &rates, next->decay));
+    if (!status) status = vmi_odd_slow_at(&p->problem, next->t, -side, length, &before);
+    if (!status) status = vmi_odd_slow_at(&p->problem, next->t, side, length, &after);
+    if (status) return status;
+    vmi_orbit_ripple_init(&ripple, orbit);
+    vmi_orbit_ripple_at(&ripple, orbit, next->phase, &now);
+    w = orbit->w;
+    next->ln_J -= 2 * (after.h1 - before.h1) * now.B / (w * w * orbit->j);
+    left = VM_FABS(after.h2 - before.h2) + 4 * VM_FABS((after.h1 - before.h1) * after.h);
+    next->knots += left / (w * w * w);
+    return VM_OK;
+}
+
+/* Walks from t = 0 to the plan's end. */
+VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
+{
+    const vm_odd_problem *o = &p->problem;
+    const vm_real whole = VM_FABS(p->t_end);
+    vm_real longest = vmi_smaller(vmi_law_longest_panel(&o->mass, whole), vmi_law_longest_panel(&o->stiffness, whole));
+    vmi_odd_panel next;
+    int i, status = VM_OK;
+    longest = vmi_smaller(longest, vmi_law_longest_panel(&o->damping, whole));
+    next.t = 0;
+    next.length = 0;
+    next.phase = p->phase;
+    next.decay = 0;
+    next.ln_J = 0;
+    next.knots = 0;
+    for (i = 0; i < VMI_ODD_ORDERS; i++) next.change[i] = 0;
+    while (!status && next.t != p->t_end) {
+        vm_real end = vmi_law_next_knot(&o->mass, next.t, p->t_end);
+        end = vmi_law_next_knot(&o->stiffness, next.t, end);
+        end = vmi_law_next_knot(&o->damping, next.t, end);
+        status = vmi_odd_walk_piece(p, end, longest, orbit, &next);
+        if (!status && end != p->t_end) status = vmi_odd_walk_past_knot(p, orbit, &next);
+    }
+    return status;
+}
+
+/* Computes the mean motion at t = 0 from the state at t = 0, and the numbers that estimates need there. */
+VM_API int vmi_odd_start(vm_odd_plan *p, const vmi_orbit *orbit)
+{
+    const int side = vmi_time_side(p->t_end);
+    vmi_orbit_ripple ripple;
+    vmi_orbit_ripple_values now;
+    vm_real mean;
+    int status = vmi_odd_slow_at(&p->problem, 0, side, vmi_odd_sampling_time(orbit->w, p->speed0), &p->slow);
+    if (!status) status = orbit->force->phase(orbit, p->problem.x, p->problem.v / p->speed0, &p->phi);
+    if (status) return status;
+    vmi_orbit_ripple_init(&ripple, orbit);
+    vmi_orbit_ripple_at(&ripple, orbit, p->phi, &now);
+    mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1);
+    p->phase = p->phi - 2 * p->slow.h * now.B_j;
+    p->gamma = orbit->j * ripple.w_size / (ripple.j_size * orbit->w);
+    p->a0 = ripple.largest_a;
+    p->B0 = ripple.largest_B;
+    if (!(mean > 0)) return VM_NO_LAW; /* the laws are not slow */
+    p->ln_j = vmi_log(mean).hi;
+    return VM_OK;
+}
+
+/* Checks the problem and its laws between 0 and t. */
+VM_API int vmi_odd_check(const vm_odd_problem *o, vm_real t)
+{
+    const vm_real numbers[5] = {o->reactive, o->x, o->v, o->force.k1, o->force.k3};
+    int status = vmi_all_finite(5, numbers) ? VM_OK : VM_NOT_FINITE;
+    if (!o->force.at) return VM_BAD_ARGUMENT;
+    status = vmi_first_error(status, vmi_law_check(&o->mass, VM_BAD_MASS, t));
+    status = vmi_first_error(status, vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
+    return vmi_first_error(status, vmi_law_check(&o->damping, VM_OK, t));
+}
+
+/* Fills a plan whose fields problem, t_end, m0, k0 and speed0 are set. */
+VM_API int vmi_odd_fill(vm_odd_plan *p)
+{
+    vmi_orbit orbit;
+    int status;
+    vm_real f;
+    p->n = 0;
+    p->reach = 0;
+    p->at_rest = 0;
+    orbit.size = 0;
+    p->start = orbit;
+    status = p->problem.force.at(&p->problem.force, p->problem.x, &f);
+    if (status) return status;
+    if (p->problem.v == 0 && f == 0) p->at_rest = 1;
+    else status = vmi_orbit_of_state(&p->problem.force, p->problem.x, p->problem.v / p->speed0, &orbit);
+    if (status == VM_NO_LAW) return VM_OK;
+    if (status || p->at_rest || orbit.size == 0) return status;
+    p->start = orbit;
+    p->start.force = NULL; /* the force is p->problem.force, wherever the plan is copied to */
+    status = vmi_odd_start(p, &orbit);
+    if (!status && p->t_end != 0) status = vmi_odd_walk(p, &orbit);
+    return status == VM_NO_LAW ? VM_OK : status;
+}
+
+/* Plan for many values of one problem's motion between t = 0 and t_end (s, either sign).
+   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
+   plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
+   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
+   pointers and for a law or force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for laws that
+   are not positive, VM_DOMAIN for a table out of order or one that does not hold 0 and t_end, and where a user's
+   function fails. */
+VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
+{
+    vm_odd_plan plan;
+    vmi_odd_rates rates;
+    int status;
+    if (!p || !problem) return VM_BAD_ARGUMENT;
+    memset(&plan, 0, sizeof plan);
+    plan.problem = *problem;
+    plan.t_end = t_end;
+    status = VM_IS_FINITE(t_end) ? vmi_odd_check(problem, t_end) : vmi_first_error(VM_NOT_FINITE, vmi_odd_check(problem, 0));
+    if (!status) status = vmi_odd_rates_at(problem, 0, vmi_time_side(t_end), &rates);
+    if (status) return status;
+    plan.m0 = rates.m;
+    plan.k0 = rates.k;
+    plan.speed0 = rates.speed;
+    status = vmi_odd_fill(&plan);
+    if (!status) *p = plan;
+    return status;
+}
+
+/* -- Averaged solutions -- */
+
+/* The mean motion at one time */
+typedef struct VM_TAG(vmi_odd_mean) {
+    vmi_orbit orbit;     /* the mean orbit */
+    vm_real phase;       /* the mean phase */
+    vmi_odd_rates rates; /* the laws */
+    const vmi_odd_panel *panel;
+} vmi_odd_mean;
+
+/* Computes the mean motion at t from the series of the plan. Returns VM_NO_LAW beyond the plan's reach. */
+VM_API int vmi_odd_mean_at(const vm_odd_plan *p, vm_real t, vmi_odd_mean *mean)
+{
+    const vmi_odd_panel *panel = p->panel;
+    vm_real place;
+    int i, status;
+    if (p->n == 0 || VM_FABS(t) > VM_FABS(p->reach)) return VM_NO_LAW;
+    for (i = 1; i < p->n && VM_FABS(t) > VM_FABS(p->panel[i].t); i++) panel++;
+    place = vmi_clamp(2 * ((t - panel->t) / panel->length) - 1, -1, 1);
+    status = vmi_odd_rates_at(&p->problem, t, -vmi_time_side(p->t_end), &mean->rates);
+    if (status) return status;
+    mean->panel = panel;
+    mean->orbit = p->start;
+    mean->orbit.force = &p->problem.force;
+    mean->orbit.size = vmi_legendre_at(panel->size, place);
+    mean->phase = panel->phase + panel->length / 2 * vmi_legendre_integral(panel->rate, place);
+    return mean->orbit.force->complete(&mean->orbit);
+}
+
+/* Adds the ripple to the mean motion: phase and orbit become those of x and v. */
+VM_API int vmi_odd_add_ripple(const vmi_orbit_ripple *ripple, vmi_odd_mean *mean)
+{
+    vmi_orbit *orbit = &mean->orbit;
+    const vm_real h = mean->rates.h / mean->rates.speed;
+    vmi_orbit_ripple_values now;
+    vmi_orbit_ripple_at(ripple, orbit, mean->phase, &now);
+    mean->phase += 2 * h * now.B_j;
+    orbit->size *= vmi_exp(-2 * h * now.a / (orbit->w * ripple->j_size * orbit->size), 0);
+    return orbit->force->complete(orbit);
+}
+
+/* A bound of the change of ln J that fast changes of the laws cause: the smallest of the bounds that follow from
+   integrating by parts i times, as vmi_osc_fast (oscillators/mean_motion.h) does */
+VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
+{
+    const vm_real turn = mean->orbit.span / VM_PI;
+    vm_real size = 2, least = VM_INFINITY;
+    int i;
+    for (i = 0; i < VMI_ODD_ORDERS; i++) {
+        const vm_real bound = size * mean->panel->change[i];
+        if (!(bound >= least)) least = bound;
+        if (i == 0) size = 2 * largest_a;
+        else size *= turn;
+    }
+    return least;
+}
+
+/* How large terms of second and of third order are at a time with this damping h, on an orbit whose phase has the rate
+   w */
+VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, vm_real *third)
+{
+    const vm_real h = VM_FABS(slow->h / w), h1 = VM_FABS(slow->h1 / w / w), h2 = VM_FABS(slow->h2 / w / w / w);
+    *second = h1 + 2 * h * h;
+    *third = h2 + 4 * h * h1 + 4 * h * h * h;
+}
+
+/* By how much an error of the phase is larger as an error of x/swing or of v/vmax */
+VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
+{
+    const vm_real of_x = orbit->vmax / (orbit->w * orbit->swing);
+    if (orbit->place != VMI_ORBIT_AROUND_0) return of_x + 1 / of_x;
+    return vmi_larger(of_x, orbit->energy_slope / (orbit->w * orbit->vmax));
+}
+
+/* Estimates the error of an averaged solution at t. It adds up how large the terms are that are left out: of the
+   transformation at the start and at t, and of the action at the start and at points of tables, which changes the phase
+   by gamma times the phase. The factors fit the errors of random problems in tests/test_odd_force.c. */
+VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean,
+                         const vmi_orbit_ripple *ripple, vm_real *error)
+{
+    const vmi_orbit *orbit = &mean->orbit;
+    const vm_real largest_known = VM_C(0.25), w = orbit->w, turns = VM_FABS(mean->phase - p->phase);
+    const vm_real gamma_t = orbit->j * ripple->w_size / (ripple->j_size * w);
+    const vm_real gamma = vmi_larger(VM_FABS(p->gamma), VM_FABS(gamma_t)), h = VM_FABS(mean->rates.h / mean->rates.speed);
+    vm_real second0, third0, second, third, phase, action;
+    vmi_odd_slow slow;
+    int status = vmi_odd_slow_at(&p->problem, t, -vmi_time_side(p->t_end),
+                                 vmi_odd_sampling_time(w, mean->rates.speed), &slow);
+    if (status) return status;
+    vmi_odd_sizes(&p->slow, p->start.w, &second0, &third0);
+    vmi_odd_sizes(&slow, w, &second, &third);
+    action = p->a0 * (third0 + mean->panel->knots) + vmi_odd_fast(mean, ripple->largest_a);
+    phase = (1 + gamma) * (p->B0 * second0 + ripple->largest_B * (second + third)) + (1 + gamma * turns) * action;
+    *error = (vmi_odd_steepness(orbit) * phase + ripple->largest_a * (second + third) + action) / 2 +
+             4 * VM_EPSILON * (2 + turns);
+    if (route == VM_ODD_MEAN) *error += 2 * h / w * (vmi_odd_steepness(orbit) * ripple->largest_B + ripple->largest_a);
+    if (!(*error <= largest_known)) *error = VM_INFINITY;
+    return VM_OK;
+}
+
+/* Writes the motion at t by averaging, of first order for VM_ODD_MEAN, else of second order. */
+VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
+{
+    vmi_odd_mean mean;
+    vmi_orbit_ripple ripple;
+    vm_odd_motion r;
+    int status = vmi_odd_mean_at(p, t, &mean);
+    if (status) return status;
+    vmi_orbit_ripple_init(&ripple, &mean.orbit);
+    status = vmi_odd_error(p, route, t, &mean, &ripple, &r.error);
+    if (!status && route == VM_ODD_ORDER2) status = vmi_odd_add_ripple(&ripple, &mean);
+    if (!status) status = mean.orbit.force->at_phase(&mean.orbit, mean.phase, &r.x, &r.v);
+    if (status) return status;
+    r.v *= mean.rates.speed;
+    r.amplitude = vmi_orbit_amplitude(&mean.orbit);
+    r.route = route;
+    r.evals = 0;
+    if (!VM_IS_FINITE(r.x) || !VM_IS_FINITE(r.v)) return VM_NOT_FINITE;
+    *motion = r;
+    return VM_OK;
+}
+
+#endif
+/* oscillators/odd_routes.h - routes to the motion of a vibration under an odd elastic force, and its integration
+
+   vm_odd_plan_by_route takes the route that its argument names, vm_odd_plan_within the cheapest whose error is estimated
+   to be within a tolerance, vm_odd_within the same without a plan. The problem and the averaged solutions are those of
+   oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the equation of motion.
+   Estimates: tests/test_odd_force.c compares them with the true errors of random problems. The true error is below three
+   estimates in 99 % of them, and never above ten. The integration of a force with a kink, as x + x|x| has, needs very
+   short steps: it may miss tolerances below 1e-6 and then says so.
+   Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
+#define VARMASS_OSCILLATORS_ODD_ROUTES_H
+
+#include <string.h>
+
+/* -- The equation of motion -- */
+
+/* Writes the acceleration at t, position x and velocity v, m/s^2. */
+VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm_real x, vm_real v, vm_real *a)
+{
+    vmi_odd_rates now;
+    vm_real f;
+    int status = vmi_odd_rates_at(o, t, side, &now);
+    if (!status) status = o->force.at(&o->force, x, &f);
+    if (status) return status;
+    *a = -(now.k * f + (o->reactive * now.m_rate + now.b) * v) / now.m;
+    return VM_OK;
+}
+
+/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87.
+   y = (x, x') is in m and m/s; problem points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT for
+   null pointers and for a law or a force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, and
+   VM_DOMAIN for t outside a table and where a user's function fails. These statuses stop the run. */
+VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
+{
+    const vm_odd_problem *o = (const vm_odd_problem *)problem;
+    vm_real a;
+    int status;
+    if (!y || !dydt || !o || !o->force.at) return VM_BAD_ARGUMENT;
+    if (!o->mass.derivatives || !o->stiffness.derivatives || !o->damping.derivatives) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(y[0]) || !VM_IS_FINITE(y[1])) return VM_NOT_FINITE;
+    status = vmi_odd_acceleration(o, t, 1, y[0], y[1], &a);
+    if (status) return status;
+    if (!VM_IS_FINITE(a)) return VM_NOT_FINITE;
+    dydt[0] = y[1];
+    dydt[1] = a;
+    return VM_OK;
+}
+
+/* -- Integration -- */
+
+/* A run of rk87 from 0 to t. Its state is x/length and v/velocity, so that both are of the order of 1. */
+typedef struct VM_TAG(vmi_odd_run) {
+    const vm_odd_plan *plan;
+    int side;                 /* 1 forward, -1 backward in time */
+    int status;               /* status of a law or of the force that stopped the run */
+    vm_real length, velocity; /* units of the state */
+    vm_real longest;          /* longest step, s */
+    long evals;               /* evaluations by all runs so far */
+    rk87 s;
+    vm_real work[RK87_WORK(2)];
+} vmi_odd_run;
+
+/* Right-hand side of the equation of motion for a run */
+VM_API int vmi_odd_run_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run)
+{
+    vmi_odd_run *c = (vmi_odd_run *)run;
+    const vm_real v = c->velocity * y[1];
+    vm_real a;
+    c->status = vmi_odd_acceleration(&c->plan->problem, t, c->side, c->length * y[0], v, &a);
+    if (c->status) return c->status;
+    dydt[0] = v / c->length;
+    dydt[1] = a / c->velocity;
+    return VM_OK;
+}
+
+/* Chooses the units of the state, and the longest step for a way of `whole` seconds. */
+VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
+{
+    const vm_odd_plan *p = c->plan;
+    const vm_odd_problem *o = &p->problem;
+    const vm_law *laws[3];
+    int i;
+    c->longest = whole;
+    c->length = VM_FABS(o->x);
+    c->velocity = VM_FABS(o->v);
+    if (p->start.size > 0) {
+        c->length = vmi_orbit_amplitude(&p->start);
+        c->velocity = p->start.vmax * p->speed0;
+        c->longest = vmi_smaller(VMI_OSC_LONGEST * 2 * VM_PI / (p->start.w * p->speed0), whole);
+    }
+    if (!(c->length > 0)) c->length = c->velocity;
+    if (!(c->velocity > 0)) c->velocity = c->length;
+    laws[0] = &o->mass;
+    laws[1] = &o->stiffness;
+    laws[2] = &o->damping;
+    for (i = 0; i < 3; i++)
+        if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
+}
+
+/* Integrates to t, from one point of a table to the next. */
+VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
+{
+    const vm_odd_problem *o = &c->plan->problem;
+    while (c->s.t != t) {
+        vm_real y[2], stop = vmi_law_next_knot(&o->mass, c->s.t, t);
+        int status;
+        stop = vmi_law_next_knot(&o->stiffness, c->s.t, stop);
+        stop = vmi_law_next_knot(&o->damping, c->s.t, stop);
+        status = rk87_solve(&c->s, stop);
+        if (c->status) return c->status;
+        if (status < 0) return VM_NOT_INTEGRATED;
+        y[0] = c->s.y[0];
+        y[1] = c->s.y[1];
+        if (stop != t) status = rk87_restart(&c->s, stop, y);
+        if (status < 0) return VM_NOT_INTEGRATED;
+    }
+    return VM_OK;
+}
+
+/* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. The amplitude is
+   NaN where there is no vibration; then the units of the run take their places. */
+VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
+{
+    const vm_odd_problem *o = &c->plan->problem;
+    vmi_odd_rates now;
+    vmi_orbit orbit;
+    int status = vmi_odd_rates_at(o, c->s.t, -c->side, &now);
+    if (status) return status;
+    motion->x = c->length * c->s.y[0];
+    motion->v = c->velocity * c->s.y[1];
+    motion->amplitude = VM_NAN;
+    motion->route = VM_ODD_RK87;
+    *swing = c->length;
+    *vmax = c->velocity;
+    if (!VM_IS_FINITE(motion->x) || !VM_IS_FINITE(motion->v)) return VM_NOT_INTEGRATED;
+    if (vmi_orbit_of_state(&o->force, motion->x, motion->v / now.speed, &orbit) || !(orbit.size > 0)) return VM_OK;
+    motion->amplitude = vmi_orbit_amplitude(&orbit);
+    *swing = orbit.swing;
+    *vmax = orbit.vmax * now.speed;
+    return VM_OK;
+}
+
+/* Makes one run from 0 to t, with the motions at the times of vmi_osc_check_time, and their swings and largest
+   velocities. */
+VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd_motion *motion, vm_real *swing,
+                            vm_real *vmax)
+{
+    const vm_real most_steps = VM_C(4e6);
+    const vm_real steps = 1000 + 400 * VM_FABS(t) / c->longest;
+    rk45_options options;
+    vm_real y[2];
+    int i, status;
+    memset(&options, 0, sizeof options);
+    options.rtol = tolerance;
+    options.atol = tolerance;
+    options.h_max = c->longest;
+    options.max_steps = (long)vmi_smaller(steps, most_steps);
+    y[0] = c->plan->problem.x / c->length;
+    y[1] = c->plan->problem.v / c->velocity;
+    c->status = VM_OK;
+    status = rk87_init(&c->s, vmi_odd_run_rhs, c, 2, 0, y, &options, c->work);
+    if (c->status) return c->status;
+    if (status < 0) return VM_NOT_INTEGRATED;
+    for (i = 0; i < VMI_OSC_CHECKS; i++) {
+        status = vmi_odd_solve(c, vmi_osc_check_time(t, i));
+        if (!status) status = vmi_odd_motion_now(c, &motion[i], &swing[i], &vmax[i]);
+        if (status) return status;
+    }
+    c->evals += c->s.evals;
+    return VM_OK;
+}
+
+/* Makes a loose and a strict run, and writes the strict run's motion at t with its error by the largest difference of
+   the two runs. */
+VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_odd_motion *motion)
+{
+    const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
+    const vm_real longest = c->longest, turns = VM_FABS(t) * VMI_OSC_LONGEST * 2 * VM_PI / longest;
+    vm_odd_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS];
+    vm_real swing[VMI_OSC_CHECKS], vmax[VMI_OSC_CHECKS], largest = 0;
+    int i, status = vmi_odd_run_once(c, t, tuning.ratio * step_tolerance, loose, swing, vmax);
+    if (status) return status;
+    c->longest = longest / 2;
+    status = vmi_odd_run_once(c, t, step_tolerance, strict, swing, vmax);
+    c->longest = longest;
+    if (status) return status;
+    for (i = 0; i < VMI_OSC_CHECKS; i++) {
+        largest = vmi_larger(VM_FABS(strict[i].x - loose[i].x) / swing[i], largest);
+        largest = vmi_larger(VM_FABS(strict[i].v - loose[i].v) / vmax[i], largest);
+    }
+    *motion = strict[VMI_OSC_CHECKS - 1];
+    motion->error = vmi_larger(tuning.by_chance * step_tolerance, tuning.factor * largest) +
+                    4 * VM_EPSILON * (2 + turns);
+    return VM_OK;
+}
+
+/* The motion at t by rk87. Pairs of runs with stricter and stricter tolerances follow each other until the estimated
+   error is within the tolerance. A pair that is not better than the best one halves the longest step; after three such
+   pairs the best one is the result. */
+VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
+{
+    const int most_attempts = 8, most_stalled = 3;
+    const vm_real least = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning.least;
+    vmi_odd_run c;
+    vm_odd_motion now;
+    vm_real step_tolerance = vmi_osc_first_tolerance(tolerance), best = VM_INFINITY;
+    int attempt, stalled = 0, status = VM_NOT_INTEGRATED;
+    c.plan = p;
+    c.side = vmi_time_side(t);
+    c.evals = 0;
+    vmi_odd_units(&c, VM_FABS(t));
+    for (attempt = 0; attempt < most_attempts && stalled < most_stalled; attempt++) {
+        step_tolerance = vmi_larger(step_tolerance, least);
+        status = vmi_odd_pair(&c, t, step_tolerance, &now);
+        if (status) break;
+        if (!(now.error < best / 2)) {
+            stalled++;
+            c.longest /= 2;
+        }
+        if (now.error < best) {
+            *motion = now;
+            best = now.error;
+        }
+        if (best <= tolerance) break;
+        step_tolerance = vmi_osc_next_tolerance(step_tolerance, tolerance, now.error);
+    }
+    if (!(best < VM_INFINITY)) return status ? status : VM_NOT_INTEGRATED;
+    motion->evals = c.evals;
+    return best <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
+}
+
+/* -- Routes -- */
+
+/* Checks what all calls with a plan share, and replaces a tolerance of 0 by the default. */
+VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance, const vm_odd_motion *motion)
+{
+    if (!p || !motion || route < VM_ODD_MEAN || route > VM_ODD_RK87) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
+    if (*tolerance < 0) return VM_DOMAIN;
+    if (t * p->t_end < 0 || VM_FABS(t) > VM_FABS(p->t_end)) return VM_DOMAIN;
+    if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
+    return VM_OK;
+}
+
+/* Writes the motion at t = 0, or that of a body at rest, if it is one of them; returns whether it is. */
+VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
+{
+    if (t != 0 && !p->at_rest) return 0;
+    motion->x = p->problem.x;
+    motion->v = p->problem.v;
+    motion->amplitude = VM_NAN;
+    if (p->at_rest) motion->amplitude = VM_FABS(p->problem.x);
+    if (p->start.size > 0) motion->amplitude = vmi_orbit_amplitude(&p->start);
+    motion->error = 0;
+    motion->route = route;
+    motion->evals = 0;
+    return 1;
+}
+
+/* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route, VM_ODD_....
+   motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
+   solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
+   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it returns
+     VM_BAD_ARGUMENT for null pointers or a route that does not exist,
+     VM_NOT_FINITE for a number that is infinite or NaN,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside the plan, and where a user's function fails,
+     VM_NO_LAW beyond the plan's reach and where there is no vibration, except for VM_ODD_RK87,
+     VM_NOT_INTEGRATED where the integrator gives up, as it does for a motion that runs away. */
+VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_real tolerance, vm_odd_motion *motion)
+{
+    vm_odd_motion r;
+    int status = vmi_odd_check_call(p, route, t, &tolerance, motion);
+    if (status) return status;
+    if (vmi_odd_is_known(p, route, t, &r)) status = VM_OK;
+    else if (route == VM_ODD_RK87) status = vmi_odd_integrate(p, t, tolerance, &r);
+    else status = vmi_odd_averaged(p, route, t, &r);
+    if (status >= 0) *motion = r;
+    return status;
+}
+
+/* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance.
+   It takes the cheapest route whose error is estimated to be within the tolerance; motion->route says which. The
+   tolerance is relative, for the larger of |error of x|/swing and |error of v|/vmax; 0 means 1e-6 (float 1e-3). Beyond
+   the plan's reach it integrates. The statuses are those of vm_odd_plan_by_route, but VM_NO_LAW. */
+VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
+{
+    vm_odd_motion r;
+    int route, status = vmi_odd_check_call(p, VM_ODD_MEAN, t, &tolerance, motion);
+    if (status) return status;
+    for (route = VM_ODD_MEAN; route <= VM_ODD_ORDER2; route++) {
+        status = vm_odd_plan_by_route(p, route, t, tolerance, &r);
+        if (status && status != VM_NO_LAW) return status;
+        if (status || !(r.error <= tolerance)) continue;
+        *motion = r;
+        return VM_OK;
+    }
+    return vm_odd_plan_by_route(p, VM_ODD_RK87, t, tolerance, motion);
+}
+
+/* Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan.
+   It is for a single value of t. Arguments, result and statuses are those of vm_odd_plan_within and of
+   vm_odd_plan_init. */
+VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real tolerance, vm_odd_motion *motion)
+{
+    vm_odd_plan plan;
+    int status = VM_OK;
+    if (!problem || !motion) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(tolerance)) status = VM_NOT_FINITE;
+    else if (tolerance < 0) status = VM_DOMAIN;
+    status = vmi_first_error(status, vm_odd_plan_init(&plan, problem, t));
+    if (status) return status;
+    return vm_odd_plan_within(&plan, t, tolerance, motion);
 }
 
 #endif
