@@ -285,24 +285,24 @@
        vm_osc_within                  Motion x(t), x'(t) at time t (s, either sign) within a tolerance
 
      oscillators/odd_force: vibration under an odd elastic force of any form, with constant mass
-       vm_odd_force_user              Odd elastic force F(x) by a user's function, which is called for x >= 0 only
-       vm_odd_period                  Exact period, s, of the motion from rest at x0 (m, either sign) under a force F per unit mass
-       vm_odd_action                  Action, m^2/s, of the motion from rest at x0
-       vm_odd_exact_from              Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s) at t = 0, with F per unit mass
+       vm_odd_force_user              Odd elastic force F(x) by a user's function
+       vm_odd_period                  Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass
+       vm_odd_action                  Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass
+       vm_odd_exact_from              Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s), for an odd F per unit mass
 
      oscillators/duffing: Duffing's oscillator, with the elastic force k1 x + k3 x^3
        vm_duffing_force               Duffing's force k1 x + k3 x^3
-       vm_duffing_energy              The energy per unit mass, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2
+       vm_duffing_energy              Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2
        vm_duffing_period              Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign)
        vm_duffing_action              Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign)
-       vm_duffing_exact_from          Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s) at t = 0
+       vm_duffing_exact_from          Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s)
 
      oscillators/odd_motion: vibration under an odd elastic force with slow mass, stiffness and damping
-       vm_odd_plan_init               Plan for many values of one problem's motion between t = 0 and t_end (s, either sign)
+       vm_odd_plan_init               Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign)
 
      oscillators/odd_routes: routes to the motion of a vibration under an odd elastic force, and its integration
        vm_odd_rhs                     Equation of motion of a vibration under an odd elastic force, for rk45 or rk87
-       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route, VM_ODD_...
+       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_...
        vm_odd_plan_within             Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance
        vm_odd_within                  Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan
 
@@ -11133,16 +11133,16 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
 #endif
 /* oscillators/odd_force.h - vibration under an odd elastic force of any form, with constant mass
 
-   The equation is x'' + F(x) = 0, where F is odd and force per unit mass: x + x^3, sin x, tanh x, or a function of the
-   user. A vm_odd_force holds F; the constructors are vm_odd_force_user here and vm_duffing_force (oscillators/duffing.h).
+   The equation is x'' + F(x) = 0, where F is odd and force per unit mass: x + x^3, sin x, tanh x, or a function of
+   the user. A vm_odd_force holds F. Its constructors are vm_odd_force_user here and vm_duffing_force in
+   oscillators/duffing.h.
    At an amplitude A one quadrature gives the period, the action and x(t):
-       int hard(vm_real x, vm_real *f, void *ctx) { *f = x + x * x * x; return 0; }
-       vm_odd_force force = vm_odd_force_user(hard, NULL);
+       vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
        vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
-   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g), where g is the mean of F(x)/x over the
-   squares between x^2 and A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit is the motion at
-   one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of v dx over a period,
-   divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
+   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g), where g is the mean of F(x)/x over
+   the squares between x^2 and A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit is the
+   motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of v dx
+   over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -11156,8 +11156,8 @@ typedef int (*vm_odd_function)(vm_real x, vm_real *f, void *ctx);
 typedef struct VM_TAG(vmi_orbit) vmi_orbit;
 typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
 
-/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions of
-   this header and to the user's function and ctx, which must outlive it. */
+/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions
+   of this header and to the user's function and ctx, which must outlive it. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
 struct VM_TAG(vm_odd_force) {
     vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
@@ -11165,11 +11165,14 @@ struct VM_TAG(vm_odd_force) {
     void *ctx;                /* the user's pointer, last argument of function */
     /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
     int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* F(x) for any x; null if this is no force */
-    int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit); /* its size and place */
-    int (*complete)(vmi_orbit *orbit);                   /* all other fields of an orbit, from its size and place */
-    void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point); /* a point of a complete orbit */
-    int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);     /* the phase of a state on the orbit */
-    int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v); /* the state at a phase */
+    /* Writes the size and the place of the orbit through a state. */
+    int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
+    /* Computes all other fields of an orbit from its size and place. */
+    int (*complete)(vmi_orbit *orbit);
+    /* Writes a point of a complete orbit, the phase of a state on it, and the state at a phase. */
+    void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point);
+    int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);
+    int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v);
 };
 
 /* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
@@ -11285,8 +11288,8 @@ VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
     return largest / (vmi_orbit_whole(sum) / (VM_PI / 2));
 }
 
-/* The theta at which the integral of a positive function from 0 is `target`, between 0 and its whole integral. Newton's
-   method, with bisection where a step leaves the interval in which the solution lies. */
+/* The theta at which the integral of a positive function from 0 is `target`, between 0 and its whole integral.
+   Newton's method, with bisection where a step leaves the interval in which the solution lies. */
 VM_API vm_real vmi_orbit_theta(const vmi_orbit_sum *sum, vm_real target)
 {
     const int most = 64;
@@ -11498,7 +11501,8 @@ typedef struct VM_TAG(vmi_odd_state) {
     int status;   /* of the user's function */
 } vmi_odd_state;
 
-/* The potential energy between x and x + more, less the kinetic energy of the state: 0 where x + more is the amplitude */
+/* The potential energy between x and x + more, less the kinetic energy of the state: 0 where x + more is the
+   amplitude */
 VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
 {
     vmi_odd_state *s = (vmi_odd_state *)state;
@@ -11579,10 +11583,11 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
     return VM_OK;
 }
 
-/* Odd elastic force F(x) by a user's function, which is called for x >= 0 only. ctx is handed to it. F must be
-   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must be
-   so smooth that polynomials of degree 19 represent it on 8 pieces; otherwise all functions refuse it with VM_NO_LAW. A null function makes no
-   force: it is refused with VM_BAD_ARGUMENT. */
+/* Odd elastic force F(x) by a user's function.
+   The function is called for x >= 0 only. ctx is handed to it. F must be
+   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must
+   be so smooth that polynomials of degree 19 represent it on 8 pieces; otherwise all functions refuse it with
+   VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
     vm_odd_force force;
@@ -11613,9 +11618,9 @@ VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, v
     return force->complete(orbit);
 }
 
-/* Exact period, s, of the motion from rest at x0 (m, either sign) under a force F per unit mass. Returns NaN for a null
-   pointer, a force that no constructor made, x0 = 0, infinite x0, and where there is no vibration. The relative error
-   is at most 1e-13 (float 1e-5). */
+/* Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
+   Returns NaN for a null pointer, a force that no constructor made, x0 = 0, infinite x0, and where there is no
+   vibration. The relative error is at most 1e-13 (float 1e-5). */
 VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -11623,8 +11628,9 @@ VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
     return 2 * VM_PI / orbit.w;
 }
 
-/* Action, m^2/s, of the motion from rest at x0: the integral of v dx over a period, divided by 2 pi. A slow change of
-   the force keeps it constant. Errors and accuracy are those of vm_odd_period, but it is 0 for x0 = 0. */
+/* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
+   It is the integral of v dx over a period, divided by 2 pi. A slow change of the force keeps it constant. Errors and
+   accuracy are those of vm_odd_period, but it is 0 for x0 = 0. */
 VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -11633,11 +11639,12 @@ VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
     return orbit.j;
 }
 
-/* Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s) at t = 0, with F per unit mass. The errors of x and
-   v are at most 1e-12 (float 1e-4) of the amplitude and of the largest velocity, times 1 + t/period. Returns
-   VM_BAD_ARGUMENT for null pointers and for a force that no constructor made, VM_NOT_FINITE for infinite numbers and a
-   force that is infinite, VM_DOMAIN where the user's function fails, and VM_NO_LAW where there is no vibration, on a
-   separatrix and close to it, and for a force that is not smooth. An error leaves *x and *v untouched. */
+/* Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s), for an odd F per unit mass.
+   The errors of x and v are at most 1e-12 (float 1e-4) of the amplitude and of the largest velocity, times 1 +
+   t/period. Returns VM_BAD_ARGUMENT for null pointers and for a force that no constructor made, VM_NOT_FINITE for
+   infinite numbers and a force that is infinite, VM_DOMAIN where the user's function fails, and VM_NO_LAW where there
+   is no vibration, on a separatrix and close to it, and for a force that is not smooth. An error leaves *x and *v
+   untouched. */
 VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, vm_real v0, vm_real *x, vm_real *v)
 {
     vmi_orbit orbit;
@@ -11663,8 +11670,8 @@ VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, v
 #endif
 /* oscillators/duffing.h - Duffing's oscillator, with the elastic force k1 x + k3 x^3
 
-   With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is written
-   with Jacobi's functions, for each sign of the coefficients:
+   With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is
+   written with Jacobi's functions, for each sign of the coefficients:
      c1 >= 0, c3 >= 0   hardening spring: every motion is a vibration around 0, x = A cn
      c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away
      c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
@@ -11697,8 +11704,8 @@ VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
     return VM_NAN;
 }
 
-/* The size and place of the orbit through (x, v). In two wells the orbit is an inner one if its energy is below that of
-   rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
+/* The size and place of the orbit through (x, v). In two wells the orbit is an inner one if its energy is below that
+   of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
@@ -11725,12 +11732,13 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
 
 /* -- The shape of an orbit -- */
 
-/* Completes an orbit around 0: x = A cn(lambda t | m) with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3 A^2/2)/lambda^2.
-   For c3 < 0 the parameter m is negative. */
+/* Completes an orbit around 0: x = A cn(lambda t | m) with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3
+   A^2/2)/lambda^2. For c3 < 0 the parameter m is negative. */
 VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, square = orbit->size * orbit->size;
-    const vm_real lambda2 = k1 + k3 * square, m1 = (k1 + k3 * square / 2) / lambda2, m = k3 * square / (2 * lambda2);
+    const vm_real lambda2 = k1 + k3 * square;
+    const vm_real m1 = (k1 + k3 * square / 2) / lambda2, m = k3 * square / (2 * lambda2);
     vm_real C2, C4, C6;
     if (!(lambda2 > 0) || !(m1 > 0)) return VM_NO_LAW;
     jacobi_cn_means(m, &C2, &C4, &C6);
@@ -11746,8 +11754,8 @@ VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
     return VM_OK;
 }
 
-/* Completes an orbit in a well, at rest^2 = -c1/c3: x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3 A^2/2
-   and 1 - m = (rest^2 - size)/A^2. */
+/* Completes an orbit in a well, at rest^2 = -c1/c3: x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3
+   A^2/2 and 1 - m = (rest^2 - size)/A^2. */
 VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
 {
     const vm_real k3 = orbit->force->k3, rest = -orbit->force->k1 / k3, size = orbit->size;
@@ -11838,7 +11846,8 @@ VM_API void vmi_duffing_at_argument(const vmi_orbit *orbit, vm_real u, vm_real *
         *x = orbit->size * cn;
         *v = -orbit->size * orbit->lambda * (sn * dn);
     } else {
-        const vm_real k3 = orbit->force->k3, A = (vm_real)orbit->place * VM_SQRT(orbit->size - orbit->force->k1 / k3);
+        const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
+        const vm_real A = (vm_real)orbit->place * VM_SQRT(orbit->size - k1 / k3);
         *x = A * dn;
         *v = -(vm_real)orbit->place * orbit->size * VM_SQRT(2 * k3) * (sn * cn);
     }
@@ -11876,7 +11885,8 @@ VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 
 /* -- Constant mass: functions of numbers -- */
 
-/* The energy per unit mass, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2. It is conserved. Returns NaN for infinite arguments. */
+/* Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2.
+   It is conserved. Returns NaN for infinite arguments. */
 VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
 {
     if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
@@ -11930,11 +11940,11 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
     *v = -lambda * *x * ((tanh0 + tanh_t) / both);
 }
 
-/* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s) at t = 0.
-   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps of
-   the amplitude and of the largest velocity, times 1 + t/period, where no terms of c1 + c3 A^2 and c1 + c3 A^2/2 cancel
-   at the amplitude A. Writes NaN where the motion runs away and for infinite arguments, and nothing where an output is
-   null. Equations: DLMF 22.19(ii). */
+/* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
+   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
+   of the amplitude and of the largest velocity, times 1 + t/period, where no terms of c1 + c3 A^2 and c1 + c3 A^2/2
+   cancel at the amplitude A. Writes NaN where the motion runs away and for infinite arguments, and nothing where an
+   output is null. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
@@ -11952,6 +11962,9 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
     } else if (!vmi_duffing_complete(&orbit)) {
         vmi_duffing_at_argument(&orbit, vmi_duffing_argument_of(&orbit, x0, v0) + orbit.lambda * t, x, v);
     }
+    if (VM_IS_FINITE(*x) && VM_IS_FINITE(*v)) return;
+    *x = VM_NAN; /* a number has overflowed */
+    *v = VM_NAN;
 }
 
 #endif
@@ -11962,8 +11975,8 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
    so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
    canonical, and their Hamiltonian is that of constant mass plus 2 h a, times mu sqrt(k/m), with the function
        a(phi) = (integral of v dx from phase 0) - j phi
-   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order in h
-   the mean action and the mean phase are
+   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
+   in h the mean action and the mean phase are
        j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
        phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
    where M is the mean of a^2, an index j means the derivative by j at fixed phase, and h' = dh/ds.
@@ -12120,7 +12133,8 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
    The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
        m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
    F is odd: Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the user (oscillators/odd_force.h).
-   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. Shortest useful call:
+   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. Shortest useful
+   call:
        vm_odd_problem problem;
        vm_odd_motion motion;
        problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
@@ -12131,9 +12145,9 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
        problem.x = VM_C(0.2);
        problem.v = 0;
        if (vm_odd_within(&problem, 60, VM_C(1e-3), &motion) == VM_OK) printf("%g m\n", (double)motion.x);
-   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws are
-   not slow or the motion crosses a separatrix. A plan holds the mean motion from 0 to a given time.
-   Guide: docs/duffing.md. Tests: tests/test_odd_force.c. */
+   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws
+   are not slow or the motion crosses a separatrix. A plan holds the mean motion from 0 to a given time. Guide:
+   docs/duffing.md. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_MOTION_H
 #define VARMASS_OSCILLATORS_ODD_MOTION_H
 
@@ -12231,8 +12245,8 @@ VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real
 
 /* -- The plan -- */
 
-/* The largest number of panels of time that a plan holds (a user's law needs 32 at least), and the number of derivatives
-   that tell how fast the laws change */
+/* The largest number of panels of time that a plan holds (a user's law needs 32 at least), and the number of
+   derivatives that tell how fast the laws change */
 enum { VMI_ODD_PANELS = 48, VMI_ODD_ORDERS = 7 };
 
 /* A panel of time, on which the laws and the mean motion are Legendre series */
@@ -12261,13 +12275,14 @@ typedef struct VM_TAG(vm_odd_plan) {
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
     vmi_odd_slow slow;      /* damping h at t = 0 */
     vm_real gamma;          /* the relative change of w over that of j, at t = 0 */
-    vm_real a0, B0;         /* fields largest_a and largest_B of the ripple at t = 0 */
+    vm_real first_a;        /* field largest_a of the ripple at t = 0 */
+    vm_real first_B;        /* field largest_B of the ripple at t = 0 */
     int n;                  /* number of panels */
     vmi_odd_panel panel[VMI_ODD_PANELS];
 } vm_odd_plan;
 
-/* Finds the orbit with this ln j by Newton's method, from the size that the orbit has as a guess. A step that leads out
-   of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
+/* Finds the orbit with this ln j by Newton's method, from the size that the orbit has as a guess. A step that leads
+   out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
 VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 {
     const vm_real enough = 4 * VM_EPSILON, longest = 2;
@@ -12368,7 +12383,8 @@ VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * V
    at the start; it becomes the orbit at the last node. */
 VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
 {
-    vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS], bend[VMI_GAUSS], ratio[VMI_GAUSS];
+    vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS];
+    vm_real bend[VMI_GAUSS], ratio[VMI_GAUSS];
     int i, k, status = vmi_odd_read(&p->problem, panel, at);
     if (status) return status;
     for (k = 0; k < VMI_GAUSS; k++) {
@@ -12515,8 +12531,8 @@ VM_API int vmi_odd_start(vm_odd_plan *p, const vmi_orbit *orbit)
     mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1);
     p->phase = p->phi - 2 * p->slow.h * now.B_j;
     p->gamma = orbit->j * ripple.w_size / (ripple.j_size * orbit->w);
-    p->a0 = ripple.largest_a;
-    p->B0 = ripple.largest_B;
+    p->first_a = ripple.largest_a;
+    p->first_B = ripple.largest_B;
     if (!(mean > 0)) return VM_NO_LAW; /* the laws are not slow */
     p->ln_j = vmi_log(mean).hi;
     return VM_OK;
@@ -12557,13 +12573,13 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     return status == VM_NO_LAW ? VM_OK : status;
 }
 
-/* Plan for many values of one problem's motion between t = 0 and t_end (s, either sign).
+/* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
    vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
    plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
-   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
-   pointers and for a law or force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for laws that
-   are not positive, VM_DOMAIN for a table out of order or one that does not hold 0 and t_end, and where a user's
-   function fails. */
+   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers and for a law or force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for
+   laws that are not positive, VM_DOMAIN for a table out of order or one that does not hold 0 and t_end, and where a
+   user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -12573,7 +12589,8 @@ VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_re
     memset(&plan, 0, sizeof plan);
     plan.problem = *problem;
     plan.t_end = t_end;
-    status = VM_IS_FINITE(t_end) ? vmi_odd_check(problem, t_end) : vmi_first_error(VM_NOT_FINITE, vmi_odd_check(problem, 0));
+    if (VM_IS_FINITE(t_end)) status = vmi_odd_check(problem, t_end);
+    else status = vmi_first_error(VM_NOT_FINITE, vmi_odd_check(problem, 0));
     if (!status) status = vmi_odd_rates_at(problem, 0, vmi_time_side(t_end), &rates);
     if (status) return status;
     plan.m0 = rates.m;
@@ -12659,15 +12676,16 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 }
 
 /* Estimates the error of an averaged solution at t. It adds up how large the terms are that are left out: of the
-   transformation at the start and at t, and of the action at the start and at points of tables, which changes the phase
-   by gamma times the phase. The factors fit the errors of random problems in tests/test_odd_force.c. */
+   transformation at the start and at t, and of the action at the start and at points of tables, which changes the
+   phase by gamma times the phase. The factors fit the errors of random problems in tests/test_odd_force.c. */
 VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean,
                          const vmi_orbit_ripple *ripple, vm_real *error)
 {
     const vmi_orbit *orbit = &mean->orbit;
     const vm_real largest_known = VM_C(0.25), w = orbit->w, turns = VM_FABS(mean->phase - p->phase);
     const vm_real gamma_t = orbit->j * ripple->w_size / (ripple->j_size * w);
-    const vm_real gamma = vmi_larger(VM_FABS(p->gamma), VM_FABS(gamma_t)), h = VM_FABS(mean->rates.h / mean->rates.speed);
+    const vm_real gamma = vmi_larger(VM_FABS(p->gamma), VM_FABS(gamma_t));
+    const vm_real h = VM_FABS(mean->rates.h / mean->rates.speed);
     vm_real second0, third0, second, third, phase, action;
     vmi_odd_slow slow;
     int status = vmi_odd_slow_at(&p->problem, t, -vmi_time_side(p->t_end),
@@ -12675,11 +12693,12 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     if (status) return status;
     vmi_odd_sizes(&p->slow, p->start.w, &second0, &third0);
     vmi_odd_sizes(&slow, w, &second, &third);
-    action = p->a0 * (third0 + mean->panel->knots) + vmi_odd_fast(mean, ripple->largest_a);
-    phase = (1 + gamma) * (p->B0 * second0 + ripple->largest_B * (second + third)) + (1 + gamma * turns) * action;
+    action = p->first_a * (third0 + mean->panel->knots) + vmi_odd_fast(mean, ripple->largest_a);
+    phase = (1 + gamma) * (p->first_B * second0 + ripple->largest_B * (second + third)) + (1 + gamma * turns) * action;
     *error = (vmi_odd_steepness(orbit) * phase + ripple->largest_a * (second + third) + action) / 2 +
              4 * VM_EPSILON * (2 + turns);
-    if (route == VM_ODD_MEAN) *error += 2 * h / w * (vmi_odd_steepness(orbit) * ripple->largest_B + ripple->largest_a);
+    if (route == VM_ODD_MEAN)
+        *error += 2 * h / w * (vmi_odd_steepness(orbit) * ripple->largest_B + ripple->largest_a);
     if (!(*error <= largest_known)) *error = VM_INFINITY;
     return VM_OK;
 }
@@ -12709,13 +12728,13 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 #endif
 /* oscillators/odd_routes.h - routes to the motion of a vibration under an odd elastic force, and its integration
 
-   vm_odd_plan_by_route takes the route that its argument names, vm_odd_plan_within the cheapest whose error is estimated
-   to be within a tolerance, vm_odd_within the same without a plan. The problem and the averaged solutions are those of
-   oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the equation of motion.
-   Estimates: tests/test_odd_force.c compares them with the true errors of random problems. The true error is below three
-   estimates in 99 % of them, and never above ten. The integration of a force with a kink, as x + x|x| has, needs very
-   short steps: it may miss tolerances below 1e-6 and then says so.
-   Tests: tests/test_odd_force.c. */
+   vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose
+   error is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
+   solutions are those of oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the
+   equation of motion. Estimates: tests/test_odd_force.c compares them with the true errors of random problems. The
+   true error is below three estimates in 99 % of them, and never above ten. The integration of a force with a kink,
+   as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and then says so. Tests:
+   tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
 #define VARMASS_OSCILLATORS_ODD_ROUTES_H
 
@@ -12736,9 +12755,9 @@ VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm
 }
 
 /* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87.
-   y = (x, x') is in m and m/s; problem points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT for
-   null pointers and for a law or a force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, and
-   VM_DOMAIN for t outside a table and where a user's function fails. These statuses stop the run. */
+   y = (x, x') is in m and m/s; problem points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT
+   for null pointers and for a law or a force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
+   and VM_DOMAIN for t outside a table and where a user's function fails. These statuses stop the run. */
 VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
 {
     const vm_odd_problem *o = (const vm_odd_problem *)problem;
@@ -12941,7 +12960,8 @@ VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance,
 /* -- Routes -- */
 
 /* Checks what all calls with a plan share, and replaces a tolerance of 0 by the default. */
-VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance, const vm_odd_motion *motion)
+VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance,
+                              const vm_odd_motion *motion)
 {
     if (!p || !motion || route < VM_ODD_MEAN || route > VM_ODD_RK87) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
@@ -12966,10 +12986,11 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     return 1;
 }
 
-/* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route, VM_ODD_....
+/* Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_....
    motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
    solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
-   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it returns
+   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it
+   returns
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,

@@ -147,6 +147,7 @@ static vm_vec3 vector(vm_real size)
 #include "golden/drum.h"
 #include "golden/oscillators.h"
 #include "golden/slow.h"
+#include "golden/duffing.h"
 #include "golden/scenes.h"
 
 /* The texts of statuses, apart from the numbers, so that a better text changes no other hash */
@@ -207,6 +208,7 @@ int main(void)
     RUN(routes);
     RUN(slow);
     RUN(resonance);
+    RUN(duffing);
     RUN(scenes_on_a_line);
     RUN(scenes_in_the_plane);
     RUN(scenes_in_space);

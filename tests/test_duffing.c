@@ -1,6 +1,6 @@
-/* Duffing's oscillator with constant mass: motions, periods and actions against numbers of 20 digits by Taylor series and
-   quadrature (tests/gen/duffing.py), conservation of energy, the limits of a linear and of a purely cubic spring, the
-   separatrix, and what is refused. test_odd_force.c tests its motion with slow mass, stiffness and damping. */
+/* Duffing's oscillator with constant mass: motions, periods and actions against numbers of 20 digits by Taylor series
+   and quadrature (tests/gen/duffing.py), conservation of energy, the limits of a linear and of a purely cubic spring,
+   the separatrix, and what is refused. test_odd_force.c tests its motion with slow mass, stiffness and damping. */
 #include "../varmass.h"
 #include "check.h"
 #include "slow_vibrations.h"

@@ -1,6 +1,6 @@
-/* Vibration under an odd elastic force: with constant mass a user's force against Duffing's closed form, the pendulum and
-   the power law; with slow mass, stiffness and damping the order of the averaged laws, closed solutions, estimates of
-   errors against integration, tables, the way to a separatrix and across it, and what is refused. */
+/* Vibration under an odd elastic force: with constant mass a user's force against Duffing's closed form, the pendulum
+   and the power law; with slow mass, stiffness and damping the order of the averaged laws, closed solutions,
+   estimates of errors against integration, tables, the way to a separatrix and across it, and what is refused. */
 #include <stdlib.h>
 #include "../varmass.h"
 #include "check.h"
@@ -187,7 +187,8 @@ static void test_orders(void)
         }
         for (route = 0; route < 2; route++) {
             const double slope = log(error[0][route] / error[2][route]) / log(16);
-            check_error("slope in eps", route ? "order 2" : "mean", "abs", fabs(slope - 1 - route), 0.25, number, slope);
+            check_error("slope in eps", route ? "order 2" : "mean", "abs", fabs(slope - 1 - route), 0.25, number,
+                        slope);
             sums[route] += slope;
         }
         n++;
@@ -267,8 +268,9 @@ static double error_of(const vm_odd_problem *o, double t, const vm_odd_motion *m
     return fmax(fabs(m->x - truth->x) / orbit.swing, fabs(m->v - truth->v) / (orbit.vmax * now.speed));
 }
 
-/* Random problems: the true error is above 3 estimates in at most 1 % of them, and never above 10; and the estimates are
-   sharp. The truth is an integration to 1e-12; where it is not much better than the estimate, nothing can be said. */
+/* Random problems: the true error is above 3 estimates in at most 1 % of them, and never above 10; and the estimates
+   are sharp. The truth is an integration to 1e-12; where it is not much better than the estimate, nothing can be
+   said. */
 static void test_estimates(void)
 {
     enum { PROBLEMS = 480 };
@@ -420,8 +422,8 @@ static void test_constant_laws(void)
     }
 }
 
-/* For k3 = 0 and a mass exp(s t) with the full reactive force the motion is elementary: x = exp(-s t/2) cos(w t) ... with
-   m x'' + m' x' + k x = 0 and k = m, so that x'' + s x' + x = 0. */
+/* For k3 = 0 and a mass exp(s t) with the full reactive force the motion is elementary: x = exp(-s t/2) cos(w t) ...
+   with m x'' + m' x' + k x = 0 and k = m, so that x'' + s x' + x = 0. */
 static void test_linear_solution(void)
 {
     const double s = 0.01, w = sqrt(1 - s * s / 4), t = 200;

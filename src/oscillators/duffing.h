@@ -1,7 +1,7 @@
 /* oscillators/duffing.h - Duffing's oscillator, with the elastic force k1 x + k3 x^3
 
-   With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is written
-   with Jacobi's functions, for each sign of the coefficients:
+   With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is
+   written with Jacobi's functions, for each sign of the coefficients:
      c1 >= 0, c3 >= 0   hardening spring: every motion is a vibration around 0, x = A cn
      c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away
      c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
@@ -46,8 +46,8 @@ VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
     return VM_NAN;
 }
 
-/* The size and place of the orbit through (x, v). In two wells the orbit is an inner one if its energy is below that of
-   rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
+/* The size and place of the orbit through (x, v). In two wells the orbit is an inner one if its energy is below that
+   of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
@@ -74,12 +74,13 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
 
 /* -- The shape of an orbit -- */
 
-/* Completes an orbit around 0: x = A cn(lambda t | m) with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3 A^2/2)/lambda^2.
-   For c3 < 0 the parameter m is negative. */
+/* Completes an orbit around 0: x = A cn(lambda t | m) with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3
+   A^2/2)/lambda^2. For c3 < 0 the parameter m is negative. */
 VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, square = orbit->size * orbit->size;
-    const vm_real lambda2 = k1 + k3 * square, m1 = (k1 + k3 * square / 2) / lambda2, m = k3 * square / (2 * lambda2);
+    const vm_real lambda2 = k1 + k3 * square;
+    const vm_real m1 = (k1 + k3 * square / 2) / lambda2, m = k3 * square / (2 * lambda2);
     vm_real C2, C4, C6;
     if (!(lambda2 > 0) || !(m1 > 0)) return VM_NO_LAW;
     jacobi_cn_means(m, &C2, &C4, &C6);
@@ -95,8 +96,8 @@ VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
     return VM_OK;
 }
 
-/* Completes an orbit in a well, at rest^2 = -c1/c3: x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3 A^2/2
-   and 1 - m = (rest^2 - size)/A^2. */
+/* Completes an orbit in a well, at rest^2 = -c1/c3: x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3
+   A^2/2 and 1 - m = (rest^2 - size)/A^2. */
 VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
 {
     const vm_real k3 = orbit->force->k3, rest = -orbit->force->k1 / k3, size = orbit->size;
@@ -187,7 +188,8 @@ VM_API void vmi_duffing_at_argument(const vmi_orbit *orbit, vm_real u, vm_real *
         *x = orbit->size * cn;
         *v = -orbit->size * orbit->lambda * (sn * dn);
     } else {
-        const vm_real k3 = orbit->force->k3, A = (vm_real)orbit->place * VM_SQRT(orbit->size - orbit->force->k1 / k3);
+        const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
+        const vm_real A = (vm_real)orbit->place * VM_SQRT(orbit->size - k1 / k3);
         *x = A * dn;
         *v = -(vm_real)orbit->place * orbit->size * VM_SQRT(2 * k3) * (sn * cn);
     }
@@ -225,7 +227,8 @@ VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 
 /* -- Constant mass: functions of numbers -- */
 
-/* The energy per unit mass, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2. It is conserved. Returns NaN for infinite arguments. */
+/* Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2.
+   It is conserved. Returns NaN for infinite arguments. */
 VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
 {
     if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
@@ -279,11 +282,11 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
     *v = -lambda * *x * ((tanh0 + tanh_t) / both);
 }
 
-/* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s) at t = 0.
-   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps of
-   the amplitude and of the largest velocity, times 1 + t/period, where no terms of c1 + c3 A^2 and c1 + c3 A^2/2 cancel
-   at the amplitude A. Writes NaN where the motion runs away and for infinite arguments, and nothing where an output is
-   null. Equations: DLMF 22.19(ii). */
+/* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
+   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
+   of the amplitude and of the largest velocity, times 1 + t/period, where no terms of c1 + c3 A^2 and c1 + c3 A^2/2
+   cancel at the amplitude A. Writes NaN where the motion runs away and for infinite arguments, and nothing where an
+   output is null. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
@@ -301,6 +304,9 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
     } else if (!vmi_duffing_complete(&orbit)) {
         vmi_duffing_at_argument(&orbit, vmi_duffing_argument_of(&orbit, x0, v0) + orbit.lambda * t, x, v);
     }
+    if (VM_IS_FINITE(*x) && VM_IS_FINITE(*v)) return;
+    *x = VM_NAN; /* a number has overflowed */
+    *v = VM_NAN;
 }
 
 #endif

@@ -1,15 +1,15 @@
 /* oscillators/odd_force.h - vibration under an odd elastic force of any form, with constant mass
 
-   The equation is x'' + F(x) = 0, where F is odd and force per unit mass: x + x^3, sin x, tanh x, or a function of the
-   user. A vm_odd_force holds F; the constructors are vm_odd_force_user here and vm_duffing_force (oscillators/duffing.h).
+   The equation is x'' + F(x) = 0, where F is odd and force per unit mass: x + x^3, sin x, tanh x, or a function of
+   the user. A vm_odd_force holds F. Its constructors are vm_odd_force_user here and vm_duffing_force in
+   oscillators/duffing.h.
    At an amplitude A one quadrature gives the period, the action and x(t):
-       int hard(vm_real x, vm_real *f, void *ctx) { *f = x + x * x * x; return 0; }
-       vm_odd_force force = vm_odd_force_user(hard, NULL);
+       vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
        vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
-   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g), where g is the mean of F(x)/x over the
-   squares between x^2 and A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit is the motion at
-   one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of v dx over a period,
-   divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
+   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g), where g is the mean of F(x)/x over
+   the squares between x^2 and A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit is the
+   motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of v dx
+   over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -30,8 +30,8 @@ typedef int (*vm_odd_function)(vm_real x, vm_real *f, void *ctx);
 typedef struct VM_TAG(vmi_orbit) vmi_orbit;
 typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
 
-/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions of
-   this header and to the user's function and ctx, which must outlive it. */
+/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions
+   of this header and to the user's function and ctx, which must outlive it. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
 struct VM_TAG(vm_odd_force) {
     vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
@@ -39,11 +39,14 @@ struct VM_TAG(vm_odd_force) {
     void *ctx;                /* the user's pointer, last argument of function */
     /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
     int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* F(x) for any x; null if this is no force */
-    int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit); /* its size and place */
-    int (*complete)(vmi_orbit *orbit);                   /* all other fields of an orbit, from its size and place */
-    void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point); /* a point of a complete orbit */
-    int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);     /* the phase of a state on the orbit */
-    int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v); /* the state at a phase */
+    /* Writes the size and the place of the orbit through a state. */
+    int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
+    /* Computes all other fields of an orbit from its size and place. */
+    int (*complete)(vmi_orbit *orbit);
+    /* Writes a point of a complete orbit, the phase of a state on it, and the state at a phase. */
+    void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point);
+    int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);
+    int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v);
 };
 
 /* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
@@ -159,8 +162,8 @@ VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
     return largest / (vmi_orbit_whole(sum) / (VM_PI / 2));
 }
 
-/* The theta at which the integral of a positive function from 0 is `target`, between 0 and its whole integral. Newton's
-   method, with bisection where a step leaves the interval in which the solution lies. */
+/* The theta at which the integral of a positive function from 0 is `target`, between 0 and its whole integral.
+   Newton's method, with bisection where a step leaves the interval in which the solution lies. */
 VM_API vm_real vmi_orbit_theta(const vmi_orbit_sum *sum, vm_real target)
 {
     const int most = 64;
@@ -372,7 +375,8 @@ typedef struct VM_TAG(vmi_odd_state) {
     int status;   /* of the user's function */
 } vmi_odd_state;
 
-/* The potential energy between x and x + more, less the kinetic energy of the state: 0 where x + more is the amplitude */
+/* The potential energy between x and x + more, less the kinetic energy of the state: 0 where x + more is the
+   amplitude */
 VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
 {
     vmi_odd_state *s = (vmi_odd_state *)state;
@@ -453,10 +457,11 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
     return VM_OK;
 }
 
-/* Odd elastic force F(x) by a user's function, which is called for x >= 0 only. ctx is handed to it. F must be
-   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must be
-   so smooth that polynomials of degree 19 represent it on 8 pieces; otherwise all functions refuse it with VM_NO_LAW. A null function makes no
-   force: it is refused with VM_BAD_ARGUMENT. */
+/* Odd elastic force F(x) by a user's function.
+   The function is called for x >= 0 only. ctx is handed to it. F must be
+   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must
+   be so smooth that polynomials of degree 19 represent it on 8 pieces; otherwise all functions refuse it with
+   VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
     vm_odd_force force;
@@ -487,9 +492,9 @@ VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, v
     return force->complete(orbit);
 }
 
-/* Exact period, s, of the motion from rest at x0 (m, either sign) under a force F per unit mass. Returns NaN for a null
-   pointer, a force that no constructor made, x0 = 0, infinite x0, and where there is no vibration. The relative error
-   is at most 1e-13 (float 1e-5). */
+/* Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
+   Returns NaN for a null pointer, a force that no constructor made, x0 = 0, infinite x0, and where there is no
+   vibration. The relative error is at most 1e-13 (float 1e-5). */
 VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -497,8 +502,9 @@ VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
     return 2 * VM_PI / orbit.w;
 }
 
-/* Action, m^2/s, of the motion from rest at x0: the integral of v dx over a period, divided by 2 pi. A slow change of
-   the force keeps it constant. Errors and accuracy are those of vm_odd_period, but it is 0 for x0 = 0. */
+/* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
+   It is the integral of v dx over a period, divided by 2 pi. A slow change of the force keeps it constant. Errors and
+   accuracy are those of vm_odd_period, but it is 0 for x0 = 0. */
 VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -507,11 +513,12 @@ VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
     return orbit.j;
 }
 
-/* Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s) at t = 0, with F per unit mass. The errors of x and
-   v are at most 1e-12 (float 1e-4) of the amplitude and of the largest velocity, times 1 + t/period. Returns
-   VM_BAD_ARGUMENT for null pointers and for a force that no constructor made, VM_NOT_FINITE for infinite numbers and a
-   force that is infinite, VM_DOMAIN where the user's function fails, and VM_NO_LAW where there is no vibration, on a
-   separatrix and close to it, and for a force that is not smooth. An error leaves *x and *v untouched. */
+/* Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s), for an odd F per unit mass.
+   The errors of x and v are at most 1e-12 (float 1e-4) of the amplitude and of the largest velocity, times 1 +
+   t/period. Returns VM_BAD_ARGUMENT for null pointers and for a force that no constructor made, VM_NOT_FINITE for
+   infinite numbers and a force that is infinite, VM_DOMAIN where the user's function fails, and VM_NO_LAW where there
+   is no vibration, on a separatrix and close to it, and for a force that is not smooth. An error leaves *x and *v
+   untouched. */
 VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, vm_real v0, vm_real *x, vm_real *v)
 {
     vmi_orbit orbit;

@@ -3,7 +3,8 @@
    The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
        m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
    F is odd: Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the user (oscillators/odd_force.h).
-   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. Shortest useful call:
+   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. Shortest useful
+   call:
        vm_odd_problem problem;
        vm_odd_motion motion;
        problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
@@ -14,9 +15,9 @@
        problem.x = VM_C(0.2);
        problem.v = 0;
        if (vm_odd_within(&problem, 60, VM_C(1e-3), &motion) == VM_OK) printf("%g m\n", (double)motion.x);
-   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws are
-   not slow or the motion crosses a separatrix. A plan holds the mean motion from 0 to a given time.
-   Guide: docs/duffing.md. Tests: tests/test_odd_force.c. */
+   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws
+   are not slow or the motion crosses a separatrix. A plan holds the mean motion from 0 to a given time. Guide:
+   docs/duffing.md. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_MOTION_H
 #define VARMASS_OSCILLATORS_ODD_MOTION_H
 
@@ -125,8 +126,8 @@ VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real
 
 /* -- The plan -- */
 
-/* The largest number of panels of time that a plan holds (a user's law needs 32 at least), and the number of derivatives
-   that tell how fast the laws change */
+/* The largest number of panels of time that a plan holds (a user's law needs 32 at least), and the number of
+   derivatives that tell how fast the laws change */
 enum { VMI_ODD_PANELS = 48, VMI_ODD_ORDERS = 7 };
 
 /* A panel of time, on which the laws and the mean motion are Legendre series */
@@ -155,13 +156,14 @@ typedef struct VM_TAG(vm_odd_plan) {
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
     vmi_odd_slow slow;      /* damping h at t = 0 */
     vm_real gamma;          /* the relative change of w over that of j, at t = 0 */
-    vm_real a0, B0;         /* fields largest_a and largest_B of the ripple at t = 0 */
+    vm_real first_a;        /* field largest_a of the ripple at t = 0 */
+    vm_real first_B;        /* field largest_B of the ripple at t = 0 */
     int n;                  /* number of panels */
     vmi_odd_panel panel[VMI_ODD_PANELS];
 } vm_odd_plan;
 
-/* Finds the orbit with this ln j by Newton's method, from the size that the orbit has as a guess. A step that leads out
-   of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
+/* Finds the orbit with this ln j by Newton's method, from the size that the orbit has as a guess. A step that leads
+   out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
 VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 {
     const vm_real enough = 4 * VM_EPSILON, longest = 2;
@@ -262,7 +264,8 @@ VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * V
    at the start; it becomes the orbit at the last node. */
 VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
 {
-    vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS], bend[VMI_GAUSS], ratio[VMI_GAUSS];
+    vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS];
+    vm_real bend[VMI_GAUSS], ratio[VMI_GAUSS];
     int i, k, status = vmi_odd_read(&p->problem, panel, at);
     if (status) return status;
     for (k = 0; k < VMI_GAUSS; k++) {
@@ -409,8 +412,8 @@ VM_API int vmi_odd_start(vm_odd_plan *p, const vmi_orbit *orbit)
     mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1);
     p->phase = p->phi - 2 * p->slow.h * now.B_j;
     p->gamma = orbit->j * ripple.w_size / (ripple.j_size * orbit->w);
-    p->a0 = ripple.largest_a;
-    p->B0 = ripple.largest_B;
+    p->first_a = ripple.largest_a;
+    p->first_B = ripple.largest_B;
     if (!(mean > 0)) return VM_NO_LAW; /* the laws are not slow */
     p->ln_j = vmi_log(mean).hi;
     return VM_OK;
@@ -451,13 +454,13 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     return status == VM_NO_LAW ? VM_OK : status;
 }
 
-/* Plan for many values of one problem's motion between t = 0 and t_end (s, either sign).
+/* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
    vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
    plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
-   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
-   pointers and for a law or force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for laws that
-   are not positive, VM_DOMAIN for a table out of order or one that does not hold 0 and t_end, and where a user's
-   function fails. */
+   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers and for a law or force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for
+   laws that are not positive, VM_DOMAIN for a table out of order or one that does not hold 0 and t_end, and where a
+   user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -467,7 +470,8 @@ VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_re
     memset(&plan, 0, sizeof plan);
     plan.problem = *problem;
     plan.t_end = t_end;
-    status = VM_IS_FINITE(t_end) ? vmi_odd_check(problem, t_end) : vmi_first_error(VM_NOT_FINITE, vmi_odd_check(problem, 0));
+    if (VM_IS_FINITE(t_end)) status = vmi_odd_check(problem, t_end);
+    else status = vmi_first_error(VM_NOT_FINITE, vmi_odd_check(problem, 0));
     if (!status) status = vmi_odd_rates_at(problem, 0, vmi_time_side(t_end), &rates);
     if (status) return status;
     plan.m0 = rates.m;
@@ -553,15 +557,16 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 }
 
 /* Estimates the error of an averaged solution at t. It adds up how large the terms are that are left out: of the
-   transformation at the start and at t, and of the action at the start and at points of tables, which changes the phase
-   by gamma times the phase. The factors fit the errors of random problems in tests/test_odd_force.c. */
+   transformation at the start and at t, and of the action at the start and at points of tables, which changes the
+   phase by gamma times the phase. The factors fit the errors of random problems in tests/test_odd_force.c. */
 VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean,
                          const vmi_orbit_ripple *ripple, vm_real *error)
 {
     const vmi_orbit *orbit = &mean->orbit;
     const vm_real largest_known = VM_C(0.25), w = orbit->w, turns = VM_FABS(mean->phase - p->phase);
     const vm_real gamma_t = orbit->j * ripple->w_size / (ripple->j_size * w);
-    const vm_real gamma = vmi_larger(VM_FABS(p->gamma), VM_FABS(gamma_t)), h = VM_FABS(mean->rates.h / mean->rates.speed);
+    const vm_real gamma = vmi_larger(VM_FABS(p->gamma), VM_FABS(gamma_t));
+    const vm_real h = VM_FABS(mean->rates.h / mean->rates.speed);
     vm_real second0, third0, second, third, phase, action;
     vmi_odd_slow slow;
     int status = vmi_odd_slow_at(&p->problem, t, -vmi_time_side(p->t_end),
@@ -569,11 +574,12 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     if (status) return status;
     vmi_odd_sizes(&p->slow, p->start.w, &second0, &third0);
     vmi_odd_sizes(&slow, w, &second, &third);
-    action = p->a0 * (third0 + mean->panel->knots) + vmi_odd_fast(mean, ripple->largest_a);
-    phase = (1 + gamma) * (p->B0 * second0 + ripple->largest_B * (second + third)) + (1 + gamma * turns) * action;
+    action = p->first_a * (third0 + mean->panel->knots) + vmi_odd_fast(mean, ripple->largest_a);
+    phase = (1 + gamma) * (p->first_B * second0 + ripple->largest_B * (second + third)) + (1 + gamma * turns) * action;
     *error = (vmi_odd_steepness(orbit) * phase + ripple->largest_a * (second + third) + action) / 2 +
              4 * VM_EPSILON * (2 + turns);
-    if (route == VM_ODD_MEAN) *error += 2 * h / w * (vmi_odd_steepness(orbit) * ripple->largest_B + ripple->largest_a);
+    if (route == VM_ODD_MEAN)
+        *error += 2 * h / w * (vmi_odd_steepness(orbit) * ripple->largest_B + ripple->largest_a);
     if (!(*error <= largest_known)) *error = VM_INFINITY;
     return VM_OK;
 }

@@ -1,12 +1,12 @@
 /* oscillators/odd_routes.h - routes to the motion of a vibration under an odd elastic force, and its integration
 
-   vm_odd_plan_by_route takes the route that its argument names, vm_odd_plan_within the cheapest whose error is estimated
-   to be within a tolerance, vm_odd_within the same without a plan. The problem and the averaged solutions are those of
-   oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the equation of motion.
-   Estimates: tests/test_odd_force.c compares them with the true errors of random problems. The true error is below three
-   estimates in 99 % of them, and never above ten. The integration of a force with a kink, as x + x|x| has, needs very
-   short steps: it may miss tolerances below 1e-6 and then says so.
-   Tests: tests/test_odd_force.c. */
+   vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose
+   error is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
+   solutions are those of oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the
+   equation of motion. Estimates: tests/test_odd_force.c compares them with the true errors of random problems. The
+   true error is below three estimates in 99 % of them, and never above ten. The integration of a force with a kink,
+   as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and then says so. Tests:
+   tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
 #define VARMASS_OSCILLATORS_ODD_ROUTES_H
 
@@ -37,9 +37,9 @@ VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm
 }
 
 /* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87.
-   y = (x, x') is in m and m/s; problem points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT for
-   null pointers and for a law or a force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, and
-   VM_DOMAIN for t outside a table and where a user's function fails. These statuses stop the run. */
+   y = (x, x') is in m and m/s; problem points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT
+   for null pointers and for a law or a force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
+   and VM_DOMAIN for t outside a table and where a user's function fails. These statuses stop the run. */
 VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
 {
     const vm_odd_problem *o = (const vm_odd_problem *)problem;
@@ -242,7 +242,8 @@ VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance,
 /* -- Routes -- */
 
 /* Checks what all calls with a plan share, and replaces a tolerance of 0 by the default. */
-VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance, const vm_odd_motion *motion)
+VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance,
+                              const vm_odd_motion *motion)
 {
     if (!p || !motion || route < VM_ODD_MEAN || route > VM_ODD_RK87) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
@@ -267,10 +268,11 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     return 1;
 }
 
-/* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route, VM_ODD_....
+/* Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_....
    motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
    solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
-   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it returns
+   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it
+   returns
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,

@@ -5,8 +5,8 @@
    so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
    canonical, and their Hamiltonian is that of constant mass plus 2 h a, times mu sqrt(k/m), with the function
        a(phi) = (integral of v dx from phase 0) - j phi
-   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order in h
-   the mean action and the mean phase are
+   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
+   in h the mean action and the mean phase are
        j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
        phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
    where M is the mean of a^2, an index j means the derivative by j at fixed phase, and h' = dh/ds.
