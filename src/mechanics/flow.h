@@ -86,7 +86,7 @@ typedef struct VM_TAG(vm_flow) {
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
-    vm_vec3 centre;        /* mass centre (vm_flow_given_rhs, vm_flow_start) from the reference point, m, body axes */
+    vm_vec3 centre;        /* mass centre from the reference point, m, body axes (vm_flow_given_rhs, vm_flow_start) */
     vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
     vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
     vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
@@ -112,8 +112,8 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation in *kept and returns it. After several failures in a row *kept is the status of
-   the first one, because the NaN that it returned causes the later failures. */
+/* Stores the status of an evaluation of a right-hand side in *kept and returns it. After several failures in a row
+   *kept is the status of the first one, because the NaN that it returned causes the later failures. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
@@ -127,7 +127,8 @@ typedef struct VM_TAG(vmi_flow_mass) {
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* The present mass, mass centre and inertia: from the fields of the flow if given = 1, else from the state y */
+/* The present mass, mass centre and inertia of the body: from the fields of the flow if given = 1, else from the state
+   y */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;

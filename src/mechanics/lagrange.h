@@ -146,8 +146,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     return status;
 }
 
-/* The derivative dT/dq_i with the masses in the work array, by a central difference of order 6 with the step h, times
-   the scale of q_i. Its error is h^6/140 times the seventh derivative, plus a rounding error of eps/h. Both are small
+/* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. It is a central
+   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step is h times the scale of q_i. In units of
+   this scale the error is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small
    for h = 2^-7 in double precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)

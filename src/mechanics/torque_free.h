@@ -46,7 +46,7 @@ typedef struct VM_TAG(vm_torque_free) {
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
                                     opposite to it if w3 < 0 */
-    vm_real spin[3];             /* omega along axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
+    vm_real spin[3];             /* omega along the axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
     vm_real lean[3];             /* M of (B) is (w, x, y, 0)/sqrt(2 w) with w = 1 + lean[2] dn, x = lean[1] sn,
                                     y = lean[0] cn */
     vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
@@ -81,8 +81,9 @@ typedef struct VM_TAG(vm_torque_free) {
 
 /* ---- amplitudes and parameter ---- */
 
-/* The squares of a1, a2, a3 of (A), of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
-   subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
+/* The squares of the amplitudes a1, a2, a3 of equation (A) above, of h1 = I1 a1, h3 = I3 a3 and of L, and the
+   parameters m and m1 = 1 - m. The only subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is
+   computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -118,8 +119,8 @@ VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the axes, and the amplitudes of omega and of the quaternion M in (B). `sign` is the sign of cn on the
-   separatrix, and 1 elsewhere. */
+/* Sets the axes, and the amplitudes of omega and of the quaternion M in equation (B) above. `sign` is the sign of cn on
+   the separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -166,7 +167,8 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* Returns kappa, the mean rate of h in (B). Sets *mean to agm(1, k') with k'^2 = 1 - m; it is 0 on the separatrix. */
+/* Returns kappa, the mean rate of the angle h in equation (B) above. Sets *mean to agm(1, k') with k'^2 = 1 - m; it is
+   0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
@@ -183,9 +185,9 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(twice, VM_C(0.5));
 }
 
-/* Computes the argument u of (A) at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u on the
-   separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign; else
-   *sign is 1. */
+/* Computes the argument u of equation (A) above at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u
+   on the separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign;
+   else *sign is 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -225,9 +227,9 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
 
 /* ---- the theta function ---- */
 
-/* Returns y of theta(u + i y) in (B), which solves cd(y | m1) = c with c = I3 a3/L. It is an elliptic integral of the
-   first kind, in Carlson's form with N = I3 d12/(I1 d23):
-   y = R_F(N, N/c^2, N + 1) */
+/* Returns y, the constant imaginary part of the argument u + i y of the theta function in equation (B) above. y solves
+   cd(y | m1) = c with c = I3 a3/L. With N = I3 d12/(I1 d23) it is y = R_F(N, N/c^2, N + 1), where R_F is Carlson's
+   elliptic integral of the first kind. */
 VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square)
 {
     const vm_two N = vmi_two_over(vmi_two_times(axes->I3, axes->d12), vmi_two_times(axes->I1, axes->d23));
@@ -235,8 +237,9 @@ VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const
     return vmi_carlson_rf(N, vmi_two_over(N, c_square), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* Sets the theta function of (B), conjugated if sigma s < 0. For m = 0 it stays 1. It is summed directly for
-   K <= 2K', and by Jacobi's transformation for K > 2K', where K' (Kc in the code) is K of the parameter 1 - m. */
+/* Sets the theta function of equation (B) above, conjugated if sigma s < 0. For m = 0 it stays 1. K and K' (Kc in the
+   code) are the quarter periods for the parameters m and 1 - m. The function is summed directly for K <= 2K', and by
+   Jacobi's transformation for K > 2K'. */
 VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square)
 {
@@ -331,7 +334,8 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     return turns;
 }
 
-/* Evaluates (A) and (B) at the time t after t0: *omega in body axes, and the rotation *turn = (cos h + s e3 sin h) M */
+/* Evaluates equations (A) and (B) above at the time t after t0: *omega in body axes, and the rotation *turn = (cos h +
+   s e3 sin h) M */
 VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, w, x, y, over, c, s;
