@@ -134,7 +134,7 @@ VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlie
     return certain;
 }
 
-/* Whether the field `direction` of the event allows it to happen when g leaves the sign `side` */
+/* Whether the event may happen, by its field `direction`, when g changes from the sign `side` to another sign */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
@@ -245,8 +245,9 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
             continue;
         }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
-        /* gap = 1 ends the evaluations at short distances; those at the evenly spaced points go on. A short excursion
-           of g is expected only after the start of the step, where an event may have changed y or f. */
+        /* Inside the step (start > 0), gap = 1 ends the evaluations of g at short distances as soon as its sign is
+           certain; those at evenly spaced points go on. At the start of the step the short distances go on, too: an
+           event there may have changed y or f, so that g may change its sign twice in a short time. */
         if (e->side && start > 0) gap = 1;
     }
     return ODE_OK;
@@ -368,7 +369,7 @@ VM_API int vmi_take_back(rk45 *s)
     }
     s->steps--;
     s->rejected++;
-    s->k1 = VMI_K1_READY; /* vmi_advance has made only this step, so that its k_1 is still in work */
+    s->k1 = VMI_K1_READY; /* with events vmi_advance makes one step, whose k_1 is still in work */
     s->failure = VMI_NOT_FINITE;
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }
