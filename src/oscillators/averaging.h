@@ -111,11 +111,11 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
 /* Number of phases in a period at which the exact rates of ln A and psi are compared with their means */
 enum { VMI_AVERAGING_POINTS = 64 };
 
-/* A time t between 0 and t_end, and the motion at t */
+/* A moment of a motion from time 0 to t_end: the time t and the motion at t */
 typedef struct VM_TAG(vmi_osc_moment) {
     const vm_osc_plan *plan;
     vmi_osc_rates now;  /* mass, stiffness and rates just before t */
-    vm_real t, t_end;   /* this time and the last time, s */
+    vm_real t, t_end;   /* the time t of this moment, and the end t_end of the motion, s */
     vm_real A, psi, Om; /* amplitude, m, Ateb phase, and rate of this phase, 1/s */
 } vmi_osc_moment;
 

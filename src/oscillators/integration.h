@@ -36,7 +36,7 @@ typedef struct VM_TAG(vmi_osc_tuning) {
     vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
     vm_real ratio;     /* tolerance of the loose run over that of the strict run */
     vm_real factor;    /* estimated error of the strict run over the difference of the two runs */
-    vm_real by_chance; /* least ratio of estimated error to tolerance of the steps; less is taken for chance */
+    vm_real by_chance; /* the estimated error is at least this times the tolerance of the steps */
 } vmi_osc_tuning;
 
 /* How a route integrates */
@@ -50,10 +50,10 @@ typedef struct VM_TAG(vmi_osc_method) {
     vmi_osc_tuning tuning;                                           /* numbers for this pair */
 } vmi_osc_method;
 
-/* A method with rk45. rk45 does not change the length of its steps while their error stays within a factor of 3.
-   `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves room for errors that
-   are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree
-   well by chance; by_chance allows for this. */
+/* A method of integration with the pair rk45. rk45 does not change the length of its steps while their error stays
+   within a factor of 3. `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves
+   room for errors that are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps,
+   so two runs may agree well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -69,7 +69,8 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
     return method;
 }
 
-/* A method with rk87, which does not change the length of its steps while their error stays within a factor of 7.5 */
+/* A method of integration with the pair rk87, which does not change the length of its steps while their error stays
+   within a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);

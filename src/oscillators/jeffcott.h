@@ -116,8 +116,8 @@ VM_API int vmi_jeffcott_mass_at(const vm_jeffcott *r, vm_real t, vm_real *mass, 
     return vmi_law_at(&r->mass, VM_BAD_MASS, t, mass, rate);
 }
 
-/* F_z + r m' u: the loads without the gyroscopic force and without the part of the reactive force that depends on z'.
-   `rate` is m'. */
+/* F_z + r m' u: the external force and the reactive force r m' (u - z') without its part that depends on z'. `rate` is
+   m'. */
 VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     const vm_complex thrust = vmi_c_scale(r->reactive * rate, r->u);
@@ -125,7 +125,7 @@ VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real ra
     return vmi_c_add(r->force(t, z, v, r->force_ctx), thrust);
 }
 
-/* F_z + r m' u + 2 i g z', where `rate` is m' and v is z' */
+/* F_z + r m' u + 2 i g z': the load of vmi_jeffcott_drive and the gyroscopic force, where `rate` is m' and v is z' */
 VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
@@ -236,7 +236,8 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     return vmi_copy_if_finite(4, joined, motion);
 }
 
-/* Computes the exact rates P' and N' (470)-(473) of the whirls at the fast phase phi:
+/* Writes the exact rates P' and N' (470)-(473) of the whirls to *dP and *dN. At the fast phase phi the disc is at z = P
+   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N. The rates are
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
      m f = F_z + r m' u + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
    The last term has r - 1/2 in place of r, because the change of omega contributes m' z'/2. */
@@ -338,9 +339,9 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
     return vmi_jeffcott_root(r->gyro, mass, vmi_jeffcott_stiffness(r, A, &slope), sense);
 }
 
-/* The mean load D e^(-i psi), N, averaged over the angle psi of a circle of radius A that turns at the frequency W,
-   with D = F_z + r m' u. Its real part is the mean radial load, its imaginary part the mean tangential load. `rate`
-   is m'. */
+/* The mean load, N, on a disc that moves on a circle of radius A at the frequency W. The load D = F_z + r m' u is taken
+   as D e^(-i angle), where `angle` is the disc's place on the circle, and averaged over one turn that begins at the
+   angle psi. The real part is the mean radial load, the imaginary part the mean tangential load. `rate` is m'. */
 VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
                                          vm_real W)
 {

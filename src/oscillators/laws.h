@@ -30,7 +30,7 @@ typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
    the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
-    vm_real f0, f1, f2;       /* arguments of the constructor, in its order; 0 for tables and functions */
+    vm_real f0, f1, f2;       /* numbers given to the constructor, in its order; 0 for tables and functions */
     int n;                    /* number of points of a table; 0 for the other laws */
     const vm_real *time;      /* n times of a table, s, rising; else null */
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
@@ -137,7 +137,7 @@ VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
     return VM_OK;
 }
 
-/* A law with these numbers, but without the functions of its kind, which the constructors below add */
+/* A law with the numbers f0, f1, f2, but without the functions of its kind, which the constructors below add */
 VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law;
@@ -243,7 +243,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* f and its derivatives; each is f1 times the derivative of the order before */
+/* f and the derivatives of an exponential law; each is f1 times the derivative of the order before */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -274,8 +274,8 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* f and its derivatives. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers than masses
-   vmi_law_derivatives changes this status. */
+/* f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers
+   than masses vmi_law_derivatives changes this status. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -419,7 +419,7 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
     return (t_end - knot) * (vm_real)side > 0 ? knot : t_end;
 }
 
-/* Whether t is a point of a table inside it, where the second derivative may jump */
+/* Whether t is a point of the law's table, but not its first or last, so that the second derivative may jump there */
 VM_API int vmi_law_has_knot(const vm_law *law, vm_real t)
 {
     return law->time && vmi_law_interval(law, t, 1) != vmi_law_interval(law, t, -1);

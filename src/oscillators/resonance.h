@@ -50,7 +50,7 @@ typedef struct VM_TAG(vmi_resonance) {
     vm_real push;         /* force per mass F G/m that acts on the mean motion, with the sign of F */
 } vmi_resonance;
 
-/* The resonance of the oscillator f with the parameters n */
+/* The fields of vmi_resonance for the oscillator f with the parameters n */
 VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_parameters *n)
 {
     vmi_resonance z;
@@ -62,7 +62,8 @@ VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_param
     return z;
 }
 
-/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. It is 0 for a steady vibration. */
+/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. It is 0 for a steady vibration. w = w1
+   A^exponent, nu, p and push are those of vmi_resonance. */
 VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
 {
     const vmi_resonance *z = (const vmi_resonance *)resonance;

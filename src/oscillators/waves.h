@@ -31,7 +31,7 @@ struct VM_TAG(vmi_osc_wave) {
     /* estimates the error of the wave, where mean_ca2 is the mean of ca^2; null for ca, which has no error */
     vm_real (*error)(const vmi_osc_wave *w, vm_real mean_ca2);
     vm_real alpha;              /* exponent of the spring */
-    vm_real turn;               /* the wave's own angle is turn psi */
+    vm_real turn;               /* the wave's own angle, the argument of ca, cos or cn, is turn psi */
     vm_real speed;              /* the velocity is x' = -speed vmax(A) s */
     vm_real gain_A, gain_theta; /* factors of the means of the force in the averaged equations */
     vm_real m;                  /* parameter m = k^2 of cn; 0 for the other waves */
@@ -76,15 +76,17 @@ VM_API void vmi_osc_cos_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_re
     vmi_sincos(w->turn * psi, s, c);
 }
 
-/* The estimate is the error of the velocity at x = 0, which is the largest, times a factor that grows with alpha. */
+/* Estimates the error of the wave cos. It is the error of its velocity at x = 0, where it is largest, times a factor
+   that grows with alpha. */
 VM_API vm_real vmi_osc_cos_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     (void)mean_ca2;
     return VM_FABS(w->speed - 1) * (1 + w->alpha / 100);
 }
 
-/* The wave x = A cos(turn psi), whose period is that of ca; pi is Pi_alpha. Its gains are those of (337)-(339), but
-   with alpha + 3 for 5 - alpha, which comes from a wrong sign in (335). */
+/* The wave x = A cos(turn psi), whose period is that of ca; the argument pi is Pi_alpha. gain_A and gain_theta are the
+   factors 4/(alpha + 3) in the averaged equations (337)-(339). The dissertation has 5 - alpha instead of alpha + 3,
+   because of a wrong sign in (335). */
 VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
@@ -107,8 +109,8 @@ VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_rea
     *s = sn * dn;
 }
 
-/* The estimate is the difference between the means of cn^2 and of ca^2, which is 0 where cn is exact, times a factor
-   that is fitted to the largest errors of the wave. */
+/* Estimates the error of the wave cn. It is the difference between the means of cn^2 and of ca^2, which is 0 where cn
+   is exact, times a factor that is fitted to the largest errors of this wave. */
 VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     return VM_FABS(w->mean_c2 - mean_ca2) * (VM_C(2.7) + w->alpha / 2);
