@@ -94,9 +94,9 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
    decide whether events coincide. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
-/* The value of g at the fraction x of the last step, in a state that is changed on purpose, by the largest error that
-   rounding may have caused within this step, or, if `earlier` is not 0, since the run began. `direction`, -1 or 1, is
-   the sign of the change. The components change by different amounts, so that their differences change too. */
+/* The value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose. The
+   error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`, -1 or
+   1, is its sign. Its size differs between the components, so that their differences change too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
@@ -324,7 +324,8 @@ VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
         vmi_quieten_event(s, e, x);
         return ODE_OK;
     }
-    /* x + VMI_QUIET may be above 1, where the step has ended: y is still defined there, but g may be NaN */
+    /* g is followed up to x + VMI_QUIET, which may be after the end of the step (x = 1). The extension of y goes on
+       there, but g may be NaN; the event then does not happen. */
     e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
     return ODE_OK;
 }

@@ -43,8 +43,8 @@ typedef struct VM_TAG(vmi_rk_pair) {
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
     vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of f's Jacobian exceeds this */
     /* For the test of stiffness, which compares two states at the end t + h of a step: those of the last two stages
-       (rk45), or the new state and that of the last stage (rk87). Returns the weight of k_{j+1} in the difference of
-       these two states, divided by h. */
+       (rk45), or the new state and that of the last stage (rk87). The difference of these two states is h times a sum
+       over all k_{j+1}; the function returns the factor of k_{j+1} in it. */
     vm_real (*end_difference)(int j);
     /* Computes the state y at the fraction x of the step by the continuous extension, y_old + h (b_1 k_1 + ...), whose
        weights b_j depend on x */

@@ -65,8 +65,9 @@ typedef struct VM_TAG(vm_broken_rotor_piece) {
 } vm_broken_rotor_piece;
 
 /* The break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of vm_broken_rotor_piece, and S1 is
-   the mass centre of the remainder. [1] assumes in (57): the point A of the piece keeps its velocity, and the component
-   of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and angular momentum. */
+   the mass centre of the remainder. The dissertation [1] assumes in (57): the point A of the piece keeps its velocity,
+   and the component of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and
+   angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
                              and torque are those of the whole */

@@ -102,11 +102,11 @@ typedef struct VM_TAG(vmi_stream_seen2) {
 typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real rate;    /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
-    vm_real px, py;  /* sum of M' (u - v) of the streams whose velocity is relative to the body */
-    vm_real fx, fy;  /* sum of M' u of the streams whose velocity is absolute, inertial axes, plus the outer force */
-    vm_real moment;  /* sum of d x M' (u - v) + M' kappa omega2, plus the outer moment */
-    vm_real sx, sy;  /* sum of M' d */
-    vm_real inertia; /* sum of M' (kappa + d^2) */
+    vm_real px, py;  /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
+    vm_real fx, fy;  /* outer force, plus the sum of M' u of the streams whose velocity is absolute, inertial axes */
+    vm_real moment;  /* outer moment, plus the moments d x M' (u - v) + M' kappa omega2 of the streams */
+    vm_real sx, sy;  /* sum of M' d, which moves the mass centre in the body */
+    vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) */
 } vmi_stream_sum2;
 
 /* Adds a stream, whose `motion` is known, to the sums */

@@ -306,7 +306,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Sets *joined and *centre to inertia and mass centre after a jump of two bodies at rest, a at the origin, b at d */
+/* Sets *joined and *centre to inertia and mass centre of body a, at 0, after body b, at d, joins or leaves it */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {

@@ -47,16 +47,16 @@ typedef struct VM_TAG(vm_torque_free) {
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
                                     opposite to it if w3 < 0 */
     vm_real spin[3];             /* omega along the axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
-    vm_real lean[3];             /* M of (B) is (w, x, y, 0)/sqrt(2 w) with w = 1 + lean[2] dn, x = lean[1] sn,
-                                    y = lean[0] cn */
+    vm_real lean[3];             /* the quaternion M of equation (B) below is (w, x, y, 0)/sqrt(2 w), with
+                                    w = 1 + lean[2] dn, x = lean[1] sn, y = lean[0] cn */
     vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
     vm_two phase_rate;           /* rate of the phase, per second */
     vm_two K;                    /* quarter period of sn in u; 0 on the separatrix */
-    vm_two turn_rate;            /* mean rate of s h in (B), turns/s; s h is half the angle turned about the angular
-                                    momentum */
+    vm_two turn_rate;            /* mean rate, turns/s, of s h in equation (B) below; s h is half the angle
+                                    turned about the angular momentum */
     vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
-    vmi_doubled_theta theta;     /* the theta function of (B); arg theta is the deviation of h from its mean growth */
+    vmi_doubled_theta theta;     /* theta function of (B) below; sigma arg theta is h minus its mean growth kappa t */
 } vm_torque_free;
 
 /* The solution. Let 1, 2, 3 be the principal axes, where axis 2 has the middle moment and omega moves around axis 3
@@ -142,9 +142,9 @@ VM_API vm_two vmi_torque_free_two_pi(void)
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with N =
-   I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those of
-   (A), and c = I3 a3/L:
+/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with
+   N = I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those
+   of equation (A) above, and c = I3 a3/L:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
@@ -305,8 +305,8 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* Computes sn, cn, dn at the time t after t0. Returns u/(4K) minus the nearest multiple of 1/2, or u on the
-   separatrix. */
+/* Computes sn, cn, dn at the time t after t0. Returns u/(4K), with their argument u, minus the nearest multiple of 1/2;
+   or u on the separatrix. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {

@@ -180,11 +180,11 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* The result of vm_osc_approximation_errors: the criterion (268) and the largest errors in a period, pure numbers */
+/* The result of vm_osc_approximation_errors, pure numbers: ratios of velocities (268) and largest errors in a period */
 typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax;          /* largest velocity of the cosine (296) over the exact one (267) */
-    vm_real jacobi_vmax;        /* largest velocity of cn over the exact one; for m > 1/2 cn is fastest near x = 0, with
-                                   Omega_1/(2k), and not at x = 0, with the k' Omega_1 of (306) */
+    vm_real jacobi_vmax;        /* largest velocity of cn over the exact one. At x = 0 cn has the velocity k' Omega_1
+                                   (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
     vm_real jacobi_x, jacobi_v; /* largest errors of cn, relative to x0 and vmax */
 } vm_osc_errors;

@@ -97,7 +97,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int route;        /* the method's route, VM_ROUTE_... */
     vmi_osc_wave wave;
     int side;         /* 1 forward, -1 backward in time */
-    int status;       /* status of a law of m or k that stopped the run, else VM_OK */
+    int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, as a part of the interval up to the next stop */
     vm_real law_step; /* longest step, s, that skips no change of a user's law; it is reduced as `longest` is */
@@ -183,9 +183,9 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
     return stop;
 }
 
-/* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than
-   a part of the period or, for a large Pi_alpha, of the 10/Pi_alpha periods in which the velocity reverses, since the
-   pair does not notice the error of a step across that time. */
+/* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than a
+   part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods; then no step is longer
+   than a part of this short time, because the Runge-Kutta pair does not notice the error of a step across it. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */

@@ -256,7 +256,7 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
     *dN = vmi_c_times_i(push, vmi_c_times(f, turn));
 }
 
-/* Number of phases of a period that enter a mean value */
+/* The number of phases, evenly spaced in a period, at which the loads are computed for a mean over the period */
 VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
     const int usual = 32; /* exact means for forces that are polynomials in z and z' of degree <= 15 */

@@ -243,7 +243,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* f and the derivatives of an exponential law; each is f1 times the derivative of the order before */
+/* f and the derivatives of an exponential law; each derivative is f1 times the one before it */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;

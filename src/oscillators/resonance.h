@@ -34,12 +34,12 @@ typedef struct VM_TAG(vm_steady_state) {
 
 /* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
-    vm_real A;              /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
-    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can balance. Below 1 the vibration
+    vm_real A;              /* amplitude, m, whose natural frequency w(A) is nu; for alpha = 1 the given amplitude */
+    vm_real drift_ratio;    /* rate of w - nu over the largest rate that the force can balance. Below 1 the vibration
                                may be captured, so that it follows A; above 1 it passes through the resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
-    vm_real amplitude_jump; /* relative change of the amplitude in a quick passage (drift_ratio much larger than 1).
-                               It depends on the phase at the start; this is half of its range */
+    vm_real amplitude_jump; /* largest relative change of the amplitude in a quick passage (drift_ratio much larger
+                               than 1). The change depends on the phase at the start and may have either sign */
 } vm_passage;
 
 /* The quantities that determine the resonance at one time */

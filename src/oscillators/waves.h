@@ -144,8 +144,8 @@ VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
     return vmi_smaller(error, 1);
 }
 
-/* Writes the largest differences of c from ca and of speed s from sa over a quarter of the period, at points that are
-   densest near x = 0. */
+/* Writes to *x_error the largest difference of the wave c from ca, and to *v_error that of speed s from sa. They are
+   taken over a quarter of the period, at points that are densest near x = 0. pi is Pi_alpha. */
 VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;

@@ -19,7 +19,7 @@
 
 /* The part of a scene in which a fault is */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect" or "event"; "scene" if an array of the scene, or nothing, is wrong */
+    const char *kind; /* "body", "effect" or "event"; "scene" for an array of the scene, and if nothing is wrong */
     int index;        /* index of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 

@@ -30,7 +30,7 @@ typedef struct VM_TAG(vmi_scene_pace) {
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more would cause each other without end */
+    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more are taken for an endless chain */
     VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants whose gap the time cannot resolve */
     VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a short gap between two events, so that no later event is missed */
 };
@@ -147,7 +147,7 @@ VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
     }
 }
 
-/* The status of a scene that reports an error of the integrator */
+/* The status VM_... of a scene for the status ODE_... of its integrator, which has reported an error */
 VM_API int vmi_scene_status_of_ode(int ode_status)
 {
     switch (ode_status) {
