@@ -150,7 +150,7 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept: 1 if the last x has replaced a, -1 if it has replaced b, 0 at first */
+    int count, kept = 0; /* kept: 1 if the last x has become a, -1 if it has become b, 0 at first */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
         vm_real x = b - gb * ((b - a) / (gb - ga)), g;

@@ -296,7 +296,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* not a field of p, because make_stages must not get the address of p */
+    long evals = 0; /* not a field of p, which must stay in registers: make_stages gets its address */
     int status;
     for (;;) {
         vmi_trial trial;

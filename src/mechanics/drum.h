@@ -92,7 +92,8 @@ VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm
 typedef struct VM_TAG(vmi_drum_mass) {
     vm_real M;       /* mass of drum and band, kg */
     vm_real J;       /* inertia of drum and band about the axle, kg m^2 */
-    vm_real steiner; /* M (S S1)^2, with the axle S and the mass centre S1, kg m^2; J - steiner: inertia about S1 */
+    vm_real steiner; /* M times the squared distance of the mass centre from the axle, kg m^2: the
+                        inertia about the mass centre is J - steiner */
 } vmi_drum_mass;
 
 /* Sets *m for the angle phi of the drum, where s is sin(phi/2). A call with s = 0 neglects the distance from the axle

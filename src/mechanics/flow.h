@@ -97,7 +97,7 @@ typedef struct VM_TAG(vm_flow) {
     int status;
     /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
        VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
-       VM_FLOW_BALANCED_STATES, it writes the zeros of the balance too. */
+       VM_FLOW_BALANCED_STATES, it also sets the seven integrals of the balance to 0. */
     int y_size;
 } vm_flow;
 
@@ -297,8 +297,8 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return 0;
 }
 
-/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes the
-   zeros of the balance only if y_size is large enough for them. */
+/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes zeros
+   for the integrals of the balance only if y_size is large enough for them. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;

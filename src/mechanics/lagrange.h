@@ -69,8 +69,8 @@ typedef struct VM_TAG(vm_lagrange_system) {
 
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
-    vm_real *A;      /* the mass matrix, n rows of n numbers */
-    vm_real *b;      /* the factors of the rates in the linear terms of T, n numbers */
+    vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
+    vm_real *b;      /* the vector b in T, the factors of the rates q' in its linear terms, n numbers */
     vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */

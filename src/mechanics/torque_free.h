@@ -45,13 +45,13 @@ typedef struct VM_TAG(vm_torque_free) {
     vm_real t0;                  /* the time at which the body is as given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
-                                    opposite to it if w3 < 0 */
+                                    opposite to it if the component w3 of omega along axis 3 is negative */
     vm_real spin[3];             /* omega along the axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
     vm_real lean[3];             /* the quaternion M of equation (B) below is (w, x, y, 0)/sqrt(2 w), with
                                     w = 1 + lean[2] dn, x = lean[1] sn, y = lean[0] cn */
-    vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
+    vm_two phase;                /* argument u of sn, cn, dn at t0, divided by 4K; u itself on the separatrix */
     vm_two phase_rate;           /* rate of the phase, per second */
-    vm_two K;                    /* quarter period of sn in u; 0 on the separatrix */
+    vm_two K;                    /* quarter period of sn as a function of u; 0 on the separatrix */
     vm_two turn_rate;            /* mean rate, turns/s, of s h in equation (B) below; s h is half the angle
                                     turned about the angular momentum */
     vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
@@ -174,7 +174,7 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
 {
     const vm_two L = vmi_two_root(square->L);
     vm_two twice;
-    if (axes->symmetric) { /* k' = 1 and 2 kappa = (L + |w3| (I1 - I3))/I1 */
+    if (axes->symmetric) { /* I1 = I2: k' = 1 and 2 kappa = (L + |w3| (I1 - I3))/I1 */
         *mean = vmi_two(1, 0);
         twice = vmi_two_times(vmi_two_root(square->a3), vmi_two_minus(axes->I1, axes->I3));
         twice = vmi_two_over(vmi_two_plus(L, twice), axes->I1);
@@ -199,7 +199,7 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     *sign = 1;
     if (mean.hi > 0) {
         F = vmi_two_over(vmi_two_times(F, mean), vmi_torque_free_two_pi());
-        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* u/(4K) is 1/2 - F here */
+        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* cn < 0: u/(4K) is 1/2 - F */
     } else if (axes->w1.hi < 0) *sign = -1;
     return vmi_two_shifted(F, forward * *sign);
 }
@@ -342,7 +342,7 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
     const vm_real turns = vmi_torque_free_functions(motion, t, &sn, &cn, &dn);
     vmi_doubled_at(&motion->theta, turns, &re, &im);
     vmi_sincos_turns(vmi_torque_free_fraction(motion->turn_rate, t).hi + motion->theta.shift * turns, &sine, &cosine);
-    w = 1 + motion->lean[2] * dn; /* M is (w, x, y, 0)/sqrt(2 w) */
+    w = 1 + motion->lean[2] * dn; /* the quaternion M of (B) is (w, x, y, 0)/sqrt(2 w) */
     x = motion->lean[1] * sn;
     y = motion->lean[0] * cn;
     over = 1 / VM_SQRT(2 * w * (re * re + im * im));

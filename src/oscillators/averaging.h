@@ -114,7 +114,7 @@ enum { VMI_AVERAGING_POINTS = 64 };
 /* A moment of a motion from time 0 to t_end: the time t and the motion at t */
 typedef struct VM_TAG(vmi_osc_moment) {
     const vm_osc_plan *plan;
-    vmi_osc_rates now;  /* mass, stiffness and rates just before t */
+    vmi_osc_rates now;  /* mass, stiffness and their rates just before t */
     vm_real t, t_end;   /* the time t of this moment, and the end t_end of the motion, s */
     vm_real A, psi, Om; /* amplitude, m, Ateb phase, and rate of this phase, 1/s */
 } vmi_osc_moment;

@@ -259,7 +259,7 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
 /* The number of phases, evenly spaced in a period, at which the loads are computed for a mean over the period */
 VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
-    const int usual = 32; /* exact means for forces that are polynomials in z and z' of degree <= 15 */
+    const int usual = 32; /* gives exact means of forces that are polynomials of degree <= 15 in z and z' */
     if (r->nodes > 0) return r->nodes;
     return usual;
 }
@@ -411,7 +411,7 @@ typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
     vm_real mass;    /* mass after the change, kg */
-    vm_real first;   /* g^2 + m F_e'(A) before the change */
+    vm_real first;   /* the factor g^2 + m F_e'(A) of the invariant before the change */
 } vmi_jeffcott_orbit;
 
 /* ln of the invariant over its value before the change, at the radius first_A e^x; NaN where F_e' is not a number or
@@ -478,7 +478,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
     o.r = r;
     o.first_A = first_A;
     o.mass = mass;
-    if (r->gyro == 0) { /* for g = 0, m^(2r-1) replaces m in the invariant */
+    if (r->gyro == 0) { /* for g = 0 the invariant has m^(2r-1) in place of m (509) */
         o.mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
         first_mass = 1;
     }

@@ -26,7 +26,7 @@
 
 typedef struct VM_TAG(vmi_osc_wave) vmi_osc_wave;
 struct VM_TAG(vmi_osc_wave) {
-    /* writes c and s at the Ateb phase psi */
+    /* writes the waves c of the position and s of the velocity at the Ateb phase psi */
     void (*at)(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s);
     /* estimates the error of the wave, where mean_ca2 is the mean of ca^2; null for ca, which has no error */
     vm_real (*error)(const vmi_osc_wave *w, vm_real mean_ca2);

@@ -108,7 +108,7 @@ struct VM_TAG(vm_scene_body) {
     int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
     vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
-    vm_real law_offset;     /* kg: added to the value of the mass law, which does not know of jumps and switching */
+    vm_real law_offset;     /* kg: added to the mass law, which does not know of jumps and of being switched */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
