@@ -117,9 +117,9 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real 
     return e->g(vmi_time_inside(s, x) * (1 + (vm_real)direction * VM_EPSILON), z, e->ctx);
 }
 
-/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; `earlier` has the
-   meaning that it has in vmi_event_value_moved. Returns 1 if g certainly has the sign `side` there, in spite of
-   rounding, else 0. */
+/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; if `earlier` is not 0,
+   the errors of all earlier steps of the run are included. Returns 1 if g certainly has the sign `side` there, in spite
+   of rounding, else 0. */
 VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlier, int side)
 {
     int direction, certain = 1;

@@ -31,9 +31,9 @@
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
-   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R
-   is the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the
-   length of q back to 1 and does not lower the order of an integrator. In (152), [1] prints I' omega2 instead of
+   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R is
+   the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the length of
+   q back to 1 and does not lower the order of an integrator. The dissertation [1] prints I' omega2 in (152) instead of
    M' kappa omega2.
    If a stream has a store (vm_store) at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and
    P(d); the gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the

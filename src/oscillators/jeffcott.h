@@ -1,9 +1,9 @@
 /* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
 
    A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), F_e(rho) the
-   shaft's elastic force at the deflection rho = |z|, and F_e'(rho) is short for F_e(rho)/rho, as in [1]. g is the
-   gyroscopic constant of the remark after (516). r is the share of the reactive force of mass that joins or leaves with
-   the velocity u, and F_z an external force:
+   shaft's elastic force at the deflection rho = |z|, and F_e'(rho) is short for F_e(rho)/rho, as in the dissertation
+   [1]. g is the gyroscopic constant of the remark after (516). r is the share of the reactive force of mass that joins
+   or leaves with the velocity u, and F_z an external force:
        m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
    Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
    nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
@@ -297,11 +297,11 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
     return vmi_jeffcott_mean(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs,
-   averaged over the fast phase phi while P and N stay constant. [1] averages over the angles psi1 and psi2 of the two
-   whirls separately, (474)-(477). That is wrong unless the force turns with z, since forward and backward whirl are in
-   1:1 resonance. The error is of the order of the largest perturbation (F_z, u, g, F_e'(rho) - F_e'(0) or m'), up to
-   times of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at
+/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs, averaged
+   over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and psi2 of
+   the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since forward and backward whirl
+   are in 1:1 resonance. The error is of the order of the largest perturbation (F_z, u, g, F_e'(rho) - F_e'(0) or m'),
+   up to times of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at
    `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -313,8 +313,8 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
-/* The frequency of circular whirl W = (g +- S)/m with S^2 = g^2 + m F_e', where + is for forward whirl (sense >= 0);
-   the formula subtracts no nearly equal numbers */
+/* The frequency of circular whirl W = (g +- S)/m with S^2 = g^2 + m F_e', where + is for forward whirl (sense >= 0). g
+   is gyro, m the mass, F_e' the stiffness. The code subtracts no nearly equal numbers. */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);

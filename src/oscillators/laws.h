@@ -169,7 +169,7 @@ VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm
     return VM_OK;
 }
 
-/* The exponential form of a linear law: f0 (1 + base t) = f0 exp(base u) */
+/* The exponential form of a linear law: f0 (1 + base t) = f0 exp(base u) with u = ln(1 + base t)/base */
 VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = law->f1 / law->f0;
@@ -210,7 +210,8 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
-/* The exponential form of a quadratic law: f0 (1 + base t)^2 = f0 exp(2 base u), if f is a square within rounding */
+/* The exponential form of a quadratic law that is a square within rounding errors: f0 (1 + base t)^2 = f0 exp(2 base u)
+   with u = ln(1 + base t)/base */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -288,7 +289,7 @@ VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_
     return VM_OK;
 }
 
-/* The exponential form of a power law: f0 (1 + f1 t)^f2 = f0 exp(f2 f1 u) with base = f1 */
+/* The exponential form of a power law: f0 (1 + f1 t)^f2 = f0 exp(f2 f1 u) with base = f1 and u = ln(1 + f1 t)/f1 */
 VM_API int vmi_law_power_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = law->f1;

@@ -1,13 +1,13 @@
 /* scenes/band.h - a band that winds up on a drum or off it
 
-   The drum is a body on an axle (chapter 5.2 of [1]). It is bare at the angle phi = 0, and the body is made with the
-   inertia of the bare drum. The band comes or goes at the radius
+   The drum is a body on an axle (chapter 5.2 of the dissertation). It is bare at the angle phi = 0, and the body is
+   made with the inertia of the bare drum. The band comes or goes at the radius
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (by_layer),
-   and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b
-   its width and rho its density. If the band lies in layers, its rate jumps at each complete turn, and with it the
-   reactive torque. vm_band_at computes the part that is wound up at any angle; vm_effect_band is the mass law of the
-   drum in a scene.
+   and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b its
+   width and rho its density. If the band lies in layers, its rate jumps at each complete turn, and with it the reactive
+   torque. vm_band_at computes the part that is wound up at any angle; vm_effect_band is the mass law of the drum in a
+   scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
