@@ -202,8 +202,9 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 }
 
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
-   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' stays at omega, and the surplus
-   of the torque makes the orbit grow. The radius is r = |s|/4 + R, where R(0) = 0 and
+   Omega = torque/damping (rad/s) must be at or above omega; vm_broken_rotor explains omega, p, k* and s. The angular
+   velocity psi' stays at omega, and the surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where
+   R(0) = 0 and
      R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R).
    It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.

@@ -360,8 +360,8 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
    The letters J0, Omega_b, e, j are those of vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and
-   f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x), x
-   = -exp(-f1/k1)/k1, with the branch W_-1 for 0 < k1 < 1 and the branch W_0 for other k1. This function is for
+   f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) for x
+   = -exp(-f1/k1)/k1. It needs the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function is for
    comparison; vm_drum_angle is better. Near e = 0 the solution by W loses all digits, because x approaches the branch
    point of W. The code uses ln |x|, because x itself overflows or underflows near k1 = 0 (for k1 = 1e-3 it may be
    1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate does. */

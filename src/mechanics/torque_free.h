@@ -30,8 +30,8 @@
 #include "torque_free_axes.h"
 #include "vectors.h"
 
-/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read. (A) and
-   (B) stand in the next comment.
+/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
+   Equations (A) and (B) stand in the next comment.
 
    Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
    |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
@@ -314,7 +314,7 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     vmi_thetas theta;
     vm_real turns;
     int half_turns = 0, quarters = 0;
-    vm_two v; /* u minus the nearest multiple of K */
+    vm_two v; /* argument u of sn, cn, dn, minus the nearest multiple of K */
     if (motion->K.hi > 0) {
         v = vmi_two_plus(vmi_torque_free_fraction(motion->phase_rate, t), motion->phase);
         half_turns = vmi_nearest(2 * v.hi);

@@ -185,10 +185,11 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87.
-   The main resonance is nu = w(A). The state is y = (A, delta, theta), where A is the mean amplitude and
-   delta = phi - theta the phase by which the vibration leads the force. Start with vm_forced_to_averaged, and end
-   with vm_forced_from_averaged. The error is of the order of the largest of b, m' and F, up to times of its inverse,
-   and larger away from the resonance. The argument forced and the statuses are those of vm_forced_rhs. */
+   At the main resonance the frequency nu of the force is the natural frequency w(A). The state is y = (A, delta,
+   theta): A is the mean amplitude, theta the phase of the force, and delta the phase by which the vibration leads the
+   force. Start with vm_forced_to_averaged, and end with vm_forced_from_averaged. The error is of the order of the
+   largest of the damping b, the mass rate m' and the force F, up to times of its inverse, and larger away from the
+   resonance. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;

@@ -208,7 +208,7 @@ VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_rea
     return vmi_copy_if_finite(VMI_JEFFCOTT_SIZE, found, y);
 }
 
-/* Writes z and v = z' from the whirls in y, where turn = e^(i phi). */
+/* Writes the disc's position z and velocity v = z' from the whirls P and N in y, where turn = e^(i phi). */
 VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
 {
     const vm_complex P = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_P], y[VMI_JEFFCOTT_P + 1]), turn);
@@ -288,9 +288,10 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
-   F_z, u, g and F_e'(rho) - F_e'(0) are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass
-   or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and
-   VM_BAD_STIFFNESS where F_e'(0) is not positive. */
+   the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change F_e'(rho) - F_e'(0)
+   of the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
+   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS
+   where F_e'(0) is not positive. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -385,12 +386,13 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 /* Averaged equations (506), (507) of forward whirl, for rk45 or rk87.
    The nonlinearity may be strong. The motion is nearly circular: z = A e^(i psi), z' = i W z with the frequency W of
    vm_jeffcott_frequency. y = (A, psi) is in m and rad; rotor points to a vm_jeffcott. The error of A is of the order of
-   the largest load (F_z, u or m'), up to times of its inverse. Where F_e' is not constant, the phase accumulates this
-   error: up to these times tests bound the error of psi by 0.015 for loads that turn with z (their angle to z is
-   fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads that do not turn
-   with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor
-   without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
-   positive, and VM_BAD_STIFFNESS if g^2 + m F_e' is not positive. Each call evaluates the force at `nodes` phases. */
+   the largest load (by the force F_z, the velocity u or the mass rate m'), up to times of its inverse. Where F_e' is
+   not constant, the phase accumulates this error: up to these times tests bound the error of psi by 0.015 for loads
+   that turn with z (their angle to z is fixed), but for other loads it is of order 1. The equations do not hold for a
+   linear F_e with loads that do not turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT
+   for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS if g^2 + m F_e' is not positive. Each call
+   evaluates the force at `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
