@@ -47,7 +47,7 @@ struct VM_TAG(vm_law) {
 
 /* -- What every kind of law shares -- */
 
-/* The direction of an interval of time of this length: 1 forward, -1 backward */
+/* The direction of an interval of time whose length has a sign: 1 forward, -1 backward */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
 /* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
