@@ -100,7 +100,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, as a part of the interval up to the next stop */
-    vm_real law_step; /* longest step, s, that skips no change of a user's law, for the first `longest` */
+    vm_real law_step; /* longest step, s, that skips no change of a user's law; a run shrinks it like `longest` */
     long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
