@@ -1184,7 +1184,7 @@ VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
     return v;
 }
 
-#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios that vmi_norm_by_tolerance returns */
+#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios to tolerances from which the first step is chosen */
 
 /* The largest ratio of |v_i| to the tolerance of component i, at most VMI_LARGEST_RATIO */
 VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
