@@ -271,7 +271,8 @@ VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
     c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
-/* Stores the rates of a whole step, from which later steps of the same part are extrapolated. */
+/* Stores the rates of ln A and t over a whole step. vmi_osc_predict extrapolates from them the rates of the next step
+   over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
     c->latest[part] = (c->latest[part] + VMI_HISTORY - 1) % VMI_HISTORY;
