@@ -45,7 +45,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law toronto test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: headers part parts-table law duffing toronto test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -241,6 +241,13 @@ law: build/law build/examples/solvable
 	sh bench/law.sh build
 build/law: bench/law.c build/command $(HEADERS)
 	$(COMPILE) bench/law.c -o $@ -lm
+
+# docs/duffing.md: Duffing's oscillator and other odd forces; its text is bench/duffing.md
+duffing: build/duffing
+	@sh tests/install.sh "command -v gnuplot" gnuplot-nox
+	sh bench/duffing.sh build
+build/duffing: bench/duffing.c build/command $(HEADERS)
+	$(COMPILE) bench/duffing.c -o $@ -lm
 
 # docs/toronto.md: the Toronto test set, beside version 0.1 and DOP853
 toronto: build/toronto
