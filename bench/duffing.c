@@ -98,7 +98,10 @@ static int write_slopes(const char *name)
     int i, route;
     if (!csv) return 1;
     fprintf(csv, "eps");
-    for (i = 0; i < 3; i++) fprintf(csv, ",\"%s: mean motion\",\"%s: with ripple\"", cases[i].name, cases[i].name);
+    for (i = 0; i < 3; i++) { /* gnuplot takes a comma in a name for the next column */
+        const int force = (int)strcspn(cases[i].name, ",");
+        fprintf(csv, ",%.*s: mean motion,%.*s: with ripple", force, cases[i].name, force, cases[i].name);
+    }
     for (eps = 0.1; eps > 0.0009; eps /= pow(10, 0.125)) {
         fprintf(csv, "\n%.6g", eps);
         for (i = 0; i < 3; i++) {

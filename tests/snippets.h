@@ -17,6 +17,7 @@ extern vm_real y[2];           /* its state, from vm_scene_start */
 vm_real f(vm_real x, void *ctx);                                          /* for vmi_find_zero */
 int spring(vm_real t, const vm_real *state, vm_real *rates, void *ctx);   /* an ode_rhs */
 int fall(vm_real t, const vm_real *state, vm_real *rates, void *ctx);     /* an ode_rhs */
+int hard(vm_real x, vm_real *f, void *ctx);                               /* a vm_odd_function */
 vm_real height(vm_real t, const vm_real *state, void *ctx);               /* an ode_event_function */
 void motion(vm_real t, vm_real *x, vm_real *v, void *ctx);                /* a vm_motion_function */
 void pivot(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx);     /* a vm_moving_point */
