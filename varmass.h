@@ -12188,6 +12188,12 @@ VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbi
     now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
 }
 
+/* The relative change of w over the relative change of j */
+VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    return orbit->j * r->w_size / (r->j_size * orbit->w);
+}
+
 /* (M/w)_j, on which the mean rate of the phase depends */
 VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
@@ -12338,6 +12344,8 @@ typedef struct VM_TAG(vmi_odd_panel) {
     /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */
     vm_real change[VMI_ODD_ORDERS];
     vm_real knots;              /* what order two leaves out of ln J at points of tables, from 0 to the end */
+    vm_real largest_a, largest_B; /* largest values of these fields of the ripple on the panel */
+    vm_real gamma;              /* largest relative change of w over that of j on the panel */
 } vmi_odd_panel;
 
 /* The mean motion of a problem from t = 0 to a given time. Fill it by vm_odd_plan_init; read its fields, but do not
@@ -12465,6 +12473,9 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
     vm_real bend[VMI_GAUSS], ratio[VMI_GAUSS];
     int i, k, status = vmi_odd_read(&p->problem, panel, at);
     if (status) return status;
+    panel->largest_a = 0;
+    panel->largest_B = 0;
+    panel->gamma = 0;
     for (k = 0; k < VMI_GAUSS; k++) {
         vmi_orbit_ripple ripple;
         vm_real h, h1, M_j;
@@ -12477,6 +12488,9 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
         h = now->h / now->speed;
         h1 = (at->h_rate[i] - now->h * now->turn) / (now->speed * now->speed);
         M_j = vmi_orbit_M_j(&ripple, orbit) / orbit->j;
+        panel->largest_a = vmi_larger(ripple.largest_a, panel->largest_a);
+        panel->largest_B = vmi_larger(ripple.largest_B, panel->largest_B);
+        panel->gamma = vmi_larger(VM_FABS(vmi_orbit_gamma(&ripple, orbit)), panel->gamma);
         sizes[i] = orbit->size;
         bends[i] = h * M_j;
         ratios[i] = h / orbit->w;
@@ -12583,6 +12597,9 @@ VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
     next.decay = 0;
     next.ln_J = 0;
     next.knots = 0;
+    next.largest_a = 0;
+    next.largest_B = 0;
+    next.gamma = 0;
     for (i = 0; i < VMI_ODD_ORDERS; i++) next.change[i] = 0;
     while (!status && next.t != p->t_end) {
         vm_real end = vmi_law_next_knot(&o->mass, next.t, p->t_end);
@@ -12608,7 +12625,7 @@ VM_API int vmi_odd_start(vm_odd_plan *p, const vmi_orbit *orbit)
     vmi_orbit_ripple_at(&ripple, orbit, p->phi, &now);
     mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1);
     p->phase = p->phi - 2 * p->slow.h * now.B_j;
-    p->gamma = orbit->j * ripple.w_size / (ripple.j_size * orbit->w);
+    p->gamma = vmi_orbit_gamma(&ripple, orbit);
     p->first_a = ripple.largest_a;
     p->first_B = ripple.largest_B;
     if (!(mean > 0)) return VM_NO_LAW; /* the laws are not slow */
@@ -12709,14 +12726,16 @@ VM_API int vmi_odd_mean_at(const vm_odd_plan *p, vm_real t, vmi_odd_mean *mean)
 }
 
 /* Adds the ripple to the mean motion: phase and orbit become those of x and v. */
-VM_API int vmi_odd_add_ripple(const vmi_orbit_ripple *ripple, vmi_odd_mean *mean)
+VM_API int vmi_odd_add_ripple(vmi_odd_mean *mean)
 {
     vmi_orbit *orbit = &mean->orbit;
     const vm_real h = mean->rates.h / mean->rates.speed;
+    vmi_orbit_ripple ripple;
     vmi_orbit_ripple_values now;
-    vmi_orbit_ripple_at(ripple, orbit, mean->phase, &now);
+    vmi_orbit_ripple_init(&ripple, orbit);
+    vmi_orbit_ripple_at(&ripple, orbit, mean->phase, &now);
     mean->phase += 2 * h * now.B_j;
-    orbit->size *= vmi_exp(-2 * h * now.a / (orbit->w * ripple->j_size * orbit->size), 0);
+    orbit->size *= vmi_exp(-2 * h * now.a / (orbit->w * ripple.j_size * orbit->size), 0);
     return orbit->force->complete(orbit);
 }
 
@@ -12756,13 +12775,12 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 /* Estimates the error of an averaged solution at t. It adds up how large the terms are that are left out: of the
    transformation at the start and at t, and of the action at the start and at points of tables, which changes the
    phase by gamma times the phase. The factors fit the errors of random problems in tests/test_odd_force.c. */
-VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean,
-                         const vmi_orbit_ripple *ripple, vm_real *error)
+VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
 {
     const vmi_orbit *orbit = &mean->orbit;
     const vm_real largest_known = VM_C(0.25), w = orbit->w, turns = VM_FABS(mean->phase - p->phase);
-    const vm_real gamma_t = orbit->j * ripple->w_size / (ripple->j_size * w);
-    const vm_real gamma = vmi_larger(VM_FABS(p->gamma), VM_FABS(gamma_t));
+    const vm_real gamma = vmi_larger(VM_FABS(p->gamma), mean->panel->gamma);
+    const vm_real a = mean->panel->largest_a, B = mean->panel->largest_B;
     const vm_real h = VM_FABS(mean->rates.h / mean->rates.speed);
     vm_real second0, third0, second, third, phase, action;
     vmi_odd_slow slow;
@@ -12771,12 +12789,11 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     if (status) return status;
     vmi_odd_sizes(&p->slow, p->start.w, &second0, &third0);
     vmi_odd_sizes(&slow, w, &second, &third);
-    action = p->first_a * (third0 + mean->panel->knots) + vmi_odd_fast(mean, ripple->largest_a);
-    phase = (1 + gamma) * (p->first_B * second0 + ripple->largest_B * (second + third)) + (1 + gamma * turns) * action;
-    *error = (vmi_odd_steepness(orbit) * phase + ripple->largest_a * (second + third) + action) / 2 +
+    action = p->first_a * (third0 + mean->panel->knots) + vmi_odd_fast(mean, a);
+    phase = (1 + gamma) * (p->first_B * second0 + B * (second + third)) + (1 + gamma * turns) * action;
+    *error = (vmi_odd_steepness(orbit) * phase + a * (second + third) + action) / 2 +
              4 * VM_EPSILON * (2 + turns);
-    if (route == VM_ODD_MEAN)
-        *error += 2 * h / w * (vmi_odd_steepness(orbit) * ripple->largest_B + ripple->largest_a);
+    if (route == VM_ODD_MEAN) *error += 2 * h / w * (vmi_odd_steepness(orbit) * B + a);
     if (!(*error <= largest_known)) *error = VM_INFINITY;
     return VM_OK;
 }
@@ -12785,13 +12802,11 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
 VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
 {
     vmi_odd_mean mean;
-    vmi_orbit_ripple ripple;
     vm_odd_motion r;
     int status = vmi_odd_mean_at(p, t, &mean);
     if (status) return status;
-    vmi_orbit_ripple_init(&ripple, &mean.orbit);
-    status = vmi_odd_error(p, route, t, &mean, &ripple, &r.error);
-    if (!status && route == VM_ODD_ORDER2) status = vmi_odd_add_ripple(&ripple, &mean);
+    status = vmi_odd_error(p, route, t, &mean, &r.error);
+    if (!status && route == VM_ODD_ORDER2) status = vmi_odd_add_ripple(&mean);
     if (!status) status = mean.orbit.force->at_phase(&mean.orbit, mean.phase, &r.x, &r.v);
     if (status) return status;
     r.v *= mean.rates.speed;

@@ -144,6 +144,12 @@ VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbi
     now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
 }
 
+/* The relative change of w over the relative change of j */
+VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    return orbit->j * r->w_size / (r->j_size * orbit->w);
+}
+
 /* (M/w)_j, on which the mean rate of the phase depends */
 VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
