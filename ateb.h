@@ -1140,22 +1140,38 @@ VM_API vm_real ateb_pi(vm_real alpha)
    words, else 0. */
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
-/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
-   Pi_alpha is n + g(q), with g(q) = 2 ln 2 + q g'(0) + q^2 g''(0)/2; for any other alpha it is n f(q), where f is
-   vmi_ateb_gamma_ratio. */
-VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
+/* Returns g(q) = Pi_alpha - (alpha + 1) in two words for a large alpha: 2 ln 2 + q g'(0) + q^2 g''(0)/2 */
+VM_API vm_two vmi_ateb_g_of_large(vm_real q)
 {
-    const vm_two one = {1, 0};
-    const vm_real q = c->q.hi, two_ln2 = VM_C(1.386294361119890618835);
+    const vm_real two_ln2 = VM_C(1.386294361119890618835);
 #if VM_MANT_DIG > 24
     const vm_real two_ln2_lo = VM_C(4.638093627692599231e-17);
 #else
     const vm_real two_ln2_lo = VM_C(-3.80930859992e-9);
 #endif
-    vm_real rest;
-    if (!vmi_ateb_is_large(c)) return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
-    rest = two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957));
-    return vmi_half(vmi_two_plus(c->n, vmi_two_sum(two_ln2, rest)));
+    return vmi_two_sum(two_ln2, two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)));
+}
+
+/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
+   Pi_alpha is n + g(q); for any other alpha it is n f(q), where f is vmi_ateb_gamma_ratio. */
+VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
+{
+    const vm_two one = {1, 0};
+    if (vmi_ateb_is_large(c)) return vmi_half(vmi_two_plus(c->n, vmi_ateb_g_of_large(c->q.hi)));
+    return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
+}
+
+/* A function that sets all constants of one alpha: vmi_ateb_constants, or vmi_ateb_fine_constants */
+typedef void (*vmi_ateb_constants_of)(vmi_ateb *c, vm_real alpha);
+
+/* Sets all of n, q, g and quarter. It does without the table of g that vmi_ateb_constants reads: its code is shorter and
+   its results are more accurate, but it takes longer. */
+VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
+{
+    vmi_ateb_index_constants(c, alpha);
+    c->quarter = vmi_ateb_fine_quarter(c);
+    c->g = vmi_two_minus(vmi_two_scaled(c->quarter, 2), c->n);
+    if (vmi_ateb_is_large(c)) c->g = vmi_ateb_g_of_large(c->q.hi);
 }
 
 #endif
@@ -1966,6 +1982,24 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
+/* The phase of ateb_phase for finite sa and ca, from the constants of an alpha between 0 and 1e30 */
+VM_API vm_real vmi_ateb_phase_of(const vmi_ateb *c, vm_real sa, vm_real ca)
+{
+    vm_real r;
+    if (sa == 0) r = 0;
+    else if (ca == 0) r = c->quarter.hi;
+    else {
+        const vm_two ln_w = vmi_two_scaled(vmi_log(VM_FABS(sa)), 2);
+        const vm_two ln_x = vmi_two_times(vmi_log(VM_FABS(ca)), c->n);
+        r = vmi_ateb_phase_r(vmi_two_plus(ln_w, vmi_minus(ln_x)), c);
+    }
+    if (ca < 0) r = (2 * c->quarter.hi - r) + 2 * c->quarter.lo;
+    return VM_COPYSIGN(r, sa);
+}
+
+/* Whether ateb_phase has a result for this alpha */
+VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
+
 /* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
    The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
    every lambda > 0. Therefore sa and ca may be -x' sqrt((alpha+1)/2)/omega and x of the oscillator x'' = -omega^2
@@ -1974,19 +2008,10 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
    infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
-    vm_real r;
     vmi_ateb c;
-    if (!(alpha >= 0) || !(alpha <= VM_C(1e30)) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
+    if (!vmi_ateb_has_phase(alpha) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
     vmi_ateb_constants(&c, alpha);
-    if (sa == 0) r = 0;
-    else if (ca == 0) r = c.quarter.hi;
-    else {
-        const vm_two ln_w = vmi_two_scaled(vmi_log(VM_FABS(sa)), 2);
-        const vm_two ln_x = vmi_two_times(vmi_log(VM_FABS(ca)), c.n);
-        r = vmi_ateb_phase_r(vmi_two_plus(ln_w, vmi_minus(ln_x)), &c);
-    }
-    if (ca < 0) r = (2 * c.quarter.hi - r) + 2 * c.quarter.lo;
-    return VM_COPYSIGN(r, sa);
+    return vmi_ateb_phase_of(&c, sa, ca);
 }
 
 #endif
@@ -2405,7 +2430,7 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
    the terms of this sum are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
-    p->quarter = vmi_ateb_fine_quarter(c);
+    p->quarter = c->quarter;
     p->quarter_parts[0] = vmi_head(p->quarter.hi);
     p->quarter_parts[1] = vmi_head(p->quarter.hi - p->quarter_parts[0]);
     p->quarter_parts[2] = ((p->quarter.hi - p->quarter_parts[0]) - p->quarter_parts[1]) + p->quarter.lo;
@@ -2427,7 +2452,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(accuracy)) return -1;
     if (accuracy > VM_EPSILON) tolerance = accuracy / 2;
-    vmi_ateb_constants(&c, alpha);
+    vmi_ateb_fine_constants(&c, alpha);
     vmi_ateb_plan_period(p, &c);
     p->change_over = vmi_smaller(share * p->quarter.hi, farthest);
     p->n = c.n.hi;

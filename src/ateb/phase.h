@@ -72,6 +72,24 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
+/* The phase of ateb_phase for finite sa and ca, from the constants of an alpha between 0 and 1e30 */
+VM_API vm_real vmi_ateb_phase_of(const vmi_ateb *c, vm_real sa, vm_real ca)
+{
+    vm_real r;
+    if (sa == 0) r = 0;
+    else if (ca == 0) r = c->quarter.hi;
+    else {
+        const vm_two ln_w = vmi_two_scaled(vmi_log(VM_FABS(sa)), 2);
+        const vm_two ln_x = vmi_two_times(vmi_log(VM_FABS(ca)), c->n);
+        r = vmi_ateb_phase_r(vmi_two_plus(ln_w, vmi_minus(ln_x)), c);
+    }
+    if (ca < 0) r = (2 * c->quarter.hi - r) + 2 * c->quarter.lo;
+    return VM_COPYSIGN(r, sa);
+}
+
+/* Whether ateb_phase has a result for this alpha */
+VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
+
 /* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
    The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
    every lambda > 0. Therefore sa and ca may be -x' sqrt((alpha+1)/2)/omega and x of the oscillator x'' = -omega^2
@@ -80,19 +98,10 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
    infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
-    vm_real r;
     vmi_ateb c;
-    if (!(alpha >= 0) || !(alpha <= VM_C(1e30)) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
+    if (!vmi_ateb_has_phase(alpha) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
     vmi_ateb_constants(&c, alpha);
-    if (sa == 0) r = 0;
-    else if (ca == 0) r = c.quarter.hi;
-    else {
-        const vm_two ln_w = vmi_two_scaled(vmi_log(VM_FABS(sa)), 2);
-        const vm_two ln_x = vmi_two_times(vmi_log(VM_FABS(ca)), c.n);
-        r = vmi_ateb_phase_r(vmi_two_plus(ln_w, vmi_minus(ln_x)), &c);
-    }
-    if (ca < 0) r = (2 * c.quarter.hi - r) + 2 * c.quarter.lo;
-    return VM_COPYSIGN(r, sa);
+    return vmi_ateb_phase_of(&c, sa, ca);
 }
 
 #endif

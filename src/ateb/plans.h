@@ -365,7 +365,7 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
    the terms of this sum are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
-    p->quarter = vmi_ateb_fine_quarter(c);
+    p->quarter = c->quarter;
     p->quarter_parts[0] = vmi_head(p->quarter.hi);
     p->quarter_parts[1] = vmi_head(p->quarter.hi - p->quarter_parts[0]);
     p->quarter_parts[2] = ((p->quarter.hi - p->quarter_parts[0]) - p->quarter_parts[1]) + p->quarter.lo;
@@ -387,7 +387,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(accuracy)) return -1;
     if (accuracy > VM_EPSILON) tolerance = accuracy / 2;
-    vmi_ateb_constants(&c, alpha);
+    vmi_ateb_fine_constants(&c, alpha);
     vmi_ateb_plan_period(p, &c);
     p->change_over = vmi_smaller(share * p->quarter.hi, farthest);
     p->n = c.n.hi;

@@ -16,6 +16,7 @@
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
 #define VARMASS_OSCILLATORS_REDUCTION_H
 
+#include "../ateb/period.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
@@ -163,14 +164,23 @@ typedef struct VM_TAG(vmi_osc_reduced) {
     vm_real W;   /* rate of the phase at this amplitude for constant mass and stiffness, 1/s */
 } vmi_osc_reduced;
 
+/* The reduced state that belongs to position x and velocity v, where omega = sqrt(k/m), and p is the rate at the top of
+   this file. constants is the function that computes the constants of alpha. */
+VM_API vmi_osc_reduced vmi_osc_reduce_by(vmi_ateb_constants_of constants, vm_real omega, vm_real p, vm_real alpha,
+                                         vm_real x, vm_real v)
+{
+    vmi_osc_reduced r;
+    vmi_ateb c;
+    constants(&c, alpha);
+    vmi_osc_amplitude_phase(&c, x, v + p * x, omega, alpha, &r.A, &r.psi);
+    r.W = r.A == 0 ? 0 : vmi_osc_rate(r.A, omega, alpha);
+    return r;
+}
+
 /* The reduced state that belongs to position x and velocity v, at the time of *now */
 VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
 {
-    const vm_real omega = VM_SQRT(now->k / now->m);
-    vmi_osc_reduced r;
-    vm_osc_amplitude_phase(x, v + now->p * x, omega, alpha, &r.A, &r.psi);
-    r.W = r.A == 0 ? 0 : vmi_osc_rate(r.A, omega, alpha);
-    return r;
+    return vmi_osc_reduce_by(vmi_ateb_constants, VM_SQRT(now->k / now->m), now->p, alpha, x, v);
 }
 
 /* Writes position x and velocity v of a reduced state: the inverse of vmi_osc_reduce. sa and ca are the Ateb functions
