@@ -915,99 +915,6 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 }
 
 #endif
-/* base/scalars.h - functions that keep their digits where the plain formula loses them
-
-   The functions compute e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the
-   values of the C library's pow for 0 and infinity.
-
-       vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
-
-   Tests: tests/test_lambert.c, tests/test_drum.c, tests/test_laws.c. */
-#ifndef VARMASS_BASE_SCALARS_H
-#define VARMASS_BASE_SCALARS_H
-
-/* Returns infinity if the condition holds, else 0. */
-VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
-
-/* Returns x^y for x >= 0 within 0.6 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity it has the values of
-   the C library's pow. */
-VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
-{
-    if (x != x || y != y || x < 0) return VM_NAN;
-    if (y == 0 || x == 1) return 1;
-    if (x == 0 || x > VM_MAX) return vmi_infinity_if((y > 0) == (x > 0));
-    if (!VM_IS_FINITE(y)) return vmi_infinity_if((y > 0) == (x > 1));
-    return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
-}
-
-/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
-   for small y it is below 2^-p of the result. The result is infinity where it overflows. */
-VM_API vm_two vmi_expm1(vm_two y)
-{
-    const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
-    const vm_real least = VM_C(-0.6931471805599453094) * (2 * VM_MANT_DIG);
-    vm_real p_lo, p;
-    vm_two sum, power;
-    int k;
-    if (y.hi > largest) return vmi_two(VM_INFINITY, 0);
-    if (y.hi != y.hi) return vmi_two(y.hi, 0);
-    if (!(y.hi > least)) return vmi_two(-1, 0);
-    p = vmi_exp_core(y.hi, y.lo, &k, &p_lo);
-    if (k == 0) return vmi_two(p, p_lo);
-    sum = vmi_fast_two_sum(1, p);
-    power = vmi_fast_two_sum(sum.hi, sum.lo + p_lo);
-    power = vmi_two(vmi_ldexp(power.hi, k), vmi_ldexp(power.lo, k));
-    sum = vmi_two_sum(power.hi, -1);
-    if (!VM_IS_FINITE(power.hi)) return vmi_two(power.hi, 0);
-    return vmi_fast_two_sum(sum.hi, sum.lo + power.lo);
-}
-
-/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is
-   below 2^-(p+7), where p is the number of digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
-   below an ulp of 1. */
-VM_API vm_two vmi_log1p(vm_two x)
-{
-    const vm_two sum = vmi_two_sum(1, x.hi), low = vmi_two_sum(sum.lo, x.lo);
-    const vm_two y = vmi_two_sum(sum.hi, low.hi);
-    const vm_two t = vmi_two_over(vmi_two_sum(y.lo, low.lo), vmi_two(y.hi, 0));
-    return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
-}
-
-/* Returns (e^x - 1)/x, which is 1 at x = 0. */
-VM_API vm_real vmi_exp_ratio(vm_real x)
-{
-    if (x > VM_MAX) return x;
-    if (x == 0) return 1;
-    return vmi_expm1(vmi_two(x, 0)).hi / x;
-}
-
-/* Returns ln(1 + x)/x, which is 1 at x = 0, and NaN for x <= -1 and infinite x. */
-VM_API vm_real vmi_log_ratio(vm_real x)
-{
-    if (!(x > -1) || !VM_IS_FINITE(x)) return VM_NAN;
-    if (x == 0) return 1;
-    return vmi_two_log(vmi_two_sum(1, x)).hi / x;
-}
-
-/* Returns (x - y)/x^2, where the caller gives x and y = ln(1 + x). For |x| >= 1/4 the result has two words, and its
-   error is that of x and y, amplified by the subtraction. For smaller |x| the result has one word, from the series of
-   ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
-VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
-{
-#if VM_MANT_DIG > 24
-    enum { degree = 9 };
-#else
-    enum { degree = 4 };
-#endif
-    const vm_real u = x.hi / (2 + x.hi);
-    vm_real P = 0;
-    int n;
-    if (!(VM_FABS(x.hi) < VM_C(0.25))) return vmi_two_over(vmi_two_over(vmi_two_plus(x, vmi_minus(y)), x), x);
-    for (n = degree; n >= 0; n--) P = P * (u * u) + 1 / (vm_real)(2 * n + 3);
-    return vmi_two((1 - u) / 2 * (1 - u * (1 - u) * P), 0);
-}
-
-#endif
 /* base/lambert.h - Lambert's function W
 
    w = W(x) solves w e^w = x. The equation has one solution for x >= 0 and two for -1/e <= x < 0: the branch W_0 >= -1
@@ -7091,32 +6998,19 @@ VM_API vm_real vmi_osc_power_norm(vm_real a, vm_real b, vm_real n)
     return larger * vmi_pow_checked(1 + vmi_pow_checked(smaller / larger, n), 1 / n);
 }
 
-/* Amplitude and phase of vm_osc_amplitude_phase from a valid alpha and its constants, for finite x and omega0. Both are
-   NaN where the velocity is not finite. */
-VM_API void vmi_osc_amplitude_phase(const vmi_ateb *c, vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A,
-                                    vm_real *psi)
-{
-    const vm_real n = alpha + 1, s = v / (VM_SQRT(2 / n) * VM_FABS(omega0)); /* B^(n/2), with the sign of v */
-    *A = VM_NAN;
-    *psi = VM_NAN;
-    if (!VM_IS_FINITE(s)) return;
-    *A = vmi_osc_power_norm(VM_FABS(x), vmi_pow_checked(VM_FABS(s), 2 / n), n);
-    if (vmi_ateb_has_phase(alpha)) *psi = vmi_ateb_phase_of(c, 0 - s, x); /* 0 - s is 0 and not -0 where s is 0 */
-}
-
 /* Amplitude A >= 0 (m) and Ateb phase psi in (-Pi, Pi] of the state x (m), v (m/s). They satisfy x = A ca(psi), v =
    -vmax(A) sa(psi), where Pi = Pi_alpha and vmax is vm_osc_vmax. Method: from rest, the velocity v belongs to an
    amplitude B with vmax(B) = |v|; by energy A^(alpha+1) = |x|^(alpha+1) + B^(alpha+1). */
 VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A, vm_real *psi)
 {
-    vmi_ateb c;
     if (!A || !psi) return;
+    const vm_real n = alpha + 1, s = v / (VM_SQRT(2 / n) * VM_FABS(omega0)); /* B^(n/2), with the sign of v */
     *A = VM_NAN;
     *psi = VM_NAN;
     if (!vmi_osc_alpha_is_valid(alpha)) return;
-    if (!VM_IS_FINITE(x) || !VM_IS_FINITE(omega0)) return;
-    vmi_ateb_constants(&c, alpha);
-    vmi_osc_amplitude_phase(&c, x, v, omega0, alpha, A, psi);
+    if (!VM_IS_FINITE(x) || !VM_IS_FINITE(s) || !VM_IS_FINITE(omega0)) return;
+    *A = vmi_osc_power_norm(VM_FABS(x), vmi_pow_checked(VM_FABS(s), 2 / n), n);
+    *psi = ateb_phase(0 - s, x, alpha); /* 0 - s is 0 and not -0 where s is 0 */
 }
 
 /* Exact motion x(t), x'(t) from any state x(0) = x0 (m), x'(0) = v0 (m/s). */
@@ -8113,23 +8007,32 @@ typedef struct VM_TAG(vmi_osc_reduced) {
     vm_real W;   /* rate of the phase at this amplitude for constant mass and stiffness, 1/s */
 } vmi_osc_reduced;
 
-/* The reduced state that belongs to position x and velocity v, where omega = sqrt(k/m), and p is the rate at the top of
-   this file. constants is the function that computes the constants of alpha. */
-VM_API vmi_osc_reduced vmi_osc_reduce_by(vmi_ateb_constants_of constants, vm_real omega, vm_real p, vm_real alpha,
-                                         vm_real x, vm_real v)
+/* The reduced state that belongs to position x and velocity v, at the time of *now */
+VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
 {
+    const vm_real omega = VM_SQRT(now->k / now->m);
     vmi_osc_reduced r;
-    vmi_ateb c;
-    constants(&c, alpha);
-    vmi_osc_amplitude_phase(&c, x, v + p * x, omega, alpha, &r.A, &r.psi);
+    vm_osc_amplitude_phase(x, v + now->p * x, omega, alpha, &r.A, &r.psi);
     r.W = r.A == 0 ? 0 : vmi_osc_rate(r.A, omega, alpha);
     return r;
 }
 
-/* The reduced state that belongs to position x and velocity v, at the time of *now */
-VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
+/* The reduced state of vmi_osc_reduce for alpha >= 0, by shorter and slower code, which vm_osc_closed_init shares with
+   vm_osc_plan_init. omega is sqrt(k/m), and V = v + p x. */
+VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm_real x, vm_real V)
 {
-    return vmi_osc_reduce_by(vmi_ateb_constants, VM_SQRT(now->k / now->m), now->p, alpha, x, v);
+    const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), as in vm_osc_amplitude_phase */
+    const vm_real B = vmi_pow_checked(VM_FABS(s), 2 / n);
+    vmi_osc_reduced r = {0, 0, 0};
+    vmi_ateb c;
+    r.A = vmi_osc_power_norm(VM_FABS(x), B, n);
+    if (r.A == 0) return r;
+    r.psi = VM_NAN;
+    if (!vmi_ateb_has_phase(alpha)) return r;
+    vmi_ateb_fine_constants(&c, alpha);
+    r.psi = vmi_ateb_phase_by_series(c.quarter, alpha, VM_COPYSIGN(vmi_pow_checked(B / r.A, n / 2), s), x / r.A);
+    r.W = vmi_osc_rate(r.A, omega, alpha);
+    return r;
 }
 
 /* Writes position x and velocity v of a reduced state: the inverse of vmi_osc_reduce. sa and ca are the Ateb functions
@@ -8166,7 +8069,7 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        vmi_ripple_values f;
        vm_real sa, ca;
        vmi_ripple_init(&r, VM_C(1.5), vmi_ateb_constants);
-       vmi_ripple_complete(&r, vmi_ateb_constants);
+       vmi_ripple_complete(&r);
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
@@ -8281,7 +8184,7 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
 }
 
 /* Makes all eight polynomials: adds up the power series, with each power w^i replaced by its Chebyshev series. */
-VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
+VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
@@ -8395,19 +8298,15 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of 
 }
 
 /* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values of S2 follow from the condition that both
-   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. constants is that of vmi_ripple_init. */
-VM_API void vmi_ripple_complete(vmi_ripple *r, vmi_ateb_constants_of constants)
+   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
+VM_API void vmi_ripple_complete(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
+    const vm_real t = vmi_ateb_from_sa_0(r->alpha, sa, half), s = vmi_ateb_from_ca_0(r->alpha, ca, half);
     vmi_ripple_place place;
     vmi_ripple_integrals zero, turn;
-    vmi_ateb c;
-    vm_real t = VM_NAN, s; /* this phase, from sa = 0 and from ca = 0 */
     vm_real jump; /* at_sa_0 - at_ca_0 */
     if (r->has_polynomials) return;
-    constants(&c, r->alpha);
-    if (vmi_ateb_has_phase(r->alpha)) t = vmi_ateb_phase_of(&c, sa, ca);
-    s = r->pi / 2 - t;
     vmi_ripple_make_polynomials(r);
     place = vmi_ripple_near_ca_0(r, ca, half);
     zero = vmi_ripple_integrals_at(&place, 5);
@@ -8850,14 +8749,14 @@ VM_API int vmi_osc_closed_is_slow(const vm_real *E, vm_real alpha)
 }
 
 /* Checks the problem from t = 0 to t_end, and computes *s. */
-VM_API int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_osc_closed_start *s)
+VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_osc_closed_start *s)
 {
     vm_real m0, k0;
     int status = vmi_osc_check_problem(o, t_end, &m0, &k0);
     if (status) return status;
     if (!vmi_osc_find_closed_form(o, &s->laws)) return VM_NO_LAW;
     s->rates = vmi_osc_closed_rates_of(o, &s->laws, m0);
-    s->state = vmi_osc_reduce_by(vmi_ateb_fine_constants, VM_SQRT(k0 / m0), s->rates.p, o->alpha, o->x, o->v);
+    s->state = vmi_osc_reduce_by_series(VM_SQRT(k0 / m0), o->alpha, o->x, o->v + s->rates.p * o->x);
     if (!VM_IS_FINITE(s->state.A) || !VM_IS_FINITE(s->state.psi) || !VM_IS_FINITE(s->state.W)) return VM_NOT_FINITE;
     if (s->state.A == 0) return VM_OK;
     vmi_osc_closed_disturbance(&s->rates, s->state.W, VMI_OSC_G, s->E);
@@ -8889,7 +8788,7 @@ VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_
 }
 
 /* Finds the mean motion at t = 0 and the estimate of the error, when the rest of *c is ready. */
-VM_API void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_closed_start *s, vm_real t_end)
+VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_closed_start *s, vm_real t_end)
 {
     vmi_osc_reduced mean = s->state;
     vm_real sa, ca;
@@ -8924,7 +8823,7 @@ VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, i
     c->beyond = s.laws.rate_m != 0 ? VM_BAD_MASS : VM_BAD_STIFFNESS;
     ateb_plan_init(&c->ateb, problem->alpha);
     vmi_ripple_init(&c->ripple, problem->alpha, vmi_ateb_fine_constants);
-    if (order > 2) vmi_ripple_complete(&c->ripple, vmi_ateb_fine_constants);
+    if (order > 2) vmi_ripple_complete(&c->ripple);
     vmi_osc_closed_begin(c, order, &s, t_end);
     return VM_OK;
 }
@@ -9066,8 +8965,8 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
         rates = vmi_osc_closed_rates_of(o, &p->laws, p->m0);
         p->slow.p = rates.p;
     }
-    state = vmi_osc_reduce_by(vmi_osc_constants_of(p->has_ateb), VM_SQRT(p->slow.k / p->slow.m), p->slow.p, o->alpha,
-                              o->x, o->v);
+    if (p->has_ateb) state = vmi_osc_reduce_by_series(VM_SQRT(p->slow.k / p->slow.m), o->alpha, o->x, o->v + p->slow.p * o->x);
+    else state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
     if (p->closed) vmi_osc_closed_disturbance(&rates, state.W, VMI_OSC_G, p->E);
     else vmi_osc_disturbance(&p->slow, state.W, p->E);
     p->start_order = 2;
@@ -9112,7 +9011,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     status = vmi_osc_prepare(&plan, problem, 1);
     if (status) return status;
     plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
-    vmi_ripple_complete(&plan.ripple, vmi_osc_constants_of(plan.has_ateb));
+    vmi_ripple_complete(&plan.ripple);
     status = vmi_osc_start(&plan);
     if (!status) *p = plan;
     return status;
@@ -11498,7 +11397,7 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
     if (!problem) return VM_BAD_ARGUMENT;
     status = vmi_osc_prepare(plan, problem, 0);
     if (status) return status;
-    if (complete) vmi_ripple_complete(&plan->ripple, vmi_osc_constants_of(0));
+    if (complete) vmi_ripple_complete(&plan->ripple);
     return vmi_osc_start(plan);
 }
 
@@ -11529,7 +11428,7 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
     if (!problem->force) {
         status = vmi_osc_averaged_within(&plan, t, tolerance, motion);
         if (status != VM_TOLERANCE_MISSED) return status;
-        vmi_ripple_complete(&plan.ripple, vmi_osc_constants_of(0));
+        vmi_ripple_complete(&plan.ripple);
         status = vmi_osc_start(&plan);
         if (status) return status;
     }

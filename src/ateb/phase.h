@@ -14,6 +14,7 @@
 #include "../base/bits.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
+#include "../base/scalars.h"
 #include "../base/sums.h"
 #include "../base/words.h"
 #include "inversion.h"
@@ -72,21 +73,6 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
-/* The phase of ateb_phase for finite sa and ca, from the constants of an alpha between 0 and 1e30 */
-VM_API vm_real vmi_ateb_phase_of(const vmi_ateb *c, vm_real sa, vm_real ca)
-{
-    vm_real r;
-    if (sa == 0) r = 0;
-    else if (ca == 0) r = c->quarter.hi;
-    else {
-        const vm_two ln_w = vmi_two_scaled(vmi_log(VM_FABS(sa)), 2);
-        const vm_two ln_x = vmi_two_times(vmi_log(VM_FABS(ca)), c->n);
-        r = vmi_ateb_phase_r(vmi_two_plus(ln_w, vmi_minus(ln_x)), c);
-    }
-    if (ca < 0) r = (2 * c->quarter.hi - r) + 2 * c->quarter.lo;
-    return VM_COPYSIGN(r, sa);
-}
-
 /* Whether ateb_phase has a result for this alpha */
 VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
 
@@ -98,10 +84,64 @@ VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_
    infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
+    vm_real r;
     vmi_ateb c;
     if (!vmi_ateb_has_phase(alpha) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
     vmi_ateb_constants(&c, alpha);
-    return vmi_ateb_phase_of(&c, sa, ca);
+    if (sa == 0) r = 0;
+    else if (ca == 0) r = c.quarter.hi;
+    else {
+        const vm_two ln_w = vmi_two_scaled(vmi_log(VM_FABS(sa)), 2);
+        const vm_two ln_x = vmi_two_times(vmi_log(VM_FABS(ca)), c.n);
+        r = vmi_ateb_phase_r(vmi_two_plus(ln_w, vmi_minus(ln_x)), &c);
+    }
+    if (ca < 0) r = (2 * c.quarter.hi - r) + 2 * c.quarter.lo;
+    return VM_COPYSIGN(r, sa);
+}
+
+/* -- The phase by power series: shorter code, but slower -- */
+
+/* Number of terms that give all digits up to sa^2 = 1/2 and |ca|^(alpha+1) = 1/2 */
+enum { VMI_ATEB_PHASE_TERMS = VM_MANT_DIG > 24 ? 54 : 26 };
+
+/* Returns the distance of the phase from a zero of sa, where u = |sa| and y = sa^2 <= 1/2: the integral from 0 to u of
+   (1 - x^2)^(-alpha/(alpha+1)) dx, whose power series has positive terms. Its error is below 4 ulp. */
+VM_API vm_real vmi_ateb_from_sa_0(vm_real alpha, vm_real u, vm_real y)
+{
+    const vm_real power = alpha / (alpha + 1);
+    vm_real term = 1, sum = 0;
+    int i;
+    for (i = 1; i <= VMI_ATEB_PHASE_TERMS; i++) {
+        sum += term / (vm_real)(2 * i - 1);
+        term *= ((vm_real)(i - 1) + power) / (vm_real)i * y;
+    }
+    return u * sum;
+}
+
+/* Returns the distance of the phase from a zero of ca, where x = |ca| and w = x^(alpha+1) <= 1/2: (alpha+1)/2 times the
+   integral from 0 to x of (1 - z^(alpha+1))^(-1/2) dz. Its error is below 4 ulp. */
+VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
+{
+    const vm_real n = alpha + 1;
+    vm_real term = 1, sum = 0;
+    int i;
+    for (i = 0; i < VMI_ATEB_PHASE_TERMS; i++) {
+        sum += term / (1 + (vm_real)i * n);
+        term *= ((vm_real)i + VM_C(0.5)) / (vm_real)(i + 1) * w;
+    }
+    return n / 2 * x * sum;
+}
+
+/* The phase of ateb_phase by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and a valid alpha, whose quarter
+   period is given */
+VM_API vm_real vmi_ateb_phase_by_series(vm_two quarter, vm_real alpha, vm_real sa, vm_real ca)
+{
+    const vm_real y = sa * sa, x = VM_FABS(ca);
+    vm_real r;
+    if (y <= VM_C(0.5)) r = vmi_ateb_from_sa_0(alpha, VM_FABS(sa), y);
+    else r = (quarter.hi - vmi_ateb_from_ca_0(alpha, x, vmi_pow_checked(x, alpha + 1))) + quarter.lo;
+    if (ca < 0) r = (2 * quarter.hi - r) + 2 * quarter.lo;
+    return VM_COPYSIGN(r, sa);
 }
 
 #endif

@@ -292,26 +292,28 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
-    vm_real w[VMI_ATEB_TERMS];        /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond */
+    vm_real *w = odd;                 /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond; the other function has its place */
     int j;
+    if (beyond) w = even;
     if (alpha > large) {
         alpha = large;
         q = 1 / large;
     }
     odd[0] = 1;
     even[0] = 1;
-    w[0] = 1;
     for (j = 1; j < VMI_ATEB_TERMS; j++) {
         const vm_real i = (vm_real)j;
         if (beyond) {
-            even[j] = -w[j - 1] / (2 * i);
-            odd[j] = even[j] * (q / (q + i));
+            odd[j] = -w[j - 1] / (2 * i) * (q / (q + i));
             w[j] = vmi_ateb_series_power(alpha, j, odd, w);
         } else {
-            even[j] = -q * odd[j - 1] / i;
+            even[j] = -q * (w[j - 1] / (2 * i - 1)) / i;
             w[j] = vmi_ateb_series_power(alpha, j, even, w);
-            odd[j] = w[j] / (2 * i + 1);
         }
+    }
+    for (j = VMI_ATEB_TERMS - 1; j > 0; j--) {
+        if (beyond) even[j] = -w[j - 1] / (2 * (vm_real)j);
+        else odd[j] = w[j] / (2 * (vm_real)j + 1);
     }
 }
 

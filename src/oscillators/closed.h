@@ -204,14 +204,14 @@ VM_API int vmi_osc_closed_is_slow(const vm_real *E, vm_real alpha)
 }
 
 /* Checks the problem from t = 0 to t_end, and computes *s. */
-VM_API int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_osc_closed_start *s)
+VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_osc_closed_start *s)
 {
     vm_real m0, k0;
     int status = vmi_osc_check_problem(o, t_end, &m0, &k0);
     if (status) return status;
     if (!vmi_osc_find_closed_form(o, &s->laws)) return VM_NO_LAW;
     s->rates = vmi_osc_closed_rates_of(o, &s->laws, m0);
-    s->state = vmi_osc_reduce_by(vmi_ateb_fine_constants, VM_SQRT(k0 / m0), s->rates.p, o->alpha, o->x, o->v);
+    s->state = vmi_osc_reduce_by_series(VM_SQRT(k0 / m0), o->alpha, o->x, o->v + s->rates.p * o->x);
     if (!VM_IS_FINITE(s->state.A) || !VM_IS_FINITE(s->state.psi) || !VM_IS_FINITE(s->state.W)) return VM_NOT_FINITE;
     if (s->state.A == 0) return VM_OK;
     vmi_osc_closed_disturbance(&s->rates, s->state.W, VMI_OSC_G, s->E);
@@ -243,7 +243,7 @@ VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_
 }
 
 /* Finds the mean motion at t = 0 and the estimate of the error, when the rest of *c is ready. */
-VM_API void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_closed_start *s, vm_real t_end)
+VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_closed_start *s, vm_real t_end)
 {
     vmi_osc_reduced mean = s->state;
     vm_real sa, ca;
@@ -278,7 +278,7 @@ VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, i
     c->beyond = s.laws.rate_m != 0 ? VM_BAD_MASS : VM_BAD_STIFFNESS;
     ateb_plan_init(&c->ateb, problem->alpha);
     vmi_ripple_init(&c->ripple, problem->alpha, vmi_ateb_fine_constants);
-    if (order > 2) vmi_ripple_complete(&c->ripple, vmi_ateb_fine_constants);
+    if (order > 2) vmi_ripple_complete(&c->ripple);
     vmi_osc_closed_begin(c, order, &s, t_end);
     return VM_OK;
 }

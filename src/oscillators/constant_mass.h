@@ -98,32 +98,19 @@ VM_API vm_real vmi_osc_power_norm(vm_real a, vm_real b, vm_real n)
     return larger * vmi_pow_checked(1 + vmi_pow_checked(smaller / larger, n), 1 / n);
 }
 
-/* Amplitude and phase of vm_osc_amplitude_phase from a valid alpha and its constants, for finite x and omega0. Both are
-   NaN where the velocity is not finite. */
-VM_API void vmi_osc_amplitude_phase(const vmi_ateb *c, vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A,
-                                    vm_real *psi)
-{
-    const vm_real n = alpha + 1, s = v / (VM_SQRT(2 / n) * VM_FABS(omega0)); /* B^(n/2), with the sign of v */
-    *A = VM_NAN;
-    *psi = VM_NAN;
-    if (!VM_IS_FINITE(s)) return;
-    *A = vmi_osc_power_norm(VM_FABS(x), vmi_pow_checked(VM_FABS(s), 2 / n), n);
-    if (vmi_ateb_has_phase(alpha)) *psi = vmi_ateb_phase_of(c, 0 - s, x); /* 0 - s is 0 and not -0 where s is 0 */
-}
-
 /* Amplitude A >= 0 (m) and Ateb phase psi in (-Pi, Pi] of the state x (m), v (m/s). They satisfy x = A ca(psi), v =
    -vmax(A) sa(psi), where Pi = Pi_alpha and vmax is vm_osc_vmax. Method: from rest, the velocity v belongs to an
    amplitude B with vmax(B) = |v|; by energy A^(alpha+1) = |x|^(alpha+1) + B^(alpha+1). */
 VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A, vm_real *psi)
 {
-    vmi_ateb c;
     if (!A || !psi) return;
+    const vm_real n = alpha + 1, s = v / (VM_SQRT(2 / n) * VM_FABS(omega0)); /* B^(n/2), with the sign of v */
     *A = VM_NAN;
     *psi = VM_NAN;
     if (!vmi_osc_alpha_is_valid(alpha)) return;
-    if (!VM_IS_FINITE(x) || !VM_IS_FINITE(omega0)) return;
-    vmi_ateb_constants(&c, alpha);
-    vmi_osc_amplitude_phase(&c, x, v, omega0, alpha, A, psi);
+    if (!VM_IS_FINITE(x) || !VM_IS_FINITE(s) || !VM_IS_FINITE(omega0)) return;
+    *A = vmi_osc_power_norm(VM_FABS(x), vmi_pow_checked(VM_FABS(s), 2 / n), n);
+    *psi = ateb_phase(0 - s, x, alpha); /* 0 - s is 0 and not -0 where s is 0 */
 }
 
 /* Exact motion x(t), x'(t) from any state x(0) = x0 (m), x'(0) = v0 (m/s). */

@@ -89,8 +89,8 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
         rates = vmi_osc_closed_rates_of(o, &p->laws, p->m0);
         p->slow.p = rates.p;
     }
-    state = vmi_osc_reduce_by(vmi_osc_constants_of(p->has_ateb), VM_SQRT(p->slow.k / p->slow.m), p->slow.p, o->alpha,
-                              o->x, o->v);
+    if (p->has_ateb) state = vmi_osc_reduce_by_series(VM_SQRT(p->slow.k / p->slow.m), o->alpha, o->x, o->v + p->slow.p * o->x);
+    else state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
     if (p->closed) vmi_osc_closed_disturbance(&rates, state.W, VMI_OSC_G, p->E);
     else vmi_osc_disturbance(&p->slow, state.W, p->E);
     p->start_order = 2;
@@ -135,7 +135,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     status = vmi_osc_prepare(&plan, problem, 1);
     if (status) return status;
     plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
-    vmi_ripple_complete(&plan.ripple, vmi_osc_constants_of(plan.has_ateb));
+    vmi_ripple_complete(&plan.ripple);
     status = vmi_osc_start(&plan);
     if (!status) *p = plan;
     return status;

@@ -17,6 +17,7 @@
 #define VARMASS_OSCILLATORS_REDUCTION_H
 
 #include "../ateb/period.h"
+#include "../ateb/phase.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
@@ -164,23 +165,32 @@ typedef struct VM_TAG(vmi_osc_reduced) {
     vm_real W;   /* rate of the phase at this amplitude for constant mass and stiffness, 1/s */
 } vmi_osc_reduced;
 
-/* The reduced state that belongs to position x and velocity v, where omega = sqrt(k/m), and p is the rate at the top of
-   this file. constants is the function that computes the constants of alpha. */
-VM_API vmi_osc_reduced vmi_osc_reduce_by(vmi_ateb_constants_of constants, vm_real omega, vm_real p, vm_real alpha,
-                                         vm_real x, vm_real v)
+/* The reduced state that belongs to position x and velocity v, at the time of *now */
+VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
 {
+    const vm_real omega = VM_SQRT(now->k / now->m);
     vmi_osc_reduced r;
-    vmi_ateb c;
-    constants(&c, alpha);
-    vmi_osc_amplitude_phase(&c, x, v + p * x, omega, alpha, &r.A, &r.psi);
+    vm_osc_amplitude_phase(x, v + now->p * x, omega, alpha, &r.A, &r.psi);
     r.W = r.A == 0 ? 0 : vmi_osc_rate(r.A, omega, alpha);
     return r;
 }
 
-/* The reduced state that belongs to position x and velocity v, at the time of *now */
-VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
+/* The reduced state of vmi_osc_reduce for alpha >= 0, by shorter and slower code, which vm_osc_closed_init shares with
+   vm_osc_plan_init. omega is sqrt(k/m), and V = v + p x. */
+VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm_real x, vm_real V)
 {
-    return vmi_osc_reduce_by(vmi_ateb_constants, VM_SQRT(now->k / now->m), now->p, alpha, x, v);
+    const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), as in vm_osc_amplitude_phase */
+    const vm_real B = vmi_pow_checked(VM_FABS(s), 2 / n);
+    vmi_osc_reduced r = {0, 0, 0};
+    vmi_ateb c;
+    r.A = vmi_osc_power_norm(VM_FABS(x), B, n);
+    if (r.A == 0) return r;
+    r.psi = VM_NAN;
+    if (!vmi_ateb_has_phase(alpha)) return r;
+    vmi_ateb_fine_constants(&c, alpha);
+    r.psi = vmi_ateb_phase_by_series(c.quarter, alpha, VM_COPYSIGN(vmi_pow_checked(B / r.A, n / 2), s), x / r.A);
+    r.W = vmi_osc_rate(r.A, omega, alpha);
+    return r;
 }
 
 /* Writes position x and velocity v of a reduced state: the inverse of vmi_osc_reduce. sa and ca are the Ateb functions

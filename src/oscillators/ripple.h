@@ -10,7 +10,7 @@
        vmi_ripple_values f;
        vm_real sa, ca;
        vmi_ripple_init(&r, VM_C(1.5), vmi_ateb_constants);
-       vmi_ripple_complete(&r, vmi_ateb_constants);
+       vmi_ripple_complete(&r);
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
@@ -132,7 +132,7 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
 }
 
 /* Makes all eight polynomials: adds up the power series, with each power w^i replaced by its Chebyshev series. */
-VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
+VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
@@ -246,19 +246,15 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of 
 }
 
 /* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values of S2 follow from the condition that both
-   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. constants is that of vmi_ripple_init. */
-VM_API void vmi_ripple_complete(vmi_ripple *r, vmi_ateb_constants_of constants)
+   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
+VM_API void vmi_ripple_complete(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
+    const vm_real t = vmi_ateb_from_sa_0(r->alpha, sa, half), s = vmi_ateb_from_ca_0(r->alpha, ca, half);
     vmi_ripple_place place;
     vmi_ripple_integrals zero, turn;
-    vmi_ateb c;
-    vm_real t = VM_NAN, s; /* this phase, from sa = 0 and from ca = 0 */
     vm_real jump; /* at_sa_0 - at_ca_0 */
     if (r->has_polynomials) return;
-    constants(&c, r->alpha);
-    if (vmi_ateb_has_phase(r->alpha)) t = vmi_ateb_phase_of(&c, sa, ca);
-    s = r->pi / 2 - t;
     vmi_ripple_make_polynomials(r);
     place = vmi_ripple_near_ca_0(r, ca, half);
     zero = vmi_ripple_integrals_at(&place, 5);
