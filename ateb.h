@@ -34,7 +34,7 @@
      ateb_pi               Pi_alpha, half the period
      ateb_plan_init        prepares a plan for one alpha; then call ateb_plan_saca for one s, or ateb_plan_saca_array
                            for many s. ateb_plan_init_to makes a shorter and quicker plan of less accuracy. A plan is
-                           plain data and may be a constant in flash; examples/ateb_plan prints one. On AVR copy it
+                           plain data and may be a constant in flash; examples/print_plan prints one. On AVR copy it
                            from there to RAM, by memcpy_P, before it is used.
      ateb_phase            s from sa and ca, as atan2 computes an angle from its sine and cosine
      ateb_mean             the mean of |sa|^p |ca|^q over a period (316)
@@ -2225,7 +2225,7 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
    alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
    an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c, tests/test_plans.sh. Example:
-   examples/ateb_plan.c. */
+   examples/print_plan.c. */
 #ifndef VARMASS_ATEB_PLANS_H
 #define VARMASS_ATEB_PLANS_H
 

@@ -17,7 +17,7 @@
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
    alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
    an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c, tests/test_plans.sh. Example:
-   examples/ateb_plan.c. */
+   examples/print_plan.c. */
 #ifndef VARMASS_ATEB_PLANS_H
 #define VARMASS_ATEB_PLANS_H
 
