@@ -8641,6 +8641,7 @@ typedef struct VM_TAG(vmi_osc_closed_now) {
     vmi_osc_reduced state; /* mean amplitude, m, mean phase, and the rate W that the action gives it, 1/s */
     vm_real u, el;         /* u is in s */
     vm_real ln_A;          /* ln(A/A(0)) of the mean amplitude A */
+    vm_real ratio;         /* W/W(0) */
     vm_real decay;         /* exp(-delta u) */
     vm_real inverse;       /* the integral of `decay` over u, s */
     vm_real phase;         /* the integral of W/W(0) from 0 to t, s */
@@ -8696,7 +8697,8 @@ VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_
     now->ln_A = -c->rates.p * u;
     now->state.A = c->start.A * vmi_exp(now->ln_A, 0);
     now->state.psi = c->start.psi + (c->start.W * now->phase + (now->first + now->second));
-    now->state.W = c->start.W / (decay * now->el);
+    now->ratio = 1 / (decay * now->el);
+    now->state.W = c->start.W * now->ratio;
 }
 
 /* Writes the first n numbers E_k at the time of *now. */
@@ -9608,7 +9610,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     vmi_osc_closed_mean_at(&p->closed_mean, t, &now);
     *mean = vmi_osc_mean_at_0(p);
     mean->ln_A = now.ln_A;
-    mean->ratio = 1 / (now.decay * now.el);
+    mean->ratio = now.ratio;
     mean->inverse_mass = now.u / p->m0;
     mean->phase = now.phase;
     mean->first = now.first;

@@ -96,6 +96,7 @@ typedef struct VM_TAG(vmi_osc_closed_now) {
     vmi_osc_reduced state; /* mean amplitude, m, mean phase, and the rate W that the action gives it, 1/s */
     vm_real u, el;         /* u is in s */
     vm_real ln_A;          /* ln(A/A(0)) of the mean amplitude A */
+    vm_real ratio;         /* W/W(0) */
     vm_real decay;         /* exp(-delta u) */
     vm_real inverse;       /* the integral of `decay` over u, s */
     vm_real phase;         /* the integral of W/W(0) from 0 to t, s */
@@ -151,7 +152,8 @@ VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_
     now->ln_A = -c->rates.p * u;
     now->state.A = c->start.A * vmi_exp(now->ln_A, 0);
     now->state.psi = c->start.psi + (c->start.W * now->phase + (now->first + now->second));
-    now->state.W = c->start.W / (decay * now->el);
+    now->ratio = 1 / (decay * now->el);
+    now->state.W = c->start.W * now->ratio;
 }
 
 /* Writes the first n numbers E_k at the time of *now. */

@@ -38,7 +38,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     vmi_osc_closed_mean_at(&p->closed_mean, t, &now);
     *mean = vmi_osc_mean_at_0(p);
     mean->ln_A = now.ln_A;
-    mean->ratio = 1 / (now.decay * now.el);
+    mean->ratio = now.ratio;
     mean->inverse_mass = now.u / p->m0;
     mean->phase = now.phase;
     mean->first = now.first;
