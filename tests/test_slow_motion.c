@@ -92,8 +92,8 @@ static void test_ripple_values(void)
                     row->psi, alpha);
         for (order = 3; order < 5; order++) { /* a lower order needs fewer functions, which are the same */
             functions_at(&r, order, row->psi, lower, &C);
-            CHECK(lower[S] == f[S]);
-            CHECK(lower[S2] == (order < 4 ? lower[S2] : f[S2]));
+            CHECK(fabs(lower[S] - f[S]) <= eps * size[S]); /* 0 unless the compiler contracts products and sums */
+            if (order >= 4) CHECK(fabs(lower[S2] - f[S2]) <= 4 * eps * size[S2]);
         }
     }
 }
