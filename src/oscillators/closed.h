@@ -274,8 +274,8 @@ VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, i
     vmi_osc_closed_start s;
     int status;
     if (!c || !problem || order < 2 || order > 5) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t_end)) return VM_NOT_FINITE;
-    status = vmi_osc_closed_check(problem, t_end, &s);
+    if (VM_IS_FINITE(t_end)) status = vmi_osc_closed_check(problem, t_end, &s);
+    else status = vmi_first_error(VM_NOT_FINITE, vmi_osc_closed_check(problem, 0, &s));
     if (status) return status;
     c->beyond = s.laws.rate_m != 0 ? VM_BAD_MASS : VM_BAD_STIFFNESS;
     ateb_plan_init(&c->ateb, problem->alpha);
