@@ -8753,7 +8753,7 @@ VM_API int vmi_osc_closed_is_slow(const vm_real *E, vm_real alpha)
 /* Checks the problem from t = 0 to t_end, and computes *s. */
 VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_osc_closed_start *s)
 {
-    vm_real m0, k0;
+    vm_real m0 = 0, k0 = 0;
     int status = vmi_osc_check_problem(o, t_end, &m0, &k0);
     if (status) return status;
     if (!vmi_osc_find_closed_form(o, &s->laws)) return VM_NO_LAW;
@@ -8846,7 +8846,7 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
 {
     const vmi_osc_closed_mean *mean = &c->mean;
     vmi_osc_closed_now now;
-    vm_real E[3], sa, ca, result[2] = {0, 0};
+    vm_real E[VMI_EXPANSION_E] = {0, 0, 0, 0}, sa, ca, result[2] = {0, 0}; /* E_3 is not needed here */
     int status = vmi_osc_closed_check_call(c, order, t, x, v);
     if (status) return status;
     if (mean->start.A != 0) {
