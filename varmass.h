@@ -8588,7 +8588,8 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
    with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
    must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and
    shorter. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
-       vm_osc_problem sieve = {3, vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0, VM_C(0.005), 0, NULL, NULL};
+       vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
+                               VM_C(0.005), 0,                       NULL,                        NULL};
        vm_osc_closed motion;
        vm_real x, v;
        int status = vm_osc_closed_init(&motion, &sieve, 5, 3); // motion.error holds up to 3 s
@@ -8991,7 +8992,8 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
         rates = vmi_osc_closed_rates_of(o, &p->laws, p->m0);
         p->slow.p = rates.p;
     }
-    if (p->has_ateb) state = vmi_osc_reduce_by_series(VM_SQRT(p->slow.k / p->slow.m), o->alpha, o->x, o->v + p->slow.p * o->x);
+    if (p->has_ateb)
+        state = vmi_osc_reduce_by_series(VM_SQRT(p->slow.k / p->slow.m), o->alpha, o->x, o->v + p->slow.p * o->x);
     else state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
     if (p->closed) vmi_osc_closed_disturbance(&rates, state.W, VMI_OSC_G, p->E);
     else vmi_osc_disturbance(&p->slow, state.W, p->E);

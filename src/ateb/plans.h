@@ -292,7 +292,7 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
-    vm_real *w = odd;                 /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond; the other function has its place */
+    vm_real *w = odd; /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond; at the end the other function replaces it */
     int j;
     if (beyond) w = even;
     if (alpha > large) {

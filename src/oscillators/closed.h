@@ -7,7 +7,8 @@
    with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
    must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and
    shorter. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
-       vm_osc_problem sieve = {3, vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0, VM_C(0.005), 0, NULL, NULL};
+       vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
+                               VM_C(0.005), 0,                       NULL,                        NULL};
        vm_osc_closed motion;
        vm_real x, v;
        int status = vm_osc_closed_init(&motion, &sieve, 5, 3); // motion.error holds up to 3 s

@@ -89,7 +89,8 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
         rates = vmi_osc_closed_rates_of(o, &p->laws, p->m0);
         p->slow.p = rates.p;
     }
-    if (p->has_ateb) state = vmi_osc_reduce_by_series(VM_SQRT(p->slow.k / p->slow.m), o->alpha, o->x, o->v + p->slow.p * o->x);
+    if (p->has_ateb)
+        state = vmi_osc_reduce_by_series(VM_SQRT(p->slow.k / p->slow.m), o->alpha, o->x, o->v + p->slow.p * o->x);
     else state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
     if (p->closed) vmi_osc_closed_disturbance(&rates, state.W, VMI_OSC_G, p->E);
     else vmi_osc_disturbance(&p->slow, state.W, p->E);
