@@ -38,9 +38,10 @@ TESTS = jacobi ateb rk4 pairs adaptive dense events coincidences bodies jumps ju
     jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
     dissertation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
-# Scripts of make test (tests/test_NAME.sh), and those of make test-all, of which two are the same with all that they have
+# Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
 SCRIPTS = headers readme documents errors parts golden errata install gsl hard_cases
-LONG_SCRIPTS = options sanitize fuzz golden parts readme headers snippets first_steps package plans scene_cost languages avr sweep
+LONG_SCRIPTS = readme headers golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
+    avr sweep
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum solvable
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%)
 LOGS = $(SCRIPTS:%=build/tests/%.log) $(TESTS:%=build/tests/%.log)
@@ -86,7 +87,7 @@ test:
 test-all:
 	$(call RUN_TESTS,$(LONG_LOGS))
 
-lint:
+lint: build/command
 	@sh tests/install.sh -w "for the warnings of C++" "command -v g++" g++; \
 	sh tests/install.sh -w "for the warnings of clang" "command -v clang++" clang; \
 	sh tests/install.sh -w "for the test that compares with it" "$(GSL_CHECK)" libgsl-dev; sh tests/lint.sh build $(STRICT)
