@@ -13192,8 +13192,13 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
     if (!o->mass.derivatives || !o->stiffness.derivatives || !o->damping.derivatives) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(y[0]) || !VM_IS_FINITE(y[1])) return VM_NOT_FINITE;
     status = vmi_odd_acceleration(o, t, 1, y[0], y[1], &a);
-    if (status) return status;
-    if (!VM_IS_FINITE(a)) return VM_NOT_FINITE;
+    if (!status && !VM_IS_FINITE(a)) status = VM_NOT_FINITE;
+    if (status) { /* of several mistakes the first by the table of errors */
+        vm_real f, rate;
+        status = vmi_first_error(status, vmi_law_at(&o->mass, VM_BAD_MASS, t, &f, &rate));
+        status = vmi_first_error(status, vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &f, &rate));
+        return vmi_first_error(status, vmi_law_at(&o->damping, VM_OK, t, &f, &rate));
+    }
     dydt[0] = y[1];
     dydt[1] = a;
     return VM_OK;
