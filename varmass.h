@@ -294,6 +294,15 @@
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
        vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
 
+     oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator along any slow law of its mass
+       vm_vdp_plan_init               Plan for many values of the motion of a Van der Pol oscillator with position x, m, and velocity x_rate, m/s, at t = 0
+
+     oscillators/van_der_pol_routes: the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
+       vm_vdp_plan_by_route           Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan
+       vm_vdp_plan_within             Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan
+       vm_vdp_within                  Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, for a single t
+       vm_vdp_cycle_of                Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon
+
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
        vm_jeffcott_power              Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
        vm_jeffcott_polar              Polar coordinates (448) of the disc's centre
@@ -11406,6 +11415,1078 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (status) return status;
     dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
     dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
+    return VM_OK;
+}
+
+#endif
+/* oscillators/van_der_pol_expansion.h - Van der Pol's oscillator: from the motion to its mean motion and back
+
+   The oscillator is that of oscillators/van_der_pol.h. In amplitude A and phase psi of oscillators/reduction.h, with
+   the feed as a negative damping, its exact equations are
+     (ln A)' = -p + W [-(2/n) e ca^2 sa^2 + E0 sa ca - Q0 ca^3 sa],
+     psi'    =      W [1 - e ca^3 sa + (n/2) E0 ca^2 - (n/2) Q0 ca^4],
+   with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass. Let epsilon be the relative
+   change of the vibration within a radian. The disturbances are the numbers
+     e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
+   e is of the order epsilon, the other three are of the order epsilon^2. With feed and m' alone, only E0 is left.
+
+   A transformation leads from A and psi to mean values, whose rates have no ripple within a period. Let J be
+   A^((alpha+3)/2) times a slow factor, so that a constant J means that only -p changes A. Then the mean values obey
+     (ln J)' = W [F e + K_3 e^3 + K_1 e e1 + K_Q e Q0 + K_E e E0],
+     psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
+   where < > is the mean over a period. This file has the constants of these equations, and the transformation in both
+   directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The law is new;
+   docs/van-der-pol.md has what it was measured at.
+       vmi_ripple r;
+       vmi_vdp_ripple v;
+       vmi_ripple_init(&r, 1, VM_PI);
+       vmi_ripple_complete(&r);
+       vmi_vdp_ripple_init(&v, &r); // v.F is -1/4, v.K2 -11/256
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
+
+/* The polynomials that this law needs beyond those of oscillators/ripple.h. From a zero of sa: the integrals over the
+   phase of ca^6, and of the square of S, the integral of C = ca^2 - <ca^2>. */
+enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
+
+/* From a zero of ca: the integral of ca^6, and three parts of the integral of the square of S. The first is the square
+   of the phase itself, the last the square of the integral of ca^2, the middle one their product. */
+enum { VMI_VDP_PHASE2 = 1, VMI_VDP_PRODUCT, VMI_VDP_INTEGRAL2, VMI_VDP_ZERO_FUNCTIONS };
+
+/* Constants and polynomials of the law for one alpha, prepared by vmi_vdp_ripple_init. The names of the constants are
+   those of the equations at the top of this file. */
+typedef struct VM_TAG(vmi_vdp_ripple) {
+    vm_real q;               /* (alpha+3)/(alpha+7) */
+    vm_real mean6, mean8;    /* <ca^6>, <ca^8> */
+    vm_real mean_square;     /* the mean of S^2, where S is the integral of ca^2 - <ca^2> */
+    vm_real F, K2, K3, K1, KQ, KE;
+    vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, over e^2 */
+    vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
+    vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
+} vmi_vdp_ripple;
+
+/* The disturbances at one time and one amplitude, see the top of this file */
+typedef struct VM_TAG(vmi_vdp_disturbance) {
+    vm_real e, e1, Q0, E0;
+} vmi_vdp_disturbance;
+
+/* -- Making the polynomials -- */
+
+/* Writes the product of two power series of VMI_RIPPLE_SERIES terms each. */
+VM_API void vmi_vdp_multiply(const vm_real *f, const vm_real *g, vm_real *product)
+{
+    int i, j;
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        product[i] = 0;
+        for (j = 0; j <= i; j++) product[i] += f[j] * g[i - j];
+    }
+}
+
+/* Writes the power series of (1-y)^exponent. */
+VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
+{
+    vm_real before = 0;
+    int i;
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        series[i] = vmi_binomial_next(before, i, exponent);
+        before = series[i];
+    }
+}
+
+/* Turns a power series on [0, 1/2] into a polynomial in 4 w - 1 that differs from it by about rounding errors. */
+VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
+{
+    vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
+    int i, k;
+    for (k = 0; k < VMI_RIPPLE_TERMS; k++) polynomial[k] = 0;
+    for (k = 0; k < VMI_RIPPLE_KEPT; k++) w_power[k] = 0;
+    w_power[0] = 1;
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        for (k = 0; k < VMI_RIPPLE_TERMS; k++) polynomial[k] += series[i] * w_power[k];
+        vmi_chebyshev_times_w(w_power);
+    }
+    vmi_chebyshev_to_powers(polynomial);
+}
+
+/* Makes the polynomials for phases close to a zero of sa. There du = (1-y)^(alpha/n) dpsi with u = |sa|, y = u^2 and
+   n = alpha + 1, so that the integral of (1-y)^b dpsi is u times the sum of [(1-y)^(b-alpha/n)]_i y^i/(2i+1), where
+   [ ]_i is coefficient i of the power series. */
+VM_API void vmi_vdp_make_near_sa_0(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real alpha = r->alpha, n = alpha + 1;
+    vm_real slope[VMI_RIPPLE_SERIES], power[VMI_RIPPLE_SERIES], S[VMI_RIPPLE_SERIES], square[VMI_RIPPLE_SERIES];
+    int i;
+    vmi_vdp_binomial((6 - alpha) / n, power);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) power[i] /= (vm_real)(2 * i + 1);
+    vmi_vdp_economise(power, v->near_sa_0[VMI_VDP_CA6]);
+    vmi_vdp_binomial(-alpha / n, slope);
+    vmi_vdp_binomial((2 - alpha) / n, power);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) S[i] = (power[i] - r->mean2 * slope[i]) / (vm_real)(2 * i + 1);
+    vmi_vdp_multiply(S, S, square);
+    vmi_vdp_multiply(square, slope, power);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) power[i] /= (vm_real)(2 * i + 3);
+    vmi_vdp_economise(power, v->near_sa_0[VMI_VDP_SQUARE]);
+}
+
+/* Makes one of the polynomials of the integral of S^2 close to a zero of ca, from the power series of the two factors
+   of which the product is integrated, and of dpsi/dx. x_power is the power of x = |ca| before the polynomial. */
+VM_API void vmi_vdp_make_part(const vm_real *f, const vm_real *g, const vm_real *slope, vm_real x_power, vm_real n,
+                              vm_real *polynomial)
+{
+    vm_real product[VMI_RIPPLE_SERIES], series[VMI_RIPPLE_SERIES];
+    int i;
+    vmi_vdp_multiply(f, g, product);
+    vmi_vdp_multiply(product, slope, series);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) series[i] /= x_power + (vm_real)i * n;
+    vmi_vdp_economise(series, polynomial);
+}
+
+/* Makes the polynomials for phases close to a zero of ca. There dpsi = (n/2) (1-w)^(-1/2) dx with x = |ca|, w = x^n
+   and n = alpha + 1. The phase is x times one power series in w, the integral of ca^2 is x^3 times another. */
+VM_API void vmi_vdp_make_near_ca_0(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real n = r->alpha + 1;
+    vm_real slope[VMI_RIPPLE_SERIES], phase[VMI_RIPPLE_SERIES], ca2[VMI_RIPPLE_SERIES], ca6[VMI_RIPPLE_SERIES];
+    int i;
+    vmi_vdp_binomial(VM_C(-0.5), slope);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        const vm_real now = (vm_real)i * n;
+        slope[i] *= n / 2;
+        phase[i] = slope[i] / (1 + now);
+        ca2[i] = slope[i] / (3 + now);
+        ca6[i] = slope[i] / (7 + now);
+    }
+    vmi_vdp_economise(ca6, v->near_ca_0[VMI_VDP_CA6]);
+    vmi_vdp_make_part(phase, phase, slope, 3, n, v->near_ca_0[VMI_VDP_PHASE2]);
+    vmi_vdp_make_part(phase, ca2, slope, 5, n, v->near_ca_0[VMI_VDP_PRODUCT]);
+    vmi_vdp_make_part(ca2, ca2, slope, 7, n, v->near_ca_0[VMI_VDP_INTEGRAL2]);
+}
+
+/* -- The integrals of ca^6 and of S^2 -- */
+
+/* The integral of S^2 from the nearest zero of ca to a phase where |ca| = x and sa^2 = y */
+VM_API vm_real vmi_vdp_square_from_ca_0(const vmi_vdp_ripple *v, vm_real mean2, vm_real x, vm_real y)
+{
+    const vm_real z = 4 * (1 - y) - 1, x2 = x * x;
+    const vm_real phase2 = vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_PHASE2], z);
+    const vm_real product = vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_PRODUCT], z);
+    const vm_real integral2 = vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_INTEGRAL2], z);
+    return x2 * x * (mean2 * mean2 * phase2 + x2 * (x2 * integral2 - 2 * mean2 * product));
+}
+
+/* The integral of S^2 from the nearest zero of sa to a phase where |sa| = u and sa^2 = y */
+VM_API vm_real vmi_vdp_square_from_sa_0(const vmi_vdp_ripple *v, vm_real u, vm_real y)
+{
+    return y * u * vmi_ripple_polynomial(v->near_sa_0[VMI_VDP_SQUARE], 4 * y - 1);
+}
+
+/* Writes the integrals over the phase of ca^6 - <ca^6> and of S^2 - <S^2>, both 0 where ca or sa is 0. sa and ca are
+   the Ateb functions of psi. */
+VM_API void vmi_vdp_integrals_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi, vm_real sa, vm_real ca,
+                                 vm_real *ca6, vm_real *square)
+{
+    const vm_real y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
+    const vm_real side = from_sa_0 < 0 ? -1 : 1, t = VM_FABS(from_sa_0), s = r->pi / 2 - t;
+    const vm_real x = VM_FABS(ca), u = VM_FABS(sa);
+    if (y > VM_C(0.5)) {
+        const vm_real power7 = x * (ca * ca) * (ca * ca) * (ca * ca);
+        const vm_real integral = power7 * vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_CA6], 4 * (1 - y) - 1);
+        *ca6 = -side * (integral - v->mean6 * s);
+        *square = -side * (vmi_vdp_square_from_ca_0(v, r->mean2, x, y) - v->mean_square * s);
+    } else {
+        *ca6 = side * (u * vmi_ripple_polynomial(v->near_sa_0[VMI_VDP_CA6], 4 * y - 1) - v->mean6 * t);
+        *square = side * (vmi_vdp_square_from_sa_0(v, u, y) - v->mean_square * t);
+    }
+}
+
+/* -- Preparing an alpha -- */
+
+/* Computes the constants of the equations of the mean motion, from the means of powers of ca and of S^2. */
+VM_API void vmi_vdp_find_constants(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real alpha = r->alpha, n = alpha + 1, g = r->gamma, q = v->q;
+    const vm_real m2 = r->mean2, m4 = r->mean4, m6 = v->mean6, m8 = v->mean8;
+    const vm_real g11 = n * m6 / (alpha + 15);
+    const vm_real H = (alpha + 3) / 8 * (g11 - n * m2 * m4 / (alpha + 7));
+    const vm_real Z = q * q * (v->mean_square - n / 4 * (m6 - m2 * m4) + g11);
+    const vm_real Y = q * q * (-n / 6 * (m8 - m2 * m6) + n / 4 * m2 * (m6 - m2 * m4) + n * m8 / (alpha + 19) - m2 * g11);
+    v->F = -q * m2;
+    v->K2 = g * (1 - 2 * g) / 2 * Z + (1 - 2 * g) * H - g11;
+    v->K3 = -(1 - 2 * g) * (v->F * H + Y / 2) - v->F * g11 - (alpha + 3) * n * m8 / ((alpha + 7) * (alpha + 19));
+    v->K1 = -H;
+    v->KQ = -r->scale / 4 * (m6 - m2 * m4);
+    v->KE = r->scale / 2 * r->variance;
+    v->constant = g / 2 * Z + H - (alpha + 3) * n / (2 * (alpha + 7)) * (VM_C(1.) / 6 + 1 / (alpha + 15)) * m6;
+}
+
+/* Prepares the alpha of r, which must have its polynomials. The mean of S^2 is its integral over a quarter of the
+   period, taken from both ends of the quarter up to the phase where sa^2 = 1/2. */
+VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
+    v->q = (r->alpha + 3) / (r->alpha + 7);
+    v->mean6 = vmi_osc_mean_ca(6, r->alpha, r->pi);
+    v->mean8 = vmi_osc_mean_ca(8, r->alpha, r->pi);
+    vmi_vdp_make_near_sa_0(v, r);
+    vmi_vdp_make_near_ca_0(v, r);
+    v->mean_square = 2 / r->pi *
+                     (vmi_vdp_square_from_sa_0(v, sa, half) + vmi_vdp_square_from_ca_0(v, r->mean2, ca, half));
+    vmi_vdp_find_constants(v, r);
+}
+
+/* -- The functions of the transformation -- */
+
+/* Functions of the phase in the transformation. U belongs to e, U1 to e1; P1 is the shift of the phase over e. */
+typedef struct VM_TAG(vmi_vdp_values) {
+    vmi_ripple_values f;
+    vm_real C4;         /* ca^4 - <ca^4> */
+    vm_real U, U1, P1;  /* terms of ln J that belong to e and e1, and the term of the phase that belongs to e */
+    vm_real X;          /* a term of ln J that belongs to e^2 */
+} vmi_vdp_values;
+
+/* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
+VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi, vm_real sa, vm_real ca,
+                              vmi_vdp_values *f)
+{
+    const vm_real n = r->alpha + 1, ca2 = ca * ca, ca4 = ca2 * ca2;
+    vmi_ripple_at(r, 5, psi, sa, ca, &f->f);
+    f->C4 = ca4 - r->mean4;
+    f->U = -v->q * (f->f.S - sa * ca * ca2);
+    f->U1 = v->q * (f->f.S2 + n / 8 * f->C4);
+    f->P1 = (n * f->C4 - (r->alpha - 1) * f->f.S2) / (r->alpha + 7);
+    f->X = v->q * n / 2 * ca4 * ca2 * (VM_C(1.) / 6 + sa * sa / n);
+}
+
+/* -- From the motion to the mean motion -- */
+
+/* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
+   belongs to the phase, *now to the amplitude. */
+VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
+                         const vmi_vdp_disturbance *now)
+{
+    const vm_real g = r->gamma, half = r->scale / 2;
+    const vm_real square = (1 - 2 * g) / 2 * f->U * f->U - v->F * f->P1 - f->X - v->constant;
+    return -now->e * f->U + now->e * now->e * square - now->e1 * f->U1 - half / 2 * now->Q0 * f->C4 +
+           half * now->E0 * f->f.C;
+}
+
+/* Returns the mean phase minus the phase, up to order epsilon, and at phases where sa or ca is 0 up to epsilon^2. */
+VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *now) { return -now->e * f->P1; }
+
+/* -- From the mean motion to the motion -- */
+
+/* Returns the part of order epsilon^2 of ln(J/mean J). *f belongs to the mean phase. */
+VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
+                                     const vmi_vdp_disturbance *now)
+{
+    const vm_real n = r->alpha + 1, half = r->scale / 2, sa_ca = f->f.sa * f->f.ca;
+    const vm_real slope = -(r->alpha + 3) / n * sa_ca * sa_ca;
+    const vm_real square = (1 - 2 * r->gamma) / 2 * f->U * f->U + slope * f->P1 + f->X + v->constant;
+    return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
+}
+
+/* Returns the part of order epsilon^2 of the phase minus the mean phase psi, to which *f belongs. */
+VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
+                                       const vmi_vdp_values *f, const vmi_vdp_disturbance *now)
+{
+    const vm_real alpha = r->alpha, n = alpha + 1, g = r->gamma, q = v->q;
+    const vm_real ca = f->f.ca, sa = f->f.sa, ca3 = ca * ca * ca;
+    vm_real ca6, square, ca4, V, T, odd;
+    vmi_vdp_integrals_at(v, r, psi, sa, ca, &ca6, &square);
+    ca4 = f->f.Q + 2 * r->mean2 * f->f.S;
+    V = n / (alpha + 15) * (ca6 - sa * ca3 * ca3 * ca);
+    T = -n / 8 * (f->f.S * ca3 * ca - ca6 + r->mean2 * ca4);
+    odd = g * q * q / 2 * (square - 2 * T + V) + q * (T - V) -
+          v->F / (alpha + 7) * (n * ca4 - (alpha - 1) * f->f.S3);
+    odd = (1 - 3 * g) * odd - V + g * q / 2 * (n * ca6 / 6 + V);
+    odd += (g * f->U - ca3 * sa) * f->P1;
+    return now->e * now->e * odd +
+           now->e1 * (2 * (alpha - 1) * f->f.S3 + n / 8 * (alpha - 9) * ca4) / (alpha + 7) +
+           n / 16 * (alpha - 9) * now->Q0 * ca4 + r->scale / 2 * (1 - 2 * g) * now->E0 * f->f.S;
+}
+
+/* -- The mean motion -- */
+
+/* The rate of ln J over W e, without its first term F: the terms of order epsilon^2 in the brackets of (ln J)' */
+VM_API vm_real vmi_vdp_mean_second(const vmi_vdp_ripple *v, const vmi_vdp_disturbance *now)
+{
+    return v->K3 * now->e * now->e + v->K1 * now->e1 + v->KQ * now->Q0 + v->KE * now->E0;
+}
+
+/* The mean rate of the phase over W, up to order epsilon^3 */
+VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_disturbance *now)
+{
+    const vm_real n = r->alpha + 1;
+    return 1 + v->K2 * now->e * now->e - n / 2 * r->mean4 * now->Q0 + n / 2 * r->mean2 * now->E0;
+}
+
+/* -- Sizes of the terms, for estimates of errors -- */
+
+/* Bounds of what order two leaves out, for one time: of the phase and of ln J by the transformation back from the mean
+   motion, and of ln J by the transformation to the mean motion. */
+typedef struct VM_TAG(vmi_vdp_sizes) {
+    vm_real psi, J; /* terms of order epsilon^2 of the way back */
+    vm_real start;  /* terms of order epsilon^3 of ln J on the way to the mean motion */
+    vm_real ratio;  /* about the ratio of terms of one order to those of the order before */
+} vmi_vdp_sizes;
+
+/* The sizes where the disturbances are *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors are
+   fitted to the largest values of the functions for alpha from 0.2 to 12. */
+VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturbance *now, vm_real rate)
+{
+    const vm_real d = r->pi / (2 * VM_PI), d2 = d * d, d3 = d2 * d, d4 = d2 * d2;
+    const vm_real e = VM_FABS(now->e), e1 = VM_FABS(now->e1), Q = VM_FABS(now->Q0), E = VM_FABS(now->E0);
+    vmi_vdp_sizes s;
+    s.psi = VM_C(0.11) * d3 * e * e + VM_C(0.45) * d3 * e1 + VM_C(0.75) * d * Q +
+            r->scale / 4 * VM_FABS(1 - 2 * r->gamma) * d * E;
+    s.J = VM_C(0.18) * d2 * (e * e + d * e1) + VM_C(1.5) * d2 * Q + VM_C(2.4) * d2 * E;
+    s.start = e * (VM_C(0.06) * d4 * e * e + VM_C(0.12) * d3 * e1 + VM_C(0.5) * d4 * Q + VM_C(0.9) * d4 * E) +
+              rate * (VM_C(0.14) * d4 * e1 + VM_C(1.1) * d3 * Q + VM_C(2.1) * d3 * E);
+    s.ratio = d * (e + rate);
+    return s;
+}
+
+#endif
+/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along any slow law of its mass
+
+   The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
+   therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
+   there. The mean amplitude and phase at any other time are integrals along the law of the mass, cost does not depend
+   on the number of vibrations. With B = c/m and r = exp(-2 integral of p dt) from the start of a panel of time
+   (oscillators/panels.h), the mean amplitude A and phase psi on the panel are
+     A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
+     psi = psi_0 + integral of W (1 + second order terms) dt.
+   At the points of a table p' jumps, so that the mean motion jumps, too: there the exact equations take over, from the
+   last phase before the point at which sa or ca is 0 to the first one after it.
+       vm_vdp_plan plan;
+       vmi_vdp_mean mean;
+       int status = vm_vdp_plan_init(&plan, &v, VM_C(0.3), 0); // v is a vm_vdp; x = 0.3 m, x' = 0 at t = 0
+       if (!status) status = vmi_vdp_mean_at(&plan, 100, &mean); // mean.ln_A, mean.psi
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
+
+/* The mean motion at one time, and what the error depends on */
+typedef struct VM_TAG(vmi_vdp_mean) {
+    vm_real t;                    /* the time, s */
+    vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
+    vm_real first_ln_A, first_psi; /* both by the first order of the same equations */
+    vm_real segment;              /* time, s, of the last point of a table, or 0: the laws are smooth since then */
+    vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
+    vm_real J_error;              /* what order two leaves out of ln J at starts, as far as it is left at t */
+    vm_real psi_error;            /* what order two leaves out of psi */
+    vm_real J_third, psi_third;   /* the same for order three, of terms that depend on feed and mass alone */
+    vm_real ratio;                /* largest ratio of terms of one order to those of the order before, at all starts */
+    vmi_osc_mean fast;            /* only change, dropped, shortest and error: what fast changes of the mass cause */
+} vmi_vdp_mean;
+
+/* What is computed only once for a Van der Pol oscillator and its state at t = 0, by vm_vdp_plan_init. Read its fields,
+   but do not change them. The plan points to the tables, functions and contexts of the law of the mass. */
+typedef struct VM_TAG(vm_vdp_plan) {
+    vm_vdp vdp;            /* a copy of the oscillator */
+    vm_osc_plan osc;       /* the oscillator without its term -c x^2 x', with the feed as a negative damping */
+    vmi_vdp_ripple ripple; /* constants and polynomials of the law of order three */
+    int start_status;      /* VM_OK where `start` is set; else why there is no mean motion, or VM_NO_LAW at rest */
+    vmi_vdp_mean start;    /* the start of the mean motion forward in time */
+} vm_vdp_plan;
+
+/* The term -c x^2 x', N; ctx points to c. */
+VM_API vm_real vmi_vdp_force(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    const vm_real *c = (const vm_real *)ctx;
+    (void)t;
+    return -*c * x * x * v;
+}
+
+/* -- The disturbances -- */
+
+/* The rate of the phase, 1/s, at the amplitude exp(ln_A) */
+VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real ln_A)
+{
+    const vm_real alpha = p->vdp.alpha;
+    return VM_SQRT((alpha + 1) / 2 * p->vdp.k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
+}
+
+/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. From p = (2 a - m'/m)/(alpha+3) follows m'/m. */
+VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p)
+{
+    return (p->vdp.alpha - 1) * rate_p - rate_a;
+}
+
+/* The disturbances where the mass has the rates a and p, G0 is p^2 - a p - p', and the amplitude exp(ln_A) has the rate
+   of phase W */
+VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real rate_a, vm_real rate_p,
+                                                  vm_real G0, vm_real ln_A, vm_real W)
+{
+    vmi_vdp_disturbance d;
+    d.e = p->vdp.c / mass * vmi_exp(2 * ln_A, 0) / W;
+    d.e1 = d.e * vmi_vdp_nu(p, rate_a, rate_p) / W;
+    d.Q0 = d.e * rate_p / W;
+    d.E0 = G0 / W / W;
+    return d;
+}
+
+/* The same where *now holds mass and rates */
+VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
+                                                  vm_real W)
+{
+    const vm_real G0 = now->G[0] / now->unit / now->unit;
+    return vmi_vdp_disturbance_of(p, now->m, now->a, now->p, G0, ln_A, W);
+}
+
+/* The sizes of terms for estimates, where *now holds mass and rates, and the amplitude exp(ln_A) has the rate of phase
+   W */
+VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
+{
+    const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
+    const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p)) + VM_FABS(now->p) + VM_FABS(now->a)) / W;
+    return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
+}
+
+/* Writes |E_k| = |G_k|/W^(k+2), see oscillators/expansion.h. They belong to the oscillator without its limiting term. */
+VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
+{
+    int i;
+    vmi_osc_disturbance(now, W, E);
+    for (i = 0; i < VMI_OSC_G; i++) E[i] = VM_FABS(E[i]);
+}
+
+/* -- The start -- */
+
+/* Starts the mean motion at the state r->A, r->psi, r->W of the reduction, where sa or ca is 0. mean->t and mean->now
+   belong to this time. The errors that the start causes are added to those in *mean. */
+VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi_vdp_mean *mean)
+{
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vm_real ln_A = vmi_log(r->A).hi;
+    const vmi_vdp_disturbance now = vmi_vdp_disturbance_at(p, &mean->now, ln_A, r->W);
+    const vmi_vdp_sizes sizes = vmi_vdp_sizes_at(p, &mean->now, ln_A, r->W);
+    vmi_vdp_values f;
+    vm_real E[VMI_OSC_G], sa, ca;
+    vmi_osc_wave_at(&wave, r->psi, &ca, &sa);
+    vmi_vdp_values_at(&p->ripple, &p->osc.ripple, r->psi, sa, ca, &f);
+    vmi_vdp_absolute_E(&mean->now, r->W, E);
+    mean->ln_A = ln_A + 2 / (p->vdp.alpha + 3) * vmi_vdp_J(&p->ripple, &p->osc.ripple, &f, &now);
+    mean->psi = r->psi + vmi_vdp_psi(&f, &now);
+    mean->first_ln_A = mean->ln_A;
+    mean->first_psi = mean->psi;
+    mean->J_error += sizes.start;
+    mean->psi_error += sizes.psi;
+    mean->J_third += vmi_osc_size_J(&p->osc.ripple, 4, E);
+    mean->psi_third += vmi_osc_size_psi(&p->osc.ripple, 3, E);
+    mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
+}
+
+/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, but past the
+   next point of a table if `knots` is 1. Then starts the mean motion there. side is 1 forward, -1 backward in time.
+   VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has more points on
+   the way. */
+VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
+                          vmi_vdp_mean *mean)
+{
+    const int nodes = 14, most_steps = 8;
+    vm_osc_plan exact = p->osc;
+    vm_real c = p->vdp.c;
+    vmi_osc_course course;
+    vmi_osc_reduced end;
+    vmi_osc_rates rates;
+    int i, landed = 0, status;
+    exact.problem.force = vmi_vdp_force;
+    exact.problem.ctx = &c;
+    vmi_osc_course_start(&course, &exact, r, side, nodes, 2, 16 * VM_EPSILON);
+    course.t = t;
+    for (i = 0; i < most_steps; i++) {
+        course.stop = vmi_osc_next_knot(&exact.problem, course.t, VM_COPYSIGN(VM_INFINITY, (vm_real)side));
+        status = vmi_osc_course_step(&course);
+        if (status) return status;
+        if (course.t == course.stop) landed++;
+        else if (landed >= knots) break;
+        if (landed > knots) return VM_NOT_INTEGRATED;
+    }
+    if (i == most_steps) return VM_NOT_INTEGRATED;
+    status = vmi_osc_rates_at(&exact.problem, course.t, side, &rates);
+    if (!status)
+        status = vmi_osc_slow_at(&exact.problem, course.t, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om,
+                                 &mean->now);
+    if (status) return status;
+    end.psi = course.psi;
+    end.A = exact.A * vmi_exp(course.ln_A, 0);
+    end.W = exact.Om * vmi_osc_Om_ratio(&exact, &rates, course.ln_A);
+    mean->t = course.t;
+    mean->segment = knots ? mean->segment : t;
+    vmi_vdp_start_at(p, &end, mean);
+    return VM_OK;
+}
+
+/* Starts the mean motion from position and velocity at t = 0, for times t > 0 with side = 1, t < 0 with side = -1. */
+VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_osc_problem *o = &p->osc.problem;
+    const vm_real quarter = p->osc.ripple.pi / 2;
+    vmi_osc_reduced r;
+    vm_real from_multiple;
+    int i, status = vmi_osc_slow_at(o, 0, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om, &mean->now);
+    if (status) return status;
+    mean->t = 0;
+    mean->segment = 0;
+    mean->J_error = 0;
+    mean->psi_error = 0;
+    mean->J_third = 0;
+    mean->psi_third = 0;
+    mean->ratio = 0;
+    mean->fast = vmi_osc_mean_at_0(&p->osc);
+    for (i = 0; i < VMI_WALK_ORDERS; i++) mean->fast.change[i] = 0;
+    r = vmi_osc_reduce(&mean->now, o->alpha, o->x, o->v);
+    if (!(r.A > 0) || !VM_IS_FINITE(r.A)) return VM_NOT_FINITE;
+    from_multiple = r.psi - quarter * VM_FLOOR(r.psi / quarter + VM_C(0.5));
+    if (VM_FABS(from_multiple) > 64 * VM_EPSILON * quarter) return vmi_vdp_bridge(p, 0, side, &r, 0, mean);
+    vmi_vdp_start_at(p, &r, mean);
+    return VM_OK;
+}
+
+/* Plan for many values of the motion of a Van der Pol oscillator with position x, m, and velocity x_rate, m/s, at t = 0.
+   vm_vdp_plan_by_route and vm_vdp_plan_within use the plan. The fields method and a1 to a3 of the oscillator do not
+   matter. The oscillator is copied; the tables and contexts of its mass must outlive the plan. Errors leave the plan
+   untouched. Returns VM_BAD_ARGUMENT for null pointers and for a mass that no constructor made, VM_NOT_FINITE for
+   numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table,
+   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function
+   that fails. */
+VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
+{
+    vm_vdp_plan plan;
+    vm_osc_problem o;
+    int status;
+    if (!p || !v) return VM_BAD_ARGUMENT;
+    o.alpha = v->alpha;
+    o.mass = v->mass;
+    o.stiffness = vm_law_linear(v->k, 0);
+    o.reactive = v->reactive;
+    o.damping = -v->feed;
+    o.x = x;
+    o.v = x_rate;
+    o.force = NULL;
+    o.ctx = NULL;
+    plan.vdp = *v;
+    status = vmi_vdp_check(v);
+    status = vmi_first_error(status, vm_osc_plan_init(&plan.osc, &o));
+    if (status) return status;
+    plan.start_status = VM_NO_LAW;
+    if (plan.osc.A > 0) {
+        vmi_vdp_ripple_init(&plan.ripple, &plan.osc.ripple);
+        plan.start_status = vmi_vdp_start(&plan, 1, &plan.start);
+    }
+    *p = plan;
+    return VM_OK;
+}
+
+/* -- A panel -- */
+
+/* Series and integrals of the mean motion on a panel of time */
+typedef struct VM_TAG(vmi_vdp_panel) {
+    vmi_osc_panel laws;                   /* the law of mass; its fields E and noise for fast changes */
+    vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
+    vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
+    vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
+    vm_real loss;                         /* factor by which an error of ln J changes over the panel */
+    vm_real kept;                         /* integral over the phase of this factor from the start */
+} vmi_vdp_panel;
+
+/* Mean values at the points of Gauss' rule of a panel */
+typedef struct VM_TAG(vmi_vdp_nodes) {
+    vm_real r[VMI_GAUSS], ln_r[VMI_GAUSS];      /* r/m, see vmi_vdp_panel, and ln r */
+    vm_real first_ln_A[VMI_GAUSS], first_rate[VMI_GAUSS];
+    vm_real G0[VMI_GAUSS], E[VMI_GAUSS];        /* p^2 - a p - p', and E_0 */
+    vm_real second[VMI_GAUSS];                  /* r/m times the terms of second order of (ln J)'/(W e) */
+    vm_real rate[VMI_GAUSS];
+} vmi_vdp_nodes;
+
+/* ln of r = exp(-2 integral of p dt) over a time in which the mass changes by the factor exp(ln_m), and the integral
+   of dt/m is `way` */
+VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real way)
+{
+    vm_real ln_A, ln_Om;
+    vmi_osc_adiabatic(&p->osc, ln_m, 0, p->osc.problem.damping * way, &ln_A, &ln_Om);
+    return 2 * ln_A;
+}
+
+/* Computes the first order at the nodes, and from it the terms of second order. *mean is the mean motion at the start
+   of the panel, where the mass is m_start. */
+VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vm_real m_start,
+                                const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes, vmi_vdp_panel *panel)
+{
+    const vm_real gain = -4 / (p->vdp.alpha + 3) * p->ripple.F * p->vdp.c * vmi_exp(2 * mean->first_ln_A, 0);
+    vm_real unused[VMI_GAUSS];
+    int i;
+    panel->laws.noise = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real way = length / 2 * vmi_legendre_integral(panel->laws.inverse, vmi_gauss_node(i));
+        nodes->ln_r[i] = vmi_vdp_ln_r(p, vmi_log(now->m / m_start).hi, way);
+        nodes->r[i] = vmi_exp(nodes->ln_r[i], 0) / now->m;
+        nodes->G0[i] = now->p * (now->p - now->a) - at->p_rate[i];
+    }
+    vmi_legendre_fit(nodes->r, nodes->r, panel->r, unused);
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real y = 1 + gain * (length / 2) * vmi_legendre_integral(panel->r, vmi_gauss_node(i));
+        const vm_real ln_A = mean->first_ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2;
+        const vm_real W = vmi_vdp_rate(p, now->m, ln_A);
+        const vm_real p_noise = vmi_osc_rate_noise() / VM_FABS(length);
+        vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        nodes->first_ln_A[i] = ln_A;
+        nodes->first_rate[i] = y > 0 ? W : VM_NAN;
+        nodes->second[i] = nodes->r[i] * vmi_vdp_mean_second(&p->ripple, &d);
+        nodes->E[i] = d.E0;
+        panel->laws.noise = vmi_larger(p_noise / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W), panel->laws.noise);
+    }
+    panel->first_ln_A = 1 + gain * length * panel->r[0]; /* y at the end of the panel */
+}
+
+/* Computes the mean motion of order three at the nodes, from the series `second` of the terms of second order. */
+VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
+                                 const vmi_osc_panel_laws *at, const vm_real *second, vmi_vdp_nodes *nodes,
+                                 vmi_vdp_panel *panel)
+{
+    const vm_real gain = -4 / (p->vdp.alpha + 3) * p->vdp.c * vmi_exp(2 * mean->ln_A, 0);
+    int i;
+    panel->kept = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real node = vmi_gauss_node(i);
+        const vm_real sum = p->ripple.F * vmi_legendre_integral(panel->r, node) + vmi_legendre_integral(second, node);
+        const vm_real y = 1 + gain * (length / 2) * sum;
+        const vm_real ln_A = mean->ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2, W = vmi_vdp_rate(p, now->m, ln_A);
+        const vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        nodes->rate[i] = y > 0 ? W * vmi_vdp_mean_rate(&p->ripple, &p->osc.ripple, &d) : VM_NAN;
+        panel->kept += vmi_gauss_weight(i) / 2 * VM_FABS(length) * W / y;
+    }
+    panel->loss = 1 / (1 + gain * length * (p->ripple.F * panel->r[0] + second[0]));
+}
+
+/* Computes the panel from mean->t over `length`, which is negative backward. */
+VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vmi_vdp_panel *panel)
+{
+    const vm_osc_problem *o = &p->osc.problem;
+    const int side = vmi_time_side(length);
+    vmi_osc_panel_laws at;
+    vmi_vdp_nodes nodes;
+    vm_real m_start[VMI_LAW_ORDERS], m_end[VMI_LAW_ORDERS], second[VMI_GAUSS], ln_r;
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t, side, 0, m_start);
+    if (!status) status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t + length, -side, 0, m_end);
+    if (!status) status = vmi_osc_read_laws(o, side, mean->t, length, &at, &panel->laws);
+    if (status) return status;
+    vmi_vdp_first_order(p, mean, length, m_start[0], &at, &nodes, panel);
+    vmi_legendre_fit(nodes.second, nodes.E, second, panel->laws.E);
+    vmi_vdp_second_order(p, mean, length, &at, second, &nodes, panel);
+    vmi_legendre_fit(nodes.rate, nodes.first_rate, panel->rate, panel->first_rate);
+    ln_r = vmi_vdp_ln_r(p, vmi_log(m_end[0] / m_start[0]).hi, length * panel->laws.inverse[0]);
+    panel->first_ln_A = (ln_r - vmi_log(panel->first_ln_A).hi) / 2;
+    panel->ln_A = (ln_r + vmi_log(panel->loss).hi) / 2;
+    return VM_OK;
+}
+
+/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. A panel also counts as short
+   enough if the terms of E_0 that its series leaves out do not matter. */
+VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length, vm_real whole)
+{
+    const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
+    const vm_real limit = vmi_panel_limit(length, whole), phase = panel->rate[0] * VM_FABS(length);
+    if (!(panel->laws.edge <= vmi_panel_edge_limit(limit))) return 0;
+    if (!vmi_panel_is_resolved(panel->laws.inverse, limit) || !vmi_panel_is_resolved(panel->r, limit)) return 0;
+    if (!vmi_panel_is_resolved(panel->rate, limit) || !vmi_panel_is_resolved(panel->first_rate, limit)) return 0;
+    return vmi_legendre_tail(panel->laws.E) <= E_enough * VM_SQRT(vmi_legendre_square(panel->laws.E)) +
+                                                   phase_matters * (1 + 1 / phase) / phase;
+}
+
+/* Advances the mean motion over a panel. */
+VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_real length, vmi_vdp_mean *mean)
+{
+    const vm_real g = VM_FABS(p->osc.ripple.gamma), phase = panel->rate[0] * VM_FABS(length);
+    const vm_real second = VM_FABS(vmi_expansion_second(&p->osc.ripple)) * vmi_legendre_square(panel->laws.E);
+    mean->t += length;
+    mean->psi += length * panel->rate[0];
+    mean->first_psi += length * panel->first_rate[0];
+    mean->ln_A += panel->ln_A;
+    mean->first_ln_A += panel->first_ln_A;
+    mean->psi_error += g * mean->J_error * panel->kept;
+    mean->psi_third += g * mean->J_third * panel->kept + phase * second;
+    mean->J_error *= panel->loss;
+    mean->J_third *= panel->loss;
+    panel->laws.ratio[0] = panel->rate[0] / p->osc.mean.W; /* vmi_osc_add_changes asks for the rate in this form */
+    panel->laws.cube = 0;
+    vmi_osc_add_changes(&p->osc, &panel->laws, length, &mean->fast);
+}
+
+/* Advances the mean motion to `end` by panels of at most `longest`. No table may have a point on the way. `whole` is
+   the length of the whole walk, s. Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+VM_API int vmi_vdp_walk_piece(const vm_vdp_plan *p, vm_real end, vm_real longest, vm_real whole, vmi_vdp_mean *mean)
+{
+    vmi_panels panels = vmi_panels_from(mean->t, end, longest, whole);
+    while (vmi_panels_next(&panels)) {
+        const vm_real length = panels.side * panels.step;
+        vmi_vdp_panel panel;
+        int status = vmi_vdp_panel_of(p, mean, length, &panel);
+        if (status) return status;
+        if (!vmi_vdp_panel_is_resolved(&panel, panels.step, whole)) {
+            if (vmi_panels_halve(&panels)) continue;
+            if (!VM_IS_FINITE(panel.ln_A) || !VM_IS_FINITE(panel.rate[0])) return VM_NOT_FINITE;
+            mean->fast.error += panels.step * vmi_legendre_tail(panel.rate) / p->osc.Om;
+        }
+        vmi_vdp_add_panel(p, &panel, length, mean);
+        if (panels.step < mean->fast.shortest && panels.step < panels.left) mean->fast.shortest = panels.step;
+        vmi_panels_advance(&panels);
+        mean->t = panels.t;
+    }
+    return VM_OK;
+}
+
+/* -- The motion that belongs to a mean motion -- */
+
+/* Writes amplitude, phase and its rate at mean->t by order 1, 2 or 3, with rates from mean->now. */
+VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_vdp_mean *mean)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vm_real share = 2 / (r->alpha + 3);
+    vm_real ln_A = order == 1 ? mean->first_ln_A : mean->ln_A, sa, ca, ln_J;
+    vmi_osc_reduced state;
+    vmi_vdp_disturbance now;
+    vmi_vdp_values f;
+    state.W = vmi_vdp_rate(p, mean->now.m, ln_A);
+    state.psi = order == 1 ? mean->first_psi : mean->psi;
+    if (order > 1) {
+        now = vmi_vdp_disturbance_at(p, &mean->now, ln_A, state.W);
+        vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+        vmi_vdp_values_at(&p->ripple, r, state.psi, sa, ca, &f);
+        ln_J = now.e * f.U;
+        state.psi += now.e * f.P1;
+        if (order > 2) {
+            ln_J += vmi_vdp_J_back_second(&p->ripple, r, &f, &now);
+            state.psi += vmi_vdp_psi_back_second(&p->ripple, r, mean->psi, &f, &now);
+        }
+        ln_A += share * ln_J;
+        state.W *= vmi_exp(r->gamma * ln_J, 0);
+    }
+    state.A = vmi_exp(ln_A, 0);
+    return state;
+}
+
+/* -- The walk -- */
+
+/* Sets the rates of *mean for its time. side is the direction of the walk, 1 forward, -1 backward in time; where
+   derivatives jump, their values on the side from which the walk comes are taken. */
+VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_real sampling = vmi_osc_sampling_time(&p->osc), way = VM_FABS(mean->t);
+    const vm_real unit = 1 / p->osc.Om;
+    if (way == 0) return vmi_osc_slow_at(&p->osc.problem, 0, side, sampling, unit, &mean->now);
+    return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
+}
+
+/* Takes the mean motion past its time, a point of a table: from the last phase before it where sa or ca is 0 by the
+   exact equations to the first one after it. */
+VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), knot = mean->t;
+    const vm_real back = -(vm_real)side * quarter * (turns - VM_FLOOR(turns)) / W;
+    vmi_vdp_panel panel;
+    vmi_osc_reduced state;
+    int status = VM_OK;
+    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the table's points are dense */
+    if (back != 0) {
+        status = vmi_vdp_panel_of(p, mean, back, &panel);
+        if (status) return status;
+        vmi_vdp_add_panel(p, &panel, back, mean);
+    }
+    mean->t = knot + back;
+    status = vmi_vdp_mean_update(p, side, mean);
+    if (status) return status;
+    state = vmi_vdp_state(p, 3, mean);
+    mean->segment = knot;
+    return vmi_vdp_bridge(p, mean->t, side, &state, 1, mean);
+}
+
+/* Computes the mean motion at t by a walk along the law of the mass, from one point of a table to the next. Returns
+   VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer than
+   a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
+VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
+{
+    const vm_law *mass = &p->osc.problem.mass;
+    const int side = vmi_time_side(t);
+    vm_real whole, longest, at = 0;
+    int status = p->start_status;
+    if (side < 0 && mass->time) status = vmi_vdp_start(p, -1, mean);
+    else if (!status) *mean = p->start;
+    if (status) return status;
+    whole = vmi_larger(VM_FABS(t), VM_FABS(mean->t));
+    longest = vmi_law_longest_panel(mass, whole);
+    mean->fast.shortest = longest;
+    while (!status) {
+        const vm_real next = vmi_law_next_knot(mass, at, t);
+        if (next != t && (vm_real)side * (mean->t - next) > 0) return VM_NOT_INTEGRATED;
+        status = vmi_vdp_walk_piece(p, next, longest, whole, mean);
+        if (!status) status = vmi_vdp_mean_update(p, side, mean);
+        if (status || next == t) return status;
+        status = vmi_vdp_walk_past_knot(p, side, mean);
+        at = next;
+    }
+    return status;
+}
+
+#endif
+/* oscillators/van_der_pol_routes.h - the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
+
+   Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
+   after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
+     VM_ROUTE_ATEB           first order, from the start that the law of order three has; errors are O(epsilon)
+     VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
+     VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
+     VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
+     VM_ROUTE_RK87           integration of the equation of motion by rk87, to a tolerance
+   epsilon is the relative change of the vibration within a radian. The cost of the first three does not depend on t.
+   vm_vdp_within takes the cheapest route whose error is estimated to be within a tolerance. The shortest useful call:
+       vm_vdp v;
+       vm_osc_motion motion;
+       memset(&v, 0, sizeof v);
+       v.alpha = 3;
+       v.k = 1;
+       v.feed = v.c = VM_C(0.01);
+       v.mass = vm_law_linear(1, VM_C(-0.001)); // a mass of 1 kg, which leaks 1 g/s
+       int status = vm_vdp_within(&v, VM_C(0.5), 0, 300, VM_C(1e-6), &motion); // from rest at 0.5 m, after 300 s
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_ROUTES_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_ROUTES_H
+
+/* -- The law of orders one to three -- */
+
+/* The order, 1 to 3, of a route of the law, or 0 for every other route */
+VM_API int vmi_vdp_order_of(int route)
+{
+    switch (route) {
+    case VM_ROUTE_ATEB: return 1;
+    case VM_ROUTE_ORDER2: return 2;
+    case VM_ROUTE_ORDER3: return 3;
+    default: return 0;
+    }
+}
+
+/* Estimates the error of order three, and writes that of order two. Both are sums of the terms that the order leaves
+   out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the start grow
+   with the phase. Fast changes of the mass and rounding errors are added. The factor 2 fits the errors that
+   tests/test_van_der_pol_law.c finds. */
+VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vm_real n = r->alpha + 1, largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
+    const vmi_vdp_sizes now = vmi_vdp_sizes_at(p, &mean->now, mean->ln_A, W);
+    const vm_real back = 2 / n * now.psi + 2 / (n + 2) * now.J;
+    const vm_real all = back + 2 / n * mean->psi_error + 2 / (n + 2) * mean->J_error;
+    vm_real E[VMI_OSC_G], third = all * vmi_larger(now.ratio, mean->ratio), error;
+    const vm_real fast = (1 + VM_FABS(r->gamma) * turns) * vmi_osc_fast(&p->osc, &mean->fast);
+    const vm_real rounding = 4 * VM_EPSILON * (2 + turns) + W * mean->fast.error;
+    vmi_vdp_absolute_E(&mean->now, W, E);
+    third += 2 / n * (mean->psi_third + vmi_osc_size_psi(r, 3, E) + vmi_osc_size_psi(r, 4, E));
+    third += 2 / (n + 2) * (mean->J_third + vmi_osc_size_J(r, 3, E) + vmi_osc_size_J(r, 4, E));
+    error = 2 * third + fast + rounding;
+    *second = 2 * back + error;
+    if (!(*second < largest_known)) *second = VM_INFINITY;
+    return error < largest_known ? error : VM_INFINITY;
+}
+
+/* Computes the motion by order 1, 2 or 3 from the mean motion. */
+VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
+{
+    const int order = vmi_vdp_order_of(route);
+    const vm_real alpha = p->vdp.alpha;
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vmi_osc_reduced state = vmi_vdp_state(p, order, mean);
+    vm_osc_motion result, better;
+    vm_real sa, ca, second;
+    vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+    vmi_osc_unreduce(&state, mean->now.p, alpha, sa, ca, &result.x, &result.v);
+    result.amplitude = state.A;
+    result.error = vmi_vdp_error(p, mean, &second);
+    if (order < 3) result.error = second;
+    result.route = route;
+    result.evals = 0;
+    if (order == 1) { /* the estimate is the difference from order two */
+        const vm_real vmax = 2 / (alpha + 1) * state.A * state.W;
+        int status = vmi_vdp_order_n(p, VM_ROUTE_ORDER2, mean, &better);
+        if (status) return status;
+        result.error += vmi_larger(VM_FABS(result.x - better.x) / state.A, VM_FABS(result.v - better.v) / vmax);
+    }
+    if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
+    if (!(result.error >= 0)) result.error = VM_INFINITY;
+    *motion = result;
+    return VM_OK;
+}
+
+/* -- One route -- */
+
+/* Integrates the exact equations to the tolerance, by a function of oscillators/routes.h. The term -c x^2 x' is the
+   further force. */
+VM_API int vmi_vdp_integrate(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vm_osc_plan exact = p->osc;
+    vm_real c = p->vdp.c;
+    exact.problem.force = vmi_vdp_force;
+    exact.problem.ctx = &c;
+    if (route == VM_ROUTE_COLLOCATION) return vmi_osc_collocate(&exact, route, t, tolerance, motion);
+    if (route == VM_ROUTE_RK87) return vmi_osc_integrate_rk87(&exact, route, t, tolerance, motion);
+    return vmi_osc_integrate_within(&exact, t, tolerance, motion);
+}
+
+/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
+{
+    if (!p) return VM_BAD_ARGUMENT;
+    return vmi_osc_check_call(&p->osc, VM_ROUTE_ATEB, t, tolerance, motion);
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
+   t is in seconds, of either sign. route is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
+   VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
+   velocity at the amplitude A; it is infinite where the law does not hold. The routes that integrate keep it within the
+   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or
+   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. An error
+   leaves *motion untouched; it returns
+     VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
+     VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
+     VM_BAD_MASS for a mass that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, or a user's function that fails,
+     VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for the law and collocation,
+     VM_NOT_INTEGRATED for the law where a table has points closer than a quarter of a vibration,
+     VM_NOT_INTEGRATED where the integrator gives up. */
+VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    const int by_law = vmi_vdp_order_of(route) > 0;
+    vmi_vdp_mean mean;
+    int status;
+    if (!by_law && route != VM_ROUTE_COLLOCATION && route != VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
+    status = vmi_vdp_check_call(p, t, &tolerance, motion);
+    if (status) return status;
+    if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, route, motion);
+    if (!by_law) return vmi_vdp_integrate(p, route, t, tolerance, motion);
+    status = vmi_vdp_mean_at(p, t, &mean);
+    if (status) return status;
+    return vmi_vdp_order_n(p, route, &mean, motion);
+}
+
+/* -- The cheapest route -- */
+
+/* Writes the motion by the first of the orders 1 to 3 whose error is estimated to be within the tolerance. Returns
+   VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
+VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    const vm_real reserve = VM_C(1.5); /* as for the oscillator without feed, see vmi_osc_averaged_within */
+    vmi_vdp_mean mean;
+    vm_osc_motion result;
+    int route;
+    if (vmi_vdp_mean_at(p, t, &mean)) return VM_TOLERANCE_MISSED;
+    for (route = VM_ROUTE_ATEB; route <= VM_ROUTE_ORDER3; route++) {
+        if (vmi_vdp_order_n(p, route, &mean, &result)) return VM_TOLERANCE_MISSED;
+        if (!(reserve * result.error <= tolerance)) continue;
+        *motion = result;
+        return VM_OK;
+    }
+    return VM_TOLERANCE_MISSED;
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan.
+   t is in seconds, of either sign. It takes the first of order one, two and three whose error is estimated to be within
+   the tolerance, and else integrates; motion->route says which. The tolerance is relative, for the larger of |error of
+   x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
+VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    int status = vmi_vdp_check_call(p, t, &tolerance, motion);
+    if (status) return status;
+    if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, VM_ROUTE_ATEB, motion);
+    status = vmi_vdp_law_within(p, t, tolerance, motion);
+    if (status != VM_TOLERANCE_MISSED) return status;
+    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* collocation, or else rk87 */
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, for a single t.
+   x (m) and x_rate (m/s) are position and velocity at t = 0. Arguments, result and statuses are those of
+   vm_vdp_plan_within and vm_vdp_plan_init. */
+VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, vm_real tolerance,
+                         vm_osc_motion *motion)
+{
+    vm_vdp_plan plan;
+    int status = vmi_osc_check_arguments(VM_ROUTE_ATEB, t, tolerance, motion);
+    status = vmi_first_error(status, vm_vdp_plan_init(&plan, v, x, x_rate));
+    if (status) return status;
+    return vm_vdp_plan_within(&plan, t, tolerance, motion);
+}
+
+/* -- The limit cycle -- */
+
+/* The limit cycle of a Van der Pol oscillator of constant mass */
+typedef struct VM_TAG(vm_vdp_cycle) {
+    vm_real largest_x; /* the largest position, m */
+    vm_real period;    /* s */
+    vm_real epsilon;   /* the small number of which largest_x and period are power series */
+    int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
+} vm_vdp_cycle;
+
+/* Writes the coefficients of epsilon^2 in the series of the largest x, *kx, and of the rate of the phase, *kw, where
+   epsilon = feed/(m W). The amplitude is constant on the cycle, which gives the disturbances for epsilon = 1. The
+   largest x is reached where x' = 0, that is V = p x: by `late` epsilon later than the phase 0, where V = 0. */
+VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
+{
+    const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
+    vmi_vdp_disturbance d;
+    vmi_vdp_values f;
+    vm_real kA, late;
+    d.e = -1 / v->F;
+    d.e1 = (2 * s - 1) * d.e;
+    d.Q0 = -s / 2 * d.e;
+    d.E0 = -s * (2 - s) / 4;
+    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* changes of A^2 over A^2, from F + second = 0 */
+    *kw = (r->alpha - 1) / 4 * kA + vmi_vdp_mean_rate(v, r, &d) - 1;
+    vmi_vdp_values_at(v, r, 0, 0, 1, &f);
+    late = n * s / 4;
+    *kx = kA / 2 + 2 / (n + 2) * (late - d.e * f.P1 + vmi_vdp_J_back_second(v, r, &f, &d)) - late * late / n;
+}
+
+/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon.
+   epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest
+   x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for
+   alpha = 1. Both are right to O(epsilon^4). mass is in kg; the fields mass, method, reactive and a1 to a3 of the
+   oscillator do not matter. Returns VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE for numbers that are infinite or
+   NaN, VM_BAD_MASS for mass <= 0, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, and VM_NO_LAW where there is no
+   limit cycle, that is unless feed and c have the same sign. An error leaves *cycle untouched. */
+VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_real mass, vm_vdp_cycle *cycle)
+{
+    vmi_ripple r;
+    vmi_vdp_ripple ripple;
+    vm_vdp_cycle result;
+    vm_real A, W, kx, kw, numbers[3];
+    int status;
+    if (!v || !cycle) return VM_BAD_ARGUMENT;
+    status = vmi_vdp_check(v);
+    if (!VM_IS_FINITE(mass)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (!(mass > 0)) status = vmi_first_error(status, VM_BAD_MASS);
+    if (status) return status;
+    if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
+    vmi_ripple_init(&r, v->alpha, ateb_pi(v->alpha));
+    vmi_ripple_complete(&r);
+    vmi_vdp_ripple_init(&ripple, &r);
+    vmi_vdp_cycle_coefficients(&ripple, &r, &kx, &kw);
+    A = VM_SQRT(v->feed / v->c / -ripple.F);
+    W = vmi_slow_rate(A, v->k, mass, v->alpha);
+    result.epsilon = v->feed / mass / W;
+    result.largest_x = A * (1 + kx * result.epsilon * result.epsilon);
+    result.period = 2 * r.pi / (W * (1 + kw * result.epsilon * result.epsilon));
+    result.stable = v->c > 0;
+    numbers[0] = result.largest_x;
+    numbers[1] = result.period;
+    numbers[2] = result.epsilon;
+    if (!vmi_all_finite(3, numbers)) return VM_NOT_FINITE;
+    *cycle = result;
     return VM_OK;
 }
 
