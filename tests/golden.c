@@ -206,6 +206,7 @@ int main(void)
     RUN(oscillators);
     RUN(routes);
     RUN(slow);
+    RUN(van_der_pol);
     RUN(resonance);
     RUN(scenes_on_a_line);
     RUN(scenes_in_the_plane);

@@ -89,6 +89,15 @@ static inline vm_osc_plan a_plan(void)
     return plan;
 }
 
+static inline vm_vdp_plan a_vdp_plan(void)
+{
+    const vm_vdp v = a_vdp();
+    vm_vdp_plan plan;
+    memset(&plan, 0, sizeof plan);
+    vm_vdp_plan_init(&plan, &v, 1, 0);
+    return plan;
+}
+
 static vm_power_force soft_force = {3, 1};
 
 /* ---- Callbacks ---- */
