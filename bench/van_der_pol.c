@@ -45,7 +45,7 @@ static start case_of(int i, double alpha, double e)
     s.v.reactive = 1;
     s.v.mass = vm_law_linear(1, 0);
     check(vm_vdp_init(&s.v));
-    check(vm_vdp_cycle_of(&s.v, 1, &cycle));
+    check(vm_vdp_cycle_of(&s.v, &cycle));
     if (share[i] > 0) A = share[i] * vm_vdp_limit_cycle(&s.v, 0, NULL);
     if (i == 2 || i == 3) s.v.mass = vm_law_linear(1, e);
     if (i == 3 || i == 4) s.v.reactive = 0;

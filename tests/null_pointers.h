@@ -349,7 +349,7 @@ static void null_van_der_pol(void)
     STATUS(2, vm_vdp_plan_by_route(IN(0, vm_vdp_plan, &p), VM_ROUTE_RK87, 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_vdp_plan_within(IN(0, vm_vdp_plan, &p), 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_vdp_within(IN(0, vm_vdp, &v), 1, 0, 1, 0, X(1, vm_osc_motion)));
-    STATUS(2, vm_vdp_cycle_of(IN(0, vm_vdp, &v), 1, X(1, vm_vdp_cycle)));
+    STATUS(2, vm_vdp_cycle_of(IN(0, vm_vdp, &v), X(1, vm_vdp_cycle)));
 }
 
 static void null_laval(void)

@@ -233,21 +233,21 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
 /* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon.
    epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest
    x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for
-   alpha = 1. Both are right to O(epsilon^4). mass is in kg; the fields mass, method, reactive and a1 to a3 of the
-   oscillator do not matter. Returns VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE for numbers that are infinite or
-   NaN, VM_BAD_MASS for mass <= 0, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, and VM_NO_LAW where there is no
-   limit cycle, that is unless feed and c have the same sign. An error leaves *cycle untouched. */
-VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_real mass, vm_vdp_cycle *cycle)
+   alpha = 1. Both are right to O(epsilon^4). The mass is that of the law v->mass at t = 0; the fields method, reactive and
+   a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor
+   made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
+   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle,
+   that is unless feed and c have the same sign. An error leaves *cycle untouched. */
+VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;
     vmi_vdp_ripple ripple;
     vm_vdp_cycle result;
-    vm_real A, W, kx, kw, numbers[3];
+    vm_real mass, mass_rate, A, W, kx, kw, numbers[3];
     int status;
-    if (!v || !cycle) return VM_BAD_ARGUMENT;
-    status = vmi_vdp_check(v);
-    if (!VM_IS_FINITE(mass)) status = vmi_first_error(status, VM_NOT_FINITE);
-    if (!(mass > 0)) status = vmi_first_error(status, VM_BAD_MASS);
+    if (!v || !cycle || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
+    status = vmi_first_error(vmi_vdp_check(v), vmi_law_check(&v->mass, VM_BAD_MASS, 0));
+    if (!status) status = vmi_law_at(&v->mass, VM_BAD_MASS, 0, &mass, &mass_rate);
     if (status) return status;
     if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
     vmi_ripple_init(&r, v->alpha, ateb_pi(v->alpha));

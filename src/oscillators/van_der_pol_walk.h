@@ -218,8 +218,8 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 /* Plan for many values of the motion of a Van der Pol oscillator with position x, m, and velocity x_rate, m/s, at t = 0.
    vm_vdp_plan_by_route and vm_vdp_plan_within use the plan. The fields method and a1 to a3 of the oscillator do not
    matter. The oscillator is copied; the tables and contexts of its mass must outlive the plan. Errors leave the plan
-   untouched. Returns VM_BAD_ARGUMENT for null pointers and for a mass that no constructor made, VM_NOT_FINITE for
-   numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table,
+   untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made,
+   VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table,
    VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function
    that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
@@ -227,7 +227,7 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
     vm_vdp_plan plan;
     vm_osc_problem o;
     int status;
-    if (!p || !v) return VM_BAD_ARGUMENT;
+    if (!p || !v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     o.alpha = v->alpha;
     o.mass = v->mass;
     o.stiffness = vm_law_linear(v->k, 0);

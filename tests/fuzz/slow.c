@@ -82,7 +82,7 @@ static void check_van_der_pol_law(void)
     v.reactive = MOSTLY(draw_in(0, 1));
     v.mass = draw_mass();
     STAIN(cycle);
-    status = vm_vdp_cycle_of(&v, v.mass.f0, &cycle);
+    status = vm_vdp_cycle_of(&v, &cycle);
     if (status) HOLDS(status < 0 && UNTOUCHED(cycle));
     else HOLDS(is_finite(cycle.largest_x) && is_finite(cycle.period) && cycle.stable == (v.c > 0));
     STAIN(plan);

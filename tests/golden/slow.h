@@ -307,7 +307,7 @@ static void golden_van_der_pol(void)
         fold_motion(&m);
         fold_int(vm_vdp_within(&v, x, 0, t, VM_C(0.01), &m));
         fold_motion(&m);
-        fold_int(vm_vdp_cycle_of(&v, mass[0], &cycle));
+        fold_int(vm_vdp_cycle_of(&v, &cycle));
         fold(cycle.largest_x);
         fold(cycle.period);
         fold(cycle.epsilon);
