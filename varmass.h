@@ -295,7 +295,7 @@
        vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
 
      oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator along any slow law of its mass
-       vm_vdp_plan_init               Plan for many values of the motion of a Van der Pol oscillator with position x, m, and velocity x_rate, m/s, at t = 0
+       vm_vdp_plan_init               Plan for many values of the motion of a Van der Pol oscillator
 
      oscillators/van_der_pol_routes: the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
        vm_vdp_plan_by_route           Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan
@@ -11610,7 +11610,8 @@ VM_API void vmi_vdp_find_constants(vmi_vdp_ripple *v, const vmi_ripple *r)
     const vm_real g11 = n * m6 / (alpha + 15);
     const vm_real H = (alpha + 3) / 8 * (g11 - n * m2 * m4 / (alpha + 7));
     const vm_real Z = q * q * (v->mean_square - n / 4 * (m6 - m2 * m4) + g11);
-    const vm_real Y = q * q * (-n / 6 * (m8 - m2 * m6) + n / 4 * m2 * (m6 - m2 * m4) + n * m8 / (alpha + 19) - m2 * g11);
+    const vm_real y = -n / 6 * (m8 - m2 * m6) + n / 4 * m2 * (m6 - m2 * m4) + n * m8 / (alpha + 19) - m2 * g11;
+    const vm_real Y = q * q * y;
     v->F = -q * m2;
     v->K2 = g * (1 - 2 * g) / 2 * Z + (1 - 2 * g) * H - g11;
     v->K3 = -(1 - 2 * g) * (v->F * H + Y / 2) - v->F * g11 - (alpha + 3) * n * m8 / ((alpha + 7) * (alpha + 19));
@@ -11844,7 +11845,7 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *
     return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
 }
 
-/* Writes |E_k| = |G_k|/W^(k+2), see oscillators/expansion.h. They belong to the oscillator without its limiting term. */
+/* Writes |E_k| = |G_k|/W^(k+2), see oscillators/expansion.h. They belong to the oscillator without its term in c. */
 VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
 {
     int i;
@@ -11945,13 +11946,13 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
     return VM_OK;
 }
 
-/* Plan for many values of the motion of a Van der Pol oscillator with position x, m, and velocity x_rate, m/s, at t = 0.
-   vm_vdp_plan_by_route and vm_vdp_plan_within use the plan. The fields method and a1 to a3 of the oscillator do not
-   matter. The oscillator is copied; the tables and contexts of its mass must outlive the plan. Errors leave the plan
-   untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made,
-   VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table,
-   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function
-   that fails. */
+/* Plan for many values of the motion of a Van der Pol oscillator.
+   x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the plan. The fields
+   method and a1 to a3 of the oscillator do not matter. The oscillator is copied; the tables and contexts of its mass
+   must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method,
+   and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that
+   is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, a table out of order or
+   without t = 0, or a user's function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
@@ -12453,13 +12454,13 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
 }
 
 /* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon.
-   epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest
-   x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for
-   alpha = 1. Both are right to O(epsilon^4). The mass is that of the law v->mass at t = 0; the fields method, reactive and
-   a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor
-   made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
-   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle,
-   that is unless feed and c have the same sign. An error leaves *cycle untouched. */
+   epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the
+   largest x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16
+   for alpha = 1. Both are right to O(epsilon^4). The mass is that of the law v->mass at t = 0; the fields method,
+   reactive and a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
+   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
+   cycle, that is unless feed and c have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;

@@ -195,7 +195,8 @@ VM_API void vmi_vdp_find_constants(vmi_vdp_ripple *v, const vmi_ripple *r)
     const vm_real g11 = n * m6 / (alpha + 15);
     const vm_real H = (alpha + 3) / 8 * (g11 - n * m2 * m4 / (alpha + 7));
     const vm_real Z = q * q * (v->mean_square - n / 4 * (m6 - m2 * m4) + g11);
-    const vm_real Y = q * q * (-n / 6 * (m8 - m2 * m6) + n / 4 * m2 * (m6 - m2 * m4) + n * m8 / (alpha + 19) - m2 * g11);
+    const vm_real y = -n / 6 * (m8 - m2 * m6) + n / 4 * m2 * (m6 - m2 * m4) + n * m8 / (alpha + 19) - m2 * g11;
+    const vm_real Y = q * q * y;
     v->F = -q * m2;
     v->K2 = g * (1 - 2 * g) / 2 * Z + (1 - 2 * g) * H - g11;
     v->K3 = -(1 - 2 * g) * (v->F * H + Y / 2) - v->F * g11 - (alpha + 3) * n * m8 / ((alpha + 7) * (alpha + 19));

@@ -114,7 +114,7 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *
     return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
 }
 
-/* Writes |E_k| = |G_k|/W^(k+2), see oscillators/expansion.h. They belong to the oscillator without its limiting term. */
+/* Writes |E_k| = |G_k|/W^(k+2), see oscillators/expansion.h. They belong to the oscillator without its term in c. */
 VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
 {
     int i;
@@ -215,13 +215,13 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
     return VM_OK;
 }
 
-/* Plan for many values of the motion of a Van der Pol oscillator with position x, m, and velocity x_rate, m/s, at t = 0.
-   vm_vdp_plan_by_route and vm_vdp_plan_within use the plan. The fields method and a1 to a3 of the oscillator do not
-   matter. The oscillator is copied; the tables and contexts of its mass must outlive the plan. Errors leave the plan
-   untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made,
-   VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table,
-   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function
-   that fails. */
+/* Plan for many values of the motion of a Van der Pol oscillator.
+   x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the plan. The fields
+   method and a1 to a3 of the oscillator do not matter. The oscillator is copied; the tables and contexts of its mass
+   must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method,
+   and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that
+   is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, a table out of order or
+   without t = 0, or a user's function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
