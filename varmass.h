@@ -11762,7 +11762,7 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
    last phase before the point at which sa or ca is 0 to the first one after it.
        vm_vdp_plan plan;
        vmi_vdp_mean mean;
-       int status = vm_vdp_plan_init(&plan, &v, VM_C(0.3), 0); // v is a vm_vdp; x = 0.3 m, x' = 0 at t = 0
+       int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
        if (!status) status = vmi_vdp_mean_at(&plan, 100, &mean); // mean.ln_A, mean.psi
    Tests: tests/test_van_der_pol_law.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
@@ -11947,12 +11947,12 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 }
 
 /* Plan for many values of the motion of a Van der Pol oscillator.
-   x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the plan. The fields
-   method and a1 to a3 of the oscillator do not matter. The oscillator is copied; the tables and contexts of its mass
-   must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method,
-   and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that
-   is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, a table out of order or
-   without t = 0, or a user's function that fails. */
+   x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
+   plan. The fields method and a1 to a3 of the oscillator do not matter. The oscillator is copied; the tables and
+   contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
+   pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN,
+   VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for
+   alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
