@@ -254,14 +254,14 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
    High speed or a position far from the origin costs no digits of omega, because only motions relative to the whole are
    added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
-   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment below
-   this error becomes 0.
+   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment below this
+   error becomes 0.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
-   equations demand angular momentum about an axis without inertia, which *rest cannot have. *rest then
-   turns about it as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that
-   of the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an
-   inertia if the part cannot have been in the whole. */
+   equations demand angular momentum about an axis without inertia, which *rest cannot have. *rest then turns about it
+   as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of
+   the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
+   if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
