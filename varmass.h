@@ -113,7 +113,7 @@
      mechanics/bodies2: momentum and energy of bodies in the plane, and their conversion to bodies in space
        vm_angular_momentum2           Angular momentum of a body of the plane about the point (x, y), N m s
        vm_kinetic_energy2             Kinetic energy of a body of the plane, J
-       vm_body_from_body2             A body of the plane as a lamina of space in the plane z = 0
+       vm_body_from_body2             Converts a body of the plane to a body of space
 
      mechanics/jumps: parts separate from a body or are attached to it, in space
        vm_separate                    Separation of a part from a body
@@ -129,10 +129,10 @@
        vm_separate_all2               Separation of n parts from a body at once, in the plane
        vm_attach_all2                 Attachment of n bodies to a body at once, in the plane
 
-     mechanics/relative: motion relative to a moving body, and jumps given in such motions
-       vm_to_relative                 Motion of a body relative to the frame that moves rigidly with the body `to`
+     mechanics/relative: motion relative to a moving body, and jumps given by relative motions
+       vm_to_relative                 Motion of a body relative to the frame that moves and turns with the body `to`
        vm_to_absolute                 Computes the absolute motion of a body from its motion relative to the body `to`
-       vm_to_relative2                Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`
+       vm_to_relative2                Motion of a body in the plane, relative to the frame that moves and turns with the body `to`
        vm_to_absolute2                Computes the absolute plane motion of a body from its motion relative to the body `to`
        vm_separate_relative           Separation, with motions given relative to the whole
        vm_attach_relative             Attachment, with motions given relative to the first body
@@ -142,7 +142,7 @@
      mechanics/inverse: how a part must leave, so that the rest moves as wanted
        vm_separation_for_rest         How a part must leave, so that the rest moves as wanted
        vm_separation_for_rest2        How a part must leave in the plane, so that the rest moves as wanted
-       vm_separation_for_spin2        Velocity of a part that leaves the rest with a wanted spin, in the plane (Table 3, case 7)
+       vm_separation_for_spin2        Velocity that a part must have in the plane, so that the rest turns with rest_omega (Table 3, case 7)
 
      mechanics/jump_energy: the kinetic energy that a jump adds or takes
        vm_energy_gain                 Energy gained at a separation, J
@@ -174,7 +174,7 @@
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
        vm_lagrange_mass               Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
-       vm_lagrange_momentum           Add to p the generalized momentum of a body's motion
+       vm_lagrange_momentum           Add to p the generalized momentum of a body that has the velocity body->v and the angular velocity body->omega
        vm_lagrange_impulse            Add to p the generalized impulse (95) of an impulse on a body with the mass centre r
        vm_lagrange_separate           Velocities after a part separates
        vm_lagrange_attach             Velocities after a part is attached
@@ -239,7 +239,7 @@
        vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
 
      mechanics/euler_angles: Euler's angles
-       vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
+       vm_euler_313                   Attitude from Euler's angles
        vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
        vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
        vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
@@ -1148,29 +1148,29 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 
 #endif
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
-   The two types, vm_vec3 and vm_quat, are plain data. A quaternion turns body axes into inertial ones. Its length does
-   not matter, and a quaternion of four zeros stands for the identity.
+   The two types, vm_vec3 and vm_quat, are plain data. A quaternion describes the attitude of a body: it converts
+   components of vectors along body axes into components along inertial axes. Its length does not matter, and a
+   quaternion of four zeros stands for the identity.
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions are internal: sums and products of vectors, norms, rotation matrices, and functions that read three
-   or four numbers of a state as a vector or a quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
-   tests/test_torque_free.c. */
+   The functions are internal and do not check their arguments: sums and products, norms, rotation matrices, functions
+   that read vectors and quaternions from arrays or write them. Tests: tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
-/* A vector by its components */
+/* A vector, given by its components */
 typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
 
-/* An attitude: the quaternion w + x i + y j + z k turns body axes into inertial ones. Its length does not matter. */
+/* An attitude: w + x i + y j + z k converts vectors from body axes to inertial axes. Its length does not matter. */
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
 
-/* A 3 by 3 matrix by its columns. The columns of a rotation matrix are the images of the axes x, y, z. */
+/* A 3 by 3 matrix with the columns x, y, z. For a rotation matrix these are the turned unit vectors. */
 typedef struct VM_TAG(vmi_mat3) {
     vm_vec3 x, y, z;
 } vmi_mat3;
@@ -1189,7 +1189,7 @@ VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - 
 VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
 VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/* The vector a/c, with each component rounded once */
+/* The vector a/c. Each component is rounded only once; multiplication by 1/c would round it twice. */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
 VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
@@ -1199,13 +1199,13 @@ VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 
 VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
 
-/* The sum |x| + |y| + |z| of the sizes of a's components */
+/* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of a. It does not overflow if only its square would overflow. */
+/* The length of a. The result is also right if the square of the length would overflow. */
 VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
-/* The largest of the sizes |x|, |y| and |z| of a's components */
+/* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
 {
     const vm_vec3 b = vmi_abs(a);
@@ -1221,7 +1221,7 @@ VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-/* The product of the transposed matrix m^T and the vector a. For a rotation matrix m it undoes the rotation. */
+/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
@@ -1237,7 +1237,7 @@ VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
     return q;
 }
 
-/* The vector of the components x, y, z of q */
+/* The vector that consists of the components x, y, z of q */
 VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
@@ -1268,7 +1268,7 @@ VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
     return q;
 }
 
-/* Divides q by the size of its largest component, so that the square of its length neither overflows nor
+/* Divides q by the absolute value of its largest component, so that the square of its length neither overflows nor
    underflows. Four zeros become the identity. */
 VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
@@ -1290,7 +1290,7 @@ VM_API vm_quat vmi_unit_quat(vm_quat q)
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of q. `square` is the square of q's length: a normal number, not 0, subnormal or infinite. */
+/* The rotation matrix of q. `square`, the square of q's length, must be neither 0 nor subnormal, infinite or NaN. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -1303,15 +1303,14 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* The rotation matrix of a quaternion of any length. It is exactly the identity for (w, 0, 0, 0) and for four
-   zeros. */
+/* The rotation matrix of q, of any length. It is exactly the identity for (w, 0, 0, 0) and for four zeros. */
 VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
 
-/* Reads three numbers of a state as a vector. vmi_set3 writes a vector to a state. */
+/* Reads a vector from three numbers of a state array. vmi_set3 writes a vector to a state array. */
 VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 
 VM_API void vmi_set3(vm_real *y, vm_vec3 a)
@@ -1321,13 +1320,13 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Reads the four numbers w, x, y, z of a quaternion from a state */
+/* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
    A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
-   tells whether a body can have this tensor, moves it to parallel axes (40), and finds principal moments and axes.
+   tests whether a body can have a given tensor, moves it to parallel axes (40), and finds principal moments and axes.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
        vm_vec3 d = {0.5, 0, 0};              // m
@@ -1338,7 +1337,7 @@ VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y
 #ifndef VARMASS_MECHANICS_INERTIA_H
 #define VARMASS_MECHANICS_INERTIA_H
 
-/* A tensor of inertia, given by its entries, in kg m^2. The products of inertia have the sign of the tensor's entries:
+/* A tensor of inertia, given by its entries, in kg m^2. The products of inertia include the minus sign of the tensor:
    xy = -integral of x y dm. */
 typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
@@ -1368,7 +1367,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T, with the unit matrix E. It is the inertia of a unit mass at d about the origin. */
+/* P(d) = |d|^2 E - d d^T, where E is the unit matrix. It is the inertia about the origin of 1 kg at the point d. */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -1381,7 +1380,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-/* The tensor m^T i m: the entries of the tensor i along new axes, which are the columns of the matrix m */
+/* The tensor m^T i m. It has the entries of the tensor i along new axes, which are the columns of the matrix m. */
 VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
@@ -1395,8 +1394,8 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
     return t;
 }
 
-/* For each entry of the tensor m^T i m, the sum of the absolute values of its terms. The rounding error of the entry is
-   a few eps times this sum. */
+/* Returns, for each entry of the tensor m^T i m, the sum of the absolute values of the entry's terms. The rounding
+   error of an entry is a few eps times its sum. */
 VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -1413,10 +1412,10 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
     return vmi_inertia_along(&a, &b);
 }
 
-/* The sum |xx| + |yy| + |zz|, which is the trace if i is the inertia of a body */
+/* The sum |xx| + |yy| + |zz|. It equals the trace if i is the inertia of a body. */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes it there. */
+/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes a tensor to a state array. */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -1439,17 +1438,17 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* The tolerance, in kg m^2, for the rounding errors of an inertia tensor. `i` is this tensor itself. If its entries are
-   sums, `i` may be the tensor of the sizes of their terms (vmi_inertia_sizes) instead. */
+/* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
+   as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
-/* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). The matrix tr(i)/2 E - i, with the
-   unit matrix E, is the integral of r r^T dm and must have no negative eigenvalue. The function adds slack, which
-   exceeds the rounding errors, to the trace tr(i). Then Gaussian elimination must give positive pivots only. */
+/* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
+   (trace tr, unit matrix E) has no negative eigenvalue. The function adds slack to the trace, so that rounding errors
+   do not matter, and tests whether Gaussian elimination gives positive pivots only. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
-    vm_real x, y, z, yz; /* the pivots x, y, z; yz: minus the entry yz of the matrix after one elimination */
+    vm_real x, y, z, yz; /* x, y, z: the pivots; yz: minus the matrix entry yz after the first elimination */
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -1462,15 +1461,15 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 
 /* Test whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
    null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
-   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points are bodies, too. */
+   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
 /* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
-   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). -mass undoes the shift.
-   Returns NaN for a null pointer, and in every entry that depends on a NaN. */
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass goes back
+   to the mass centre. Returns NaN for a null pointer. A NaN in an argument makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1486,8 +1485,8 @@ typedef struct VM_TAG(vmi_principal) {
 } vmi_principal;
 
 /* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
-   The columns of v are the axes and turn as well. t, c, s are the tangent, cosine and sine of the rotation angle, which
-   is the smaller of the two possible ones. */
+   The columns of v are the axes; they are turned by the same angle. t, c and s are the tangent, cosine and sine of this
+   angle. Of the two angles that are possible, the function uses the smaller one. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -1508,10 +1507,10 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes of the tensor i, found by Jacobi rotations, which converge quadratically */
+/* Principal moments and axes of the tensor i. They are found by Jacobi rotations, which converge quadratically. */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
-    const int most_sweeps = 12; /* quadratic convergence needs fewer sweeps */
+    const int most_sweeps = 12; /* more than enough, because convergence is quadratic */
     vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     vmi_principal result;
     int sweep, p, q;
@@ -1557,11 +1556,11 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A computed sum is only a rounding error if it is smaller than this share of the sum of its terms' sizes. */
+/* A sum that is below this share of the sum of its terms' absolute values counts as nothing but a rounding error. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
-/* Returns 1 if a moment about an axis is smaller than the rounding errors of its tensor, and also if it is negative or
-   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sums of the terms' sizes. */
+/* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN. The
+   entries of the tensor are sums. Those of *sizes are the sums of the absolute values of the same terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
@@ -1588,7 +1587,7 @@ VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
     return changed;
 }
 
-/* The angular velocity for the angular momentum h. Components of h along axes with a zero moment are ignored. */
+/* The angular velocity of a body with the angular momentum h. Axes with a zero moment of inertia are left out. */
 VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
@@ -1598,9 +1597,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     return omega;
 }
 
-/* Solves i omega = h, with inertia i and angular momentum h, for the angular velocity *omega, and refines it once.
-   About an axis with zero moment (of a rod or a point) the angular velocity keeps its value in `before`. The body
-   cannot have angular momentum about it: returns 1 if h has a component larger than noise there, else 0. */
+/* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
+   momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
+   can have angular momentum. Returns 1 if the component of h along such an axis exceeds noise, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -1618,13 +1617,13 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 
 /* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
 
-/* The factors of an inertia tensor L D L^T with a unit triangular matrix L and a diagonal matrix D: the entries xy, xz,
-   yz of L, and the diagonal entries x, y, z of the inverse of D */
+/* The factors of an inertia tensor L D L^T. L is a lower triangular matrix with ones on the diagonal; xy, xz, yz are
+   its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of its inverse. */
 typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
-/* Computes the factors f of the tensor i. Returns 0 if a pivot is not positive or is only a rounding error, else 1. */
+/* Computes the factors f of the tensor i. Returns 0 if an entry of D is <= 0 or only a rounding error, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -1640,7 +1639,7 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* The solution w of i w = h, computed from the factors f of the tensor i */
+/* The angular velocity w for the angular momentum h: the solution of i w = h for the tensor i with the factors f */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -1651,18 +1650,18 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
-/* Returns 1 if a thin body can have the inertia i within rounding errors. For a flat body one moment equals the sum of
-   the other two, except for the rounding errors of all integration steps so far. The tolerance, sqrt(eps) of the trace,
-   allows for about 1/sqrt(eps) such errors. */
+/* Returns 1 if a body, perhaps a thin one, can have the inertia i within a tolerance. One moment of a flat body equals
+   the sum of the other two, but the rounding errors of all steps of an integration add up and disturb this equality.
+   The tolerance is sqrt(eps) times the trace, which is enough for about 1/sqrt(eps) steps. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
     return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 
-/* Returns 1 if a body can have the inertia i. The principal moments of i must be positive. This test is for use in
-   every step of an integration. A cheap criterion is enough for most bodies: tr(i)/2 E - i, with the unit matrix E, is
-   positive definite if each of its diagonal entries is larger than the sum of the absolute products of inertia. */
+/* Returns 1 if a body can have the inertia i, which must have positive principal moments. Every step of an integration
+   calls this test, so a cheap condition comes first: tr(i)/2 E - i (trace tr, unit matrix E) is positive definite if
+   each of its diagonal entries exceeds |xy| + |xz| + |yz|. Most bodies fulfil this. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -1693,9 +1692,9 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 typedef struct VM_TAG(vm_body) {
     vm_real mass;       /* mass > 0, kg */
     vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
-    vm_quat q;          /* attitude: turns body axes into inertial ones; any length; four zeros mean the identity */
+    vm_quat q;          /* attitude: converts vectors from body to inertial axes; any length; all zero: identity */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
-    vm_vec3 v;          /* velocity, defined as momentum/mass, m/s, inertial axes */
+    vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
@@ -1723,16 +1722,16 @@ typedef struct VM_TAG(vm_impulse2) {
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* Balance across an instant: the total momentum, angular momentum and energy of the bodies after it minus those before
-   it. The external impulse and its moment are subtracted, too, so that the changes of momentum and angular momentum are
-   zero, except for rounding errors, if the bodies obey the laws of mechanics. */
+/* The balance across an instant: total momentum, angular momentum and energy of the bodies after the instant minus
+   those before it. The external impulse and its moment are subtracted, too. If the bodies obey the laws of mechanics,
+   the changes of momentum and angular momentum are therefore zero, except for rounding errors. */
 typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
     vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
     vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
-    /* The sum over all bodies of tr(I) |omega| + (|r| + |r - about|) M |v|, with inertia I, mass M and the point
-       `about`, plus a term for the impulse, N m s. It contains |r| M |v|, because the rounding error eps |r| of the
-       position r changes the angular momentum about any point by eps |r| M |v|. */
+    /* The rounding error of angular_momentum is a few eps times this scale, N m s. The scale is the sum over all bodies
+       of tr(I) |omega| + (|r| + |r - about|) M |v| plus a term for the impulse; I is the inertia, tr the trace and M
+       the mass. The term |r| M |v| is there because the position r has the rounding error eps |r|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -1755,15 +1754,15 @@ VM_API vm_vec3 vm_momentum(const vm_body *body)
 }
 
 /* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
-   axes, with the inertia I and the mass M. The body is not checked: NaN in the body gives NaN, and so does a null
-   pointer. */
+   axes, with the inertia I, the mass M and the cross product x. The body is not checked: NaN in the body gives NaN, and
+   so does a null pointer. */
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
 }
 
-/* Kinetic energy of a body (93), (97), J. It is (M v^2 + omega.I omega)/2, with the mass M and the inertia I. The
+/* Kinetic energy of a body (93), (97), J. It is (M v.v + omega.(I omega))/2, with the mass M and the inertia I. The
    body is not checked: NaN in the body gives NaN, and so does a null pointer. */
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
@@ -1773,8 +1772,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- conversion of bodies between the plane and space ---- */
 
-/* Converts a body of the plane to a body of space. Only the entry zz of its inertia is set, because motion in the plane
-   needs no other entry. */
+/* Converts a body of the plane to a body of space, with inertial axes as its body axes. Only the entry zz of its
+   inertia is set, because motion in the plane needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -1786,7 +1785,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body of space to one of the plane, with the given angle. Motion out of the plane is left out. */
+/* Converts a body of space to a body of the plane with the given angle. Motion out of the plane is left out. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -1869,8 +1868,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* Returns VM_OK if all bodies are valid. Else returns the error of a body. If there are several errors, vmi_first_error
-   selects one. Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
+/* Returns VM_OK if all bodies are valid, else the error of a body; of several errors, vmi_first_error selects one.
+   Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -1890,7 +1889,7 @@ VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
     return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
 }
 
-/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the scales. */
+/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
@@ -1903,7 +1902,7 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
-/* Subtracts an impulse and its moment from a balance, and adds their sizes to the scales */
+/* Subtracts an impulse and its moment from a balance. Their absolute values are added to the two scales. */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
     sum->momentum = vmi_sub(sum->momentum, j->linear);
@@ -1919,8 +1918,8 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
-/* Balance of momentum, angular momentum and energy across an instant. *balance has the sums over the n_after bodies
-   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
+/* Balance of momentum, angular momentum and energy across an instant. *balance gets the sums over the n_after bodies
+   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If no momentum is lost, the changes of
    momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
    bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
    bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
@@ -1967,8 +1966,9 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
            2;
 }
 
-/* A body of the plane as a lamina of space in the plane z = 0. Its inertia has xx = yy = zz/2, its quaternion q has
-   length 1, and it moves as *body does. *body is not checked. A null pointer gives NaN. */
+/* Converts a body of the plane to a body of space: a thin plate in the plane z = 0. Its inertia has the
+   entries xx = yy = zz/2, its quaternion q has length 1, and it moves as *body does. *body is not checked. A null
+   pointer gives NaN. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1982,13 +1982,13 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 
 #endif
 /* mechanics/jumps.h - parts separate from a body or are attached to it, in space
-   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, by (13)-(15),
-   (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of parts may
-   separate or be attached at once.
+   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, as given by
+   (13)-(15), (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of
+   parts may separate or be attached at once.
 
        vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
-       int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: how the rest moves on
+       int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: `rest` has the motion after the separation
 
    Jumps in the plane are in jumps2.h, and jumps that are given by relative motions in relative.h. The inverse question
    (how must a part leave?) is in inverse.h, and the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c,
@@ -1997,23 +1997,22 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 #define VARMASS_MECHANICS_JUMPS_H
 
 /* How a jump is computed. A body has the mass M, velocity v, inertia I, angular velocity omega, and its mass centre S
-   is at r. Another body (m, v2, I2, omega2, S2) is attached to it (sign = 1) or separates from it (sign = -1). After
-   this the first body has the mass M1 = M + sign m, v1, I1, omega1, and its mass centre S1 is at r1. Every inertia is
-   about its body's own mass centre. The vector d leads from S to S2, and P(d) = |d|^2 E - d d^T with the unit matrix E.
-   An impulse `linear` with the moment `moment` about S1 may act. Then
+   at r. The other body has m, v2, I2, omega2, S2. It is attached to the first body (sign = 1) or separates from it
+   (sign = -1). After the jump the first body has the mass M1 = M + sign m, v1, I1, omega1, and S1 at r1. Each inertia
+   is about the body's own mass centre. The vector d leads from S to S2. x is the cross product, E the unit matrix, and
+   P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
    A separation is therefore an attachment of negative mass and inertia.
 
-   The equations keep this form in a frame that moves and that turns with any angular velocity Omega, if all omegas and
-   v2 - v are taken relative to this frame: (42) in space. The computation uses a frame in which the terms that cancel
-   are small, so that few digits are lost. This frame moves with the heaviest body, and at a separation it turns with
-   the whole. */
+   These equations also hold in a frame that moves, and turns with any angular velocity Omega, if all omegas and v2 - v
+   are taken relative to the frame (42). The code uses a frame in which terms that cancel are small, so that few digits
+   are lost: it moves with the heaviest body, and at a separation it also turns with the whole. */
 enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters named `sign` */
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q;           /* attitude of the first body; inertias are added along its axes */
+    vm_quat q;           /* attitude of the body that the jump changes; inertias are added along its axes */
     vmi_mat3 turn;       /* the rotation matrix of q */
     vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;
@@ -2021,11 +2020,11 @@ typedef struct VM_TAG(vmi_frame) {
 /* A lump: the mass, motion and inertia of a body, or of several bodies joined, relative to the frame of a jump */
 typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
-    vm_vec3 r, v;       /* position and velocity of the mass centre, less r and v of the frame */
+    vm_vec3 r, v;       /* position and velocity of the mass centre, minus r and v of the frame */
     vm_vec3 h;          /* angular momentum about the mass centre, relative to the frame; inertial axes */
     vm_inertia inertia; /* inertia about the lump's mass centre, along the axes given by the frame's q */
-    vm_inertia sizes;   /* for each entry of inertia, the sum of the sizes of its terms */
-    vm_real noise;      /* the sum of the sizes of the terms of h; the rounding error of h is a few eps of noise */
+    vm_inertia sizes;   /* for each entry of inertia, the sum of the absolute values of its terms */
+    vm_real noise;      /* the sum of the absolute values of the terms of h; the error of h is a few eps times noise */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
@@ -2035,7 +2034,7 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
     vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
-    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes turn is exactly the identity */
+    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes `turn` stays the identity */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
         turn.z = vmi_times_transposed(&own, frame->turn.z);
@@ -2050,8 +2049,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets each entry of *sizes so that the rounding error of the
-   entry of P(d) is a few eps of it. The vector d is a difference of positions of the size `reach`. */
+/* Returns P(d) = |d|^2 E - d d^T, with the unit matrix E, along the frame's axes. d is a difference of positions;
+   `reach` holds the sums of their absolute coordinates. The errors of P(d) are a few eps times *sizes. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -2061,7 +2060,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* d^2 + 2 d reach + reach^2; the next line removes reach^2 */
+    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* (|d| + reach)^2; the next line subtracts reach^2 again */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -2069,8 +2068,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much a->noise grows when b joins a: by b->noise and by the sizes of the terms of (reduced mass) d x slip.
-   d leads from a to b, a difference of positions of the size `reach`; slip is b's velocity relative to a. */
+/* Returns how much a->noise grows when b joins or leaves a with the velocity `slip` relative to a: by b->noise and by
+   the absolute values of the terms of reduced d x slip. vmi_join computes d, `reduced` and `reach`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2085,7 +2084,7 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
-    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* mass share of b; reduced mass */
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of mass; reduced mass */
     const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
     const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
@@ -2107,7 +2106,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     return VM_OK;
 }
 
-/* Adds an impulse to the velocity and the angular momentum of the lump a */
+/* Adds the effect of an impulse to the velocity and the angular momentum of the lump a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
     const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
@@ -2168,8 +2167,8 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
     return status;
 }
 
-/* Finds the principal axes of a lump and changes its moments to moments that a body can have exactly. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two, and VM_OK otherwise. */
+/* Finds the principal axes of a lump, and corrects rounding errors that make its moments of inertia impossible. Returns
+   VM_OK, VM_NOT_FINITE, or VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -2179,8 +2178,8 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity, relative to the frame and in inertial axes, of a lump with principal axes p.
-   `before` is this angular velocity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
+/* Sets *omega to the angular velocity, relative to the frame and along inertial axes, of a lump with principal axes p.
+   `before` is the same quantity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
    moment of inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
@@ -2223,21 +2222,22 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains of the whole. *part is the part with its motion after the
-   separation. *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity
-   (34), and the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space:
-   momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
-   be equal to whole or to part.
+/* Separation of a part from a body: *rest is what remains of the whole. *part must have its motion after the
+   separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular velocity (34) of
+   *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation. The law is exact
+   in three dimensions: momentum and angular momentum of rest and part together are those of the whole plus the impulse.
+   The pointer rest may be equal to whole or to part.
 
-   If the part moves on as before the separation, the rest keeps its motion, even if only little inertia is left. The
-   computation adds only motions relative to the whole. Neither high speed nor a position far from the origin therefore
-   costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia, plus the
-   effect of a change of the positions by eps of their size. A principal moment below this error becomes 0.
+   If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
+   High speed or a position far from the origin costs no digits of omega, because only motions relative to the whole are
+   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
+   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment below this
+   error becomes 0.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
-   balance leaves it angular momentum about an axis without inertia, which it cannot have. Its spin about this axis is
-   then that of the whole. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or
-   that of the rest) is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
+   equations demand angular momentum about an axis without inertia, which *rest cannot have. *rest then turns about it
+   as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of
+   the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
    if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
@@ -2246,16 +2246,16 @@ VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impul
 
 /* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). `body` and `added`
    have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has the
-   attitude of `body`. The statuses are those of vm_separate. With VM_NULL_AXIS the whole is a rod or a point, and the
-   spin about its null axis remains that of `body`. */
+   attitude of `body`. The statuses are those of vm_separate. VM_NULL_AXIS means that the whole is a rod or a point that
+   would need angular momentum about an axis without inertia. The spin about this axis remains that of `body`. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
-   vm_separate give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
-   vm_separate, and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of vm_separate
+   in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_separate,
+   and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
@@ -2263,8 +2263,8 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
 }
 
 /* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors, n calls of
-   vm_attach give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_attach,
-   and VM_BAD_ARGUMENT for n < 0. */
+   vm_attach in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
+   vm_attach, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -2283,7 +2283,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Sets *joined and *centre to inertia and mass centre of body a, at 0, after body b, at d, joins or leaves it */
+/* Body b at d joins body a at 0 or leaves it. Sets *joined to the resulting inertia and *centre to the mass centre. */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -2301,8 +2301,8 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
 }
 
 /* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along one
-   set of axes, each about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The result
-   *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
+   set of axes, and each is about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The
+   result *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
    VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
@@ -2322,16 +2322,16 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 #endif
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
    This is jumps.h for the plane, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
-   The code of jumps.h joins the masses. Only the last step, from angular momentum to angular velocity, differs.
+   Functions of jumps.h join the masses. Only the last step, from angular momentum to angular velocity, differs.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
-       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: how the rest moves on
+       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: `rest` has the motion after the separation
 
    Tests: tests/test_jumps2.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS2_H
 #define VARMASS_MECHANICS_JUMPS2_H
 
-/* An impulse in the plane, written as one in space */
+/* Converts an impulse in the plane to an impulse in space */
 VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 {
     vm_impulse lifted;
@@ -2342,7 +2342,7 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 }
 
 /* Sets the moment of inertia of a lump of the plane to 0 if it is smaller than its rounding errors. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
+   VM_NOT_FINITE if the moment is not finite, VM_BAD_INERTIA if it is clearly negative, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -2351,9 +2351,9 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity of a lump relative to the frame, (44). If the lump has no inertia, *omega becomes
-   `before`, the value before the jump. Returns 1 if a lump without inertia has angular momentum, which is impossible,
-   else 0. */
+/* Sets *omega to the angular velocity of a lump relative to the frame of the jump, (44). For a lump without inertia,
+   *omega becomes `before`, which is this angular velocity before the jump. Returns 1 if a lump without inertia has
+   angular momentum, which is impossible, else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
     if (lump->inertia.zz > 0) {
@@ -2420,15 +2420,15 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part is the part with
-   its motion after the separation. The impulse, if there is one, acts during the separation. Momentum and angular
-   momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or
-   to part. The accuracy is that of vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part must have the
+   motion of the part after the separation. The impulse, if there is one, acts during the separation. Momentum and
+   angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to
+   whole or to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the balance
-   leaves it angular momentum about itself, which it cannot have. Its omega is then that of the whole. The errors are
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the rest) is not positive, and
-   VM_BAD_INERTIA if an inertia (or that of the rest) is negative. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the equations
+   demand angular momentum about this point itself, which a point cannot have. rest->omega is then whole->omega. The
+   errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is
+   not positive, and VM_BAD_INERTIA if an inertia, that of the rest included, is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
@@ -2437,26 +2437,26 @@ VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_im
 
 /* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. `body` and
    `added` have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has
-   the angle of `body`. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
-   position, and omega remains that of `body`. */
+   the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one
+   position, and that the impulse would turn them; omega remains that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
     return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n
-   calls of vm_separate2 give the same result. With n = 0 only the impulse acts on the body. The statuses are those
-   of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
+   of vm_separate2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
+   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding
-   errors, n calls of vm_attach2 give the same result. With n = 0 only the impulse acts on the body. The statuses
-   are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors, n
+   calls of vm_attach2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are
+   those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -2464,29 +2464,29 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 }
 
 #endif
-/* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
-   This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
-   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). Use these laws if only the
-   velocity of a part relative to the whole is known.
+/* mechanics/relative.h - motion relative to a moving body, and jumps given by relative motions
+   This chapter gives the motion of one body as seen from another body, in a frame that moves and turns with it (25),
+   (26), (41), and the equations of a jump between such relative motions, (28)-(31), (42)-(44). Use these equations if
+   you know only the velocity of a part relative to the whole.
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
        part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
        part.v.x = part.v.y = part.omega.x = part.omega.y = part.omega.z = 0;
-       part.v.z = 2;                                     // it leaves at 2 m/s, relative to the whole
+       part.v.z = 2;                                     // the part leaves at 2 m/s, relative to the whole
        if (vm_separate_relative(&whole, &part, NULL, &rest) == VM_OK) vm_to_absolute(&whole, &rest, &rest);
 
    Tests: tests/test_relative.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_RELATIVE_H
 #define VARMASS_MECHANICS_RELATIVE_H
 
-/* Velocity at the point r of the frame that moves rigidly with a body. In (25) it is the dragging velocity. */
+/* Velocity of the frame that moves and turns with a body, at the point r. It is called dragging velocity in (25). */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
 }
 
-/* The motion of b relative to the frame that moves rigidly with the body `to`. Nothing is checked. */
+/* The motion of b relative to the frame that moves and turns with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
@@ -2494,7 +2494,7 @@ VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
     return b;
 }
 
-/* The absolute motion of b, whose motion is given relative to the body `to`. Nothing is checked. */
+/* The absolute motion of b, if the motion of b is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
@@ -2520,13 +2520,13 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
     return VM_OK;
 }
 
-/* Motion of a body relative to the frame that moves rigidly with the body `to`. The body has position r, velocity v and
-   angular velocity omega; `to` has r_S, v_S and Omega. v and omega of *relative become
+/* Motion of a body relative to the frame that moves and turns with the body `to`. The body has the position r, velocity
+   v and angular velocity omega; for `to` these are r_S, v_S and Omega. The function replaces v and omega by
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
-   and all other fields are copied. The vectors remain along the inertial axes, and r remains the position from the
-   inertial origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE if a number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses
-   and inertias are not checked further. */
+   and copies all other fields. The vectors remain along the inertial axes, and r remains the position from the inertial
+   origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a
+   number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses and inertias need
+   only be finite. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -2545,7 +2545,7 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`. vx, vy and omega change
+/* Motion of a body in the plane, relative to the frame that moves and turns with the body `to`. vx, vy and omega change
    as in vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
@@ -2569,8 +2569,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump from motions relative to `body`. In its own frame `body` is at rest, and the equations of a jump have
-   the same form as in an inertial frame. */
+/* Computes a jump from and to motions relative to `body`. In its own frame `body` is at rest, and the equations of a
+   jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2581,7 +2581,7 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Computes a jump in the plane from motions relative to `body`, which is at rest in its own frame */
+/* Computes a jump in the plane from and to motions relative to `body`, which is at rest in its own frame */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2592,36 +2592,36 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
     return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of *rest are
-   relative to the whole. v and omega of *whole are not read. Everything else, the statuses included, is as in
-   vm_separate. */
+/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of the result
+   *rest are relative to the whole, so that v and omega of *whole are not read. In all else, the statuses included, the
+   function is like vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of *whole
-   are relative to `body`. v and omega of *body are not read. Everything else, the statuses included, is as in
-   vm_attach. */
+/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of the
+   result *whole are relative to `body`, so that v and omega of *body are not read. In all else, the statuses included,
+   the function is like vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
     return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of *rest are
-   relative to the whole. vx, vy and omega of *whole are not read. Everything else, the statuses included, is as in
-   vm_separate2. */
+/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of the result *rest
+   are relative to the whole, so that vx, vy and omega of *whole are not read. In all else, the statuses included, the
+   function is like vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole are
-   relative to `body`. vx, vy and omega of *body are not read. Everything else, the statuses included, is as in
-   vm_attach2. */
+/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of the result
+   *whole are relative to `body`, so that vx, vy and omega of *body are not read. In all else, the statuses included,
+   the function is like vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
@@ -2642,7 +2642,7 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 #ifndef VARMASS_MECHANICS_INVERSE_H
 #define VARMASS_MECHANICS_INVERSE_H
 
-/* The velocity v2 with which the part must leave so that the rest gets the velocity v1 = rest_v. By (24) it is
+/* The velocity v2 that the part must have so that the rest gets the velocity v1 = rest_v. By (24) it is
    v2 = v + (linear - M1 (v1 - v))/m, with the velocity v of the whole, the impulse `linear`, the mass M1 of the rest
    and the mass m of the part. */
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
@@ -2653,9 +2653,10 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
     return vmi_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* The angular momentum that the part must have relative to the whole so that the rest turns with rest_omega. It is
-   h - I1 (rest_omega - Omega), where Omega is the angular velocity of the whole and I1 the inertia of the rest. h is
-   the angular momentum that the rest has if the part turns with Omega. */
+/* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with rest_omega.
+   It is h - I1 (rest_omega - Omega). Omega is the angular velocity of the whole, and I1 the inertia of the rest. h is
+   the field of *rest: the angular momentum that the rest would have relative to the whole if the part left with the
+   angular velocity Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
     const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
@@ -2663,7 +2664,7 @@ VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *re
 }
 
 /* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
-   The caller has checked the bodies. Only the velocity of the part may be infinite or NaN. */
+   The caller must have checked the bodies, except for the velocity of the part. Returns an error or VM_OK. */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
@@ -2678,8 +2679,8 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* Gives the part the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part would
-   need angular momentum about an axis with zero moment of inertia. */
+/* Sets part->omega to the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part
+   would need angular momentum about an axis with zero moment of inertia, VM_OK, or an error. */
 VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
     vmi_frame own = *frame; /* the frame of the jump, with the axes of the part */
@@ -2700,9 +2701,9 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 }
 
 /* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving becomes a copy of *part
-   with another motion. Its velocity makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity makes the
-   rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the velocity, or the
-   angular velocity, of *part.
+   with another motion. The velocity of *moving makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity
+   makes the rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the
+   velocity, or the angular velocity, of *part.
      - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, cases 5 and 7; Table 4, case 2).
      - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
      - If both have the values of the whole, the rest moves on as the whole did (Table 3, case 7).
@@ -2735,7 +2736,7 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
 
 /* ---- the plane ---- */
 
-/* Sets vx and vy of *part, in the plane, to the velocity that gives the rest the velocity rest_v */
+/* Sets vx and vy of *part to the velocity that the part must have so that the rest moves at rest_v, in the plane */
 VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
                            vm_body2 *part)
 {
@@ -2764,8 +2765,8 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
 
-/* Gives the part, in the plane, the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if
-   the part is a point but would need angular momentum about itself. */
+/* Sets part->omega, in the plane, to the angular velocity that makes the rest turn with rest_omega. Returns
+   VM_NULL_AXIS if the part is a point but would need angular momentum about itself, else VM_OK. */
 VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
                           vm_body2 *part)
 {
@@ -2781,10 +2782,10 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
 }
 
 /* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving becomes a
-   copy of *part with another motion. Its velocity makes the rest move at (rest_v_or_NULL[0], rest_v_or_NULL[1]), in m/s
-   along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in rad/s. If one of these two
-   pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The statuses are those of
-   vm_separation_for_rest. */
+   copy of *part with another motion. The velocity of *moving makes the rest move at (rest_v_or_NULL[0],
+   rest_v_or_NULL[1]), in m/s along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in
+   rad/s. If one of these two pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The
+   statuses are those of vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)
@@ -2810,11 +2811,12 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of a part that leaves the rest with a wanted spin, in the plane (Table 3, case 7). The rest then turns with
-   rest_omega (rad/s), while the part keeps its own spin. S and S2 are the mass centres of whole and part. The velocity
-   of *moving relative to the whole, v_r, is the smallest that causes this spin. v_r is orthogonal to the line SS2; any
-   velocity along SS2 may be added to it. The velocity in *part is not read. Returns VM_SINGULAR if S and S2 are one
-   point, so that no velocity turns the rest. The other statuses are those of vm_separate2. */
+/* Velocity that a part must have in the plane, so that the rest turns with rest_omega (Table 3, case 7). rest_omega is
+   in rad/s. *moving becomes a copy of *part with the new velocity; the velocity in *part is not read. The part keeps
+   its angular velocity. Let S and S2 be the mass centres of whole and part, and v_r the velocity of *moving relative to
+   the turning whole. Only the component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal
+   to SS2. Returns VM_SINGULAR if S and S2 are one point, so that no velocity turns the rest. The other statuses are
+   those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -2829,16 +2831,16 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     b = *part;
     dx = b.x - whole->x; /* the vector SS2 */
     dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy; /* first v_r = 0: the part moves as the whole does */
+    b.vx = whole->vx - whole->omega * dy; /* at first v_r = 0: the part moves as if it were fixed to the whole */
     b.vy = whole->vy + whole->omega * dx;
     parts = vmi_bodies_in_plane(1, &b);
     status = vmi_check_jump2(whole, &parts, external_or_NULL);
     if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
-    /* The velocity v_r = c k x SS2 must supply the angular momentum h that the spins of part and rest do not account
-       for. v_r supplies m M/M1 SS2 x v_r. M, m, M1 are the masses of whole, part and rest; k is the unit vector along
-       z. */
+    /* h is the angular momentum, relative to the turning whole, that is still missing after the angular velocities of
+       part and rest are set. The velocity v_r = c k x SS2 of the part must supply it: m M/M1 SS2 x v_r = h k. M, m and
+       M1 are the masses of whole, part and rest; k is the unit vector along z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
     b.vx -= c * dy;
@@ -2851,7 +2853,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #endif
 /* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
    Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds, and an
-   attachment takes, the kinetic energy of the motions relative to the whole: (113), (118), Carnot's theorem.
+   attachment takes, the kinetic energy that the bodies have relative to the whole: (113), (118), Carnot's theorem.
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -2861,8 +2863,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #ifndef VARMASS_MECHANICS_JUMP_ENERGY_H
 #define VARMASS_MECHANICS_JUMP_ENERGY_H
 
-/* The sum of the kinetic energies of the n `bodies` and of one_more in their motions relative to `whole`. Returns NaN
-   for a null pointer or n < 0. */
+/* The sum of the kinetic energies that the n `bodies` and `one_more` have in their motions relative to `whole`. Returns
+   NaN for a null pointer or n < 0. */
 VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
@@ -2877,8 +2879,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     return sum + vm_kinetic_energy(&b);
 }
 
-/* Work of an impulse on a body, J: v.linear + omega.moment, with the moment about the mass centre. Returns 0 for a null
-   pointer. */
+/* Work of an impulse on a body, J: v.linear + omega.moment. v and omega are the velocity and angular velocity of the
+   body; the moment of the impulse is taken about its mass centre. Returns 0 for a null pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -2887,18 +2889,18 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
-/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113), (118).
-   It is computed as the kinetic energy of their motions relative to the whole, plus the work of the impulse on the
-   whole. This holds exactly in space. At high speed it keeps digits that the difference of the energies loses. `whole`
-   is the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
+/* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
+   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the impulse on the whole. The
+   two are exactly equal, but the difference of energies loses digits at high speed. `whole` is the body before the
+   separation; `parts` and `rest` are the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
     return vmi_relative_energy(whole, n, parts, rest) + vmi_impulse_work(whole, external_or_NULL);
 }
 
-/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` less that of the whole
-   (Carnot's loss). It is computed as the kinetic energy of their motions relative to the whole, less the work of the
+/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` minus that of the whole
+   (Carnot's loss). It is computed as the kinetic energy of these bodies relative to the whole, minus the work of the
    impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it. Returns
    NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
@@ -3762,8 +3764,8 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #endif
 /* mechanics/generalized_force.h - generalized forces of forces and moments
 
-   This chapter turns a force and a moment into generalized forces (235). Lagrange's equations (mechanics/lagrange.h)
-   need them, and so do jumps (mechanics/lagrange_jump.h), where the "forces" are momenta and impulses.
+   This chapter computes the generalized forces (235) of a force and a moment, for Lagrange's equations (lagrange.h).
+   With momenta and impulses in place of forces and moments it serves jumps, too (lagrange_jump.h).
 
        vm_vec3 weight = {0, 0, VM_C(-9.8)}, no_moment = {0, 0, 0};
        vm_vec3 dr[1] = {{0, 0, 1}}; // dr/dq_0 of the point at which the weight acts
@@ -3774,14 +3776,14 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
-/* Add the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235). dr_or_NULL[i]
+/* Add the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235). dr_or_NULL[i]
    is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
    domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
    These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
 
-   External loads are given by their resultant and their moment about r. A stream with the mass rate M' is given by the
-   force M' u at the point where the mass enters or leaves with the velocity u, and by the moment M' kappa omega2. kappa
-   is the inertia of this mass per unit mass, and omega2 is its angular velocity. */
+   External loads are given by their resultant force and their moment about r. A stream with the mass rate M' (kg/s),
+   the velocity u and the angular velocity omega2 is given by the force M' u at the point where the mass enters or
+   leaves, and by the moment M' kappa omega2. kappa is the inertia of this mass per unit mass. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
@@ -3799,13 +3801,13 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 /* mechanics/lagrange_jump.h - Lagrange's equations across a jump
 
    This chapter computes generalized velocities qdot after a part separates from a system or is attached to it in an
-   instant (96), and after an impact. A mass matrix is an array of n n numbers, row after row. Velocities, momenta and
-   impulses are arrays of n numbers. The matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i and
-   turn[i] = domega/dqdot_i, (87)-(90). Here v is the velocity of the mass centre and omega the angular velocity, both
-   along inertial axes.
+   instant (96), and after an impact. A mass matrix is an array of n*n numbers, row after row. Velocities, momenta and
+   impulses are arrays of n numbers. For rigid bodies, vm_lagrange_mass and vm_lagrange_momentum compute matrices and
+   momenta from dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i, (87)-(90). v is the velocity of the mass centre and
+   omega the angular velocity, both along inertial axes.
 
        vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
-       vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // the part's momenta, and the velocities
+       vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // momenta of the part, velocities of the system
        vm_real work[VM_LAGRANGE_WORK(2)];
        int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
@@ -3816,13 +3818,13 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 
 #include <string.h>
 
-/* Length of the array `work` for n coordinates */
+/* Length of the array `work` for n generalized velocities */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
 /* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
-   dr and turn have n vectors: dr[i] = dv/dqdot_i, turn[i] = domega/dqdot_i, with the velocity v of the body's mass
-   centre and its angular velocity omega. If dr or turn is NULL, its term is 0. If body or matrix is NULL, nothing is
-   done. */
+   dr and turn have n vectors: dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i. v is the velocity of the body's mass
+   centre, and omega the body's angular velocity. If dr or turn is NULL, its term is 0. If body or matrix is NULL,
+   nothing is done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -3844,7 +3846,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Add to p the generalized momentum of a body's motion.
+/* Add to p the generalized momentum of a body that has the velocity body->v and the angular velocity body->omega.
    p has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is
    NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
@@ -3855,9 +3857,9 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 }
 
 /* Add to p the generalized impulse (95) of an impulse on a body with the mass centre r.
-   r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. p has
-   n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is NULL,
-   nothing is done. */
+   r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not name the point. p
+   has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is
+   NULL, nothing is done. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -3866,8 +3868,8 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
-/* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: space for a copy of the matrix, then b, which the
-   caller has set, then space for n more numbers. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
+/* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: n*n numbers of space for a copy of the matrix, the n
+   numbers of b, which the caller has set, and n numbers of space. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
 VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
                                    vm_real *work)
 {
@@ -3881,8 +3883,8 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
 }
 
 /* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign*part + impulse, where `before` and `after` are mass
-   matrices. The unknown is the change of qdot. A part of little mass changes qdot little, and the error is small
-   compared with this change. */
+   matrices. The unknown is the change qdot_after - qdot. A part of little mass causes a small change, and the error is
+   small even compared with this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
@@ -3900,14 +3902,15 @@ VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after,
 }
 
 /* Velocities after a part separates: after*qdot_after = before*qdot - part + impulse (96).
-   (96) is d(T2 - T1)/dqdot = impulse, with the kinetic energies T1 before and T2 after the separation. The velocity of
-   the part relative to the body is constant in the derivative. The term of the part is therefore its generalized
-   momentum `part`. `before` and `after` are the mass matrices with and without the part. If part or impulse is NULL,
-   its term is 0. qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot
-   little, and this change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0,
-   VM_NOT_FINITE, VM_SINGULAR if a coordinate, or several together, move no mass or a negative one, and VM_OK otherwise.
-   The matrix counts as singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps
-   after the diagonal has been scaled to 1. */
+   `before` and `after` are the mass matrices with and without the part; `part` is the generalized momentum of the part
+   after the separation. (96) is d(T2 - T1)/dqdot = impulse, where T1 and T2 are the kinetic energies of rest and part
+   together before and after the separation. The velocity of the part relative to the body is held constant in this
+   derivative, so that the part adds the array `part` to dT2/dqdot. If part or impulse is NULL, its term is 0.
+   qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot little, and this
+   change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0, VM_NOT_FINITE, VM_SINGULAR
+   if some change of the coordinates moves no mass or a negative mass, and VM_OK otherwise. The matrix counts as
+   singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps after the diagonal
+   has been scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -3926,9 +3929,10 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
 }
 
 /* Velocities after an impact that changes no mass: matrix*(qdot_after - qdot) = impulse.
-   This function also computes a separation accurately if the part is nearly the whole body. Then `matrix` is the mass
-   matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. The
-   array sizes, the statuses and `work` are those of vm_lagrange_separate, but impulse must not be NULL. */
+   If a part separates that is nearly the whole body, this function is more accurate than vm_lagrange_separate. Then
+   `matrix` is the mass matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion
+   relative to the body. The array sizes, the statuses and `work` are those of vm_lagrange_separate, but impulse must
+   not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {
@@ -3954,9 +3958,9 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
 
 /* How the angle of a pendulum is measured */
 enum {
-    VM_AXES_COS_SIN = 0, /* the rod is along (cos, sin) of the angle, which is measured counterclockwise from x; the
-                            formulas (122), (125), (132) need this choice */
-    VM_AXES_SIN_COS = 1  /* the rod is along (sin, cos) of the angle (123), which is measured clockwise from y */
+    VM_AXES_COS_SIN = 0, /* the rod lies along (cos phi, sin phi), so that its angle phi is counted counterclockwise
+                            from the x axis; the formulas (122), (125), (132) need this choice */
+    VM_AXES_SIN_COS = 1  /* the rod lies along (sin phi, cos phi) (123): phi is counted clockwise from the y axis */
 };
 
 /* A uniform rod that swings about its end O, the origin */
@@ -3968,14 +3972,14 @@ typedef struct VM_TAG(vm_pendulum) {
     int axes;       /* VM_AXES_COS_SIN or VM_AXES_SIN_COS */
 } vm_pendulum;
 
-/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the remaining rod (the rest) and of the
-   part. */
+/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the remaining rod (the field `rest`) and
+   of the part. */
 typedef struct VM_TAG(vm_pendulum_cut) {
     vm_pendulum rest; /* the remaining rod; rest.rate is its angular velocity phi1' after the cut (125) */
     vm_real mass;     /* mass m of the part, kg */
     vm_real x, y;     /* position of the part's mass centre S2 (123), m */
     vm_real vx, vy;   /* velocity of the part's mass centre S2 (121), m/s */
-    vm_real rate;     /* angular velocity of the part: the rod's phi' before the cut plus Omega, rad/s */
+    vm_real rate;     /* angular velocity of the part: phi' of the rod before the cut plus Omega, rad/s */
     vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
     vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
@@ -3996,8 +4000,8 @@ VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
     return VM_OK;
 }
 
-/* Unit vectors of a pendulum: e points from O along the rod, f across the rod in the direction in which the angle
-   grows. */
+/* Unit vectors of a pendulum: e = (ex, ey) points from O along the rod. f = (fx, fy) is orthogonal to e and points in
+   the direction in which the angle grows. */
 VM_API void vmi_pendulum_directions(const vm_pendulum *p, vm_real *ex, vm_real *ey, vm_real *fx, vm_real *fy)
 {
     if (p->axes == VM_AXES_COS_SIN) {
@@ -4019,12 +4023,14 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
 }
 
 /* Motion of a pendulum and of the part that is cut off from it, (119)-(132).
-   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod,
-   positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's mass
-   centre (x, y) relative to the rod, along the axes x, y of the pendulum. The remaining rod then turns with
-     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for VM_AXES_COS_SIN, else s = -1.
-   This is (125), (132) corrected and simplified by hand, so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
-   pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
+   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is the angular velocity of the part relative to the
+   rod, positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's
+   mass centre S2 relative to the rod, along the axes x and y. Let rho = L - l/2 be the distance from O to S2. Let
+   `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows.
+   The angular velocities phi' of the rod before the cut and phi1' of the remaining rod after the cut obey
+     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 rho across).
+   This is (125), (132), corrected, and simplified so that no digits cancel. Returns VM_BAD_ARGUMENT for a null pointer
+   and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
    otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
@@ -4040,7 +4046,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     rho = pendulum->length - part / 2; /* distance from O to the part's mass centre S2 */
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
-    across = ux * fx + uy * fy; /* relative velocity across the rod; rho across is s (x u_y - y u_x) */
+    across = ux * fx + uy * fy; /* component of the relative velocity orthogonal to the rod */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
@@ -4058,7 +4064,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* change of the total momentum by the cut */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* total momentum after the cut minus before it */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
@@ -5160,16 +5166,17 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 
        vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
        vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
-       vm_real rates[4];          // w', x', y', z' of q
+       vm_real rates[4];          // w', x', y', z' of q, the derivatives with respect to time
        vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
 
    Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
 
-/* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
-   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1, but
-   more slowly than the body rotates. Therefore it does not make the equations of a slow rotation stiff. */
+/* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
+   velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
+   length 1, but errors of an integration change its length. The second term lets the length return to 1. It acts more
+   slowly than the body rotates, so that it does not make the equations of a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
@@ -6525,14 +6532,15 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    This chapter has the right-hand side for any system of n generalized coordinates whose kinetic energy T you can write
    down. The masses may depend on time and position (247). You give T, the masses and the generalized forces Q. The
    chapter computes the mass matrix A, the vector b and the derivatives from T. The states are the coordinates q and the
-   momenta pi = dT/dq', so that neither rates of momenta nor rates of masses are needed:
+   momenta pi = dT/dq', so that you need not give time derivatives of momenta or masses:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0,  T0 = T(q' = 0).
 
-   This is (247) corrected. T must use the velocities of the material. With streams of mass, Lagrange's equations are
-     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
+   This is (247) corrected. T must use the velocities of material points. A mass centre also shifts because mass leaves;
+   this motion must not be counted in T. With streams of mass, Lagrange's equations are
+     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum over streams [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
-   unit mass, the inertia kappa. omega is the angular velocity of the body. In dT/dq_i the masses must not vary,
-   although (244)-(247) may be read as if they did.
+   unit mass, the inertia kappa. omega is the angular velocity of the body. "Masses frozen" means that the masses are
+   held constant in the derivative dT/dq_i, although (244)-(247) may be read as if they varied.
 
        #include "varmass.h"
        static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
@@ -6552,7 +6560,7 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
        {
            vm_real q[1] = {0}, rates[1] = {2}, y[2], work[VM_LAGRANGE_RHS_WORK(1, 1)];
            vm_lagrange_system body = {1, 1, masses, energy, NULL, NULL, NULL, work};
-           return vm_lagrange_start(&body, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &body, 2, ...)
+           return vm_lagrange_start(&body, 0, q, rates, y); // y: initial state for rk45_init and vm_lagrange_rhs
        }
 
    Your Q must contain the terms of the streams, too. Example: a pendulum of length l and angle q has a bob that leaks
@@ -6560,24 +6568,24 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
    Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
-   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if T varies noticeably only
-   over changes of q as large as the field `scales`. Tests: tests/test_lagrange.c. */
+   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if a coordinate must change by
+   as much as the field `scales` says before T changes noticeably. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
-/* A mechanical system: the ctx of vm_lagrange_rhs */
+/* A mechanical system: the argument ctx of vm_lagrange_rhs */
 typedef struct VM_TAG(vm_lagrange_system) {
     int n;        /* number of coordinates, > 0 */
     int n_masses; /* number of masses, inertias and other quantities that are held constant in dT/dq, >= 0 */
-    /* Sets the n_masses masses at time t and coordinates q. NULL if n_masses is 0. */
+    /* Sets the n_masses masses at time t and coordinates q. The pointer is NULL if n_masses is 0. */
     void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx);
     /* Returns the kinetic energy T (J), a polynomial of degree 2 in the n rates q'. */
     vm_real (*energy)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx);
-    /* NULL, or a function that adds the n generalized forces to Q, for example by vm_lagrange_add_force. It returns
-       0; another number ends the run. */
+    /* NULL, or a function that adds the n generalized forces to Q, for example with vm_lagrange_add_force. It returns 0
+       to go on; any other number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
     void *ctx;             /* the argument ctx of the three functions above */
-    const vm_real *scales; /* for each coordinate the change over which T varies noticeably; NULL for 1 everywhere */
+    const vm_real *scales; /* for each coordinate, the change after which T differs noticeably; NULL: 1 for all */
     vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
@@ -6587,7 +6595,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
-    vm_real *b;      /* the vector b in T, the factors of the rates q' in its linear terms, n numbers */
+    vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
     vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -6604,8 +6612,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
     return w;
 }
 
-/* The kinetic energy T at the rates x e_i + z e_j, where e_i is the unit vector of coordinate i. If i or j is -1, its
-   term is left out. */
+/* The kinetic energy T at time t, coordinates q and the rates x e_i + z e_j. e_i and e_j are the unit vectors of the
+   coordinates i and j. If i or j is -1, its term is left out. The masses are those in the work array. */
 VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
                                    int j, vm_real z)
 {
@@ -6618,8 +6626,8 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
 }
 
 /* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
-   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j, so that a coordinate with a large energy
-   does not hide the digits of the other one. */
+   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. Both coordinates then have equal
+   energies. Otherwise a coordinate with a large energy would hide the digits of the other one. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6649,8 +6657,9 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Writes the rates q' = A^-1 (pi - b) of the state y into the work array. Returns VM_SINGULAR if A is not positive
-   definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK otherwise. */
+/* Writes the rates q' = A^-1 (pi - b) to the work array. y holds the coordinates q and the momenta pi. Returns
+   VM_SINGULAR if A is not positive definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK
+   otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6664,9 +6673,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
 }
 
 /* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. It is a central
-   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step is h times the scale of q_i. In units of
-   this scale the error is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small
-   for h = 2^-7 in double precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
+   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step h is 2^-7 (double precision, eps = 2^-52)
+   or 2^-3 (single precision, eps = 2^-23) times the scale of q_i. If q_i is measured in units of its scale, the error
+   is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small for these h. */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -6695,11 +6704,11 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 }
 
 /* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi; ctx is a vm_lagrange_system. Returns 0 or
-   an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite,
-   VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive
-   definite if, for example, a mass has become negative; use an event to stop the run before that. The number of calls
-   of system->energy grows with n^2. */
+   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi. `lagrange` points to a vm_lagrange_system.
+   Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not
+   positive definite, VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix
+   is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
+   number of calls of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -6767,21 +6776,22 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
 #endif
 /* mechanics/euler_angles.h - Euler's angles
 
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
-   the line of nodes, and by phi about its own z axis. This chapter computes
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about the z axis, then
+   by theta about its own x axis (the line of nodes), then by phi about its own z axis. This chapter computes
      - the quaternion of three angles,
-     - the axes about which the angles turn the body (Lagrange's equations need them as domega/dq'_i),
-     - the rates psi', theta', phi' of the angles from an angular velocity.
+     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the time derivatives psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
 
    Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning: neighbouring angles differ by 1 rad or more.
+   the number of binary digits of vm_real, a result has no meaning: adjacent numbers differ by 1 rad or more.
    Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
-/* Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles. Infinite angles give NaN. */
+/* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite
+   angles give NaN. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 {
     vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
@@ -6792,11 +6802,11 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 }
 
 /* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i, where q'_i is the rate of
-   angle i. A call with a null pointer does nothing. */
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i if q'_0, q'_1, q'_2 are the
+   rates psi', theta', phi'. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
     if (!axis) return;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6809,7 +6819,7 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
    omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* sine s and cosine c of phi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of phi; sine, cosine: those of theta */
     if (!axis) return;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6818,11 +6828,12 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
     axis[2] = vmi_vec3(0, 0, 1);
 }
 
-/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR if sin(theta) is 0, and VM_OK otherwise. */
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_OK,
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, or VM_SINGULAR if sin(theta) is 0: psi and phi then turn the body
+   about the same axis, so that their rates are not unique. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3]; /* sine s and cosine c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine, result[3]; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);

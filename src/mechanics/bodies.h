@@ -216,7 +216,7 @@ VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
     return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
 }
 
-/* Adds a body to a balance (sign 1) or subtracts it (sign -1). In both cases its momenta make the two scales larger. */
+/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);

@@ -146,7 +146,7 @@ VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 
 /* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
    is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass goes back
-   to the mass centre. Returns NaN for a null pointer. A NaN in an argument makes all entries NaN that depend on it. */
+   to the mass centre. Returns NaN for a null pointer. A NaN in an argument makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -275,7 +275,7 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 }
 
 /* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
-   momentum h. About an axis with zero moment (of a rod or a point), *omega has the component of `before`, and no body
+   momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
    can have angular momentum. Returns 1 if the component of h along such an axis exceeds noise, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
@@ -295,7 +295,7 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 /* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
 
 /* The factors of an inertia tensor L D L^T. L is a lower triangular matrix with ones on the diagonal; xy, xz, yz are
-   its other entries. D is a diagonal matrix; x, y, z are the entries of its inverse. */
+   its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of its inverse. */
 typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;

@@ -19,9 +19,9 @@
 #include "jumps2.h"
 #include "vectors.h"
 
-/* The velocity v2 that the part must have so that the rest gets the velocity v1 = rest_v. By (24) it is v2 = v +
-   (linear - M1 (v1 - v))/m, with the velocity v of the whole, the impulse `linear`, the mass M1 of the rest and the
-   mass m of the part. */
+/* The velocity v2 that the part must have so that the rest gets the velocity v1 = rest_v. By (24) it is
+   v2 = v + (linear - M1 (v1 - v))/m, with the velocity v of the whole, the impulse `linear`, the mass M1 of the rest
+   and the mass m of the part. */
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                  vm_vec3 rest_v)
 {
@@ -31,8 +31,8 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
 }
 
 /* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with rest_omega.
-   It is h - I1 (rest_omega - Omega). Omega is the angular velocity of the whole, and I1 the inertia of the rest. h,
-   the field of *rest, is the angular momentum that the rest would have relative to the whole if the part left with the
+   It is h - I1 (rest_omega - Omega). Omega is the angular velocity of the whole, and I1 the inertia of the rest. h is
+   the field of *rest: the angular momentum that the rest would have relative to the whole if the part left with the
    angular velocity Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {

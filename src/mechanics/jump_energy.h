@@ -42,8 +42,8 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
 }
 
 /* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
-   computed as the kinetic energy of their motions relative to the whole plus the work of the impulse on the whole. In
-   space the two are exactly equal, but the difference loses digits at high speed. `whole` is the body before the
+   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the impulse on the whole. The
+   two are exactly equal, but the difference of energies loses digits at high speed. `whole` is the body before the
    separation; `parts` and `rest` are the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
@@ -52,7 +52,7 @@ VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts,
 }
 
 /* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` minus that of the whole
-   (Carnot's loss). It is computed as the kinetic energy of their motions relative to the whole, minus the work of the
+   (Carnot's loss). It is computed as the kinetic energy of these bodies relative to the whole, minus the work of the
    impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it. Returns
    NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,

@@ -245,11 +245,11 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains of the whole. *part must have the motion of the part after
-   the separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular velocity (34)
-   of *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation. The law is
-   exact in space: momentum and angular momentum of rest and part together are those of the whole plus the impulse. The
-   pointer rest may be equal to whole or to part.
+/* Separation of a part from a body: *rest is what remains of the whole. *part must have its motion after the
+   separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular velocity (34) of
+   *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation. The law is exact
+   in three dimensions: momentum and angular momentum of rest and part together are those of the whole plus the impulse.
+   The pointer rest may be equal to whole or to part.
 
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
    High speed or a position far from the origin costs no digits of omega, because only motions relative to the whole are

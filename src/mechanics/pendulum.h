@@ -86,9 +86,9 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
 /* Motion of a pendulum and of the part that is cut off from it, (119)-(132).
    `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is the angular velocity of the part relative to the
    rod, positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's
-   mass centre S2 relative to the rod, along the axes x and y. Let rho = L - l/2 be the distance from O to S2, and let
-   `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows. The
-   angular velocity phi' of the rod before the cut, and phi1' of the remaining rod after it, obey
+   mass centre S2 relative to the rod, along the axes x and y. Let rho = L - l/2 be the distance from O to S2. Let
+   `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows.
+   The angular velocities phi' of the rod before the cut and phi1' of the remaining rod after the cut obey
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 rho across).
    This is (125), (132), corrected, and simplified so that no digits cancel. Returns VM_BAD_ARGUMENT for a null pointer
    and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK

@@ -24,7 +24,7 @@ typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
 
-/* A 3 by 3 matrix with the columns x, y, z. A rotation matrix turns the three unit vectors into them. */
+/* A 3 by 3 matrix with the columns x, y, z. For a rotation matrix these are the turned unit vectors. */
 typedef struct VM_TAG(vmi_mat3) {
     vm_vec3 x, y, z;
 } vmi_mat3;
@@ -75,7 +75,7 @@ VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-/* The product of the transposed matrix m^T and the vector a. For a rotation matrix m it undoes the rotation. */
+/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
