@@ -78,7 +78,7 @@ VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
     rise = vmi_two_over(rise, vmi_beta_rise(&S, &k));
     ln_SA = vmi_two_log(vmi_two_over(S, A));
     ln_SB = vmi_two_log(vmi_two_over(S, B));
-    sum = vmi_two_scaled(vmi_two_log(vmi_two_over(vmi_two_times(A, B), S)), (vm_real)(k - i - j) + VM_C(0.5));
+    sum = vmi_two_scaled(vmi_two_log(vmi_two_times(A, vmi_two_over(B, S))), (vm_real)(k - i - j) + VM_C(0.5));
     sum = vmi_two_plus(sum, vmi_two_plus(half_ln_2pi, vmi_two((vm_real)(i + j - k), 0)));
     sum = vmi_two_plus(sum, vmi_two_log(rise));
     sum = vmi_two_plus(sum, vmi_two_scaled(ln_SA, (vm_real)(k - j)));
@@ -103,14 +103,37 @@ VM_API int vmi_beta_is_in_domain(vm_real a, vm_real b)
     return a >= VM_C(1e-4) && a <= VM_C(1e5) && b >= VM_C(1e-4) && b <= VM_C(1e5);
 }
 
+/* Returns the limit of B(a, b) where a or b is 0 or infinite, and NaN where there is no limit. */
+VM_API vm_real vmi_beta_limit(vm_real a, vm_real b)
+{
+    const int is_zero = a == 0 || b == 0, is_infinite = a == VM_INFINITY || b == VM_INFINITY;
+    if (!(a >= 0) || !(b >= 0) || is_zero == is_infinite) return VM_NAN;
+    if (is_zero) return VM_INFINITY;
+    return 0;
+}
+
 /* The complete beta function B(a, b), for a and b from 1e-4 to 1e5.
-   The error is at most 1 ulp. Returns NaN for other a or b. Equation (261). */
+   The error is at most 1 ulp. If a or b is 0 or infinite, the result is the limit: infinity if one of them is 0 and none
+   is infinite, 0 if one is infinite and none is 0. Returns NaN for other a or b. Equation (261). */
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
-    if (!vmi_beta_is_in_domain(a, b)) return VM_NAN;
+    if (!vmi_beta_is_in_domain(a, b)) return vmi_beta_limit(a, b);
     l = vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0));
     return vmi_exp(l.hi, l.lo);
+}
+
+/* The logarithm of the complete beta function, ln B(a, b), for a and b from 1e-30 to 1e30.
+   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which matters where B is
+   close to 1. Limits are those of ateb_beta. Returns NaN for other a or b. */
+VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
+{
+    const vm_real least = VM_C(1e-30), largest = VM_C(1e30);
+    const vm_real limit = vmi_beta_limit(a, b);
+    if (limit > 0) return VM_INFINITY;
+    if (limit == 0) return -VM_INFINITY;
+    if (!(a >= least) || !(b >= least) || !(a <= largest) || !(b <= largest)) return VM_NAN;
+    return vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0)).hi;
 }
 
 /* What the gamma function of z > 0 needs: Z = z + i, where i is 6 for z < 6 and 0 for any other z, and
@@ -277,7 +300,7 @@ VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
     vm_real p, p_lo;
     int k;
     if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* the result is -e^l, which is tiny, or NaN */
-        rest.hi = -vmi_exp(l.hi, 0);
+        rest.hi = -vmi_exp(l.hi, l.lo);
         return rest;
     }
     p = vmi_exp_core(l.hi, l.lo, &k, &p_lo);
@@ -343,35 +366,52 @@ VM_API int vmi_beta_is_split_of_1(vm_real x, vm_real y)
     return x >= 0 && y >= 0 && VM_FABS((x + y) - 1) <= 4 * VM_EPSILON;
 }
 
-/* Computes p = I_x(a, b) and q = 1 - p from logarithms in two words, for x and y in two words. */
-VM_API void vmi_beta_inc_by_logarithms(vm_two x, vm_two y, vm_real a, vm_real b, vm_real *p, vm_real *q)
+/* Computes ln I_x(a, b) and ln I_y(b, a) for x and y = 1 - x in two words. */
+VM_API void vmi_beta_logarithms(vm_two x, vm_two y, vm_real a, vm_real b, vm_two *ln_p, vm_two *ln_q)
 {
     vmi_beta_point at;
-    vm_two ln_p, ln_q, ln_density;
+    vm_two ln_density;
     at.x = x.hi;
     at.y = y.hi;
     at.ln_x = vmi_two_log(x);
     at.ln_y = vmi_two_log(y);
     ln_density = vmi_beta_ln_density(vmi_two(a, 0), vmi_two(b, 0), at.ln_x, at.ln_y);
-    vmi_beta_tails(&at, a, b, ln_density, &ln_p, &ln_q);
-    *p = vmi_exp(ln_p.hi, ln_p.lo);
-    *q = vmi_exp(ln_q.hi, ln_q.lo);
+    vmi_beta_tails(&at, a, b, ln_density, ln_p, ln_q);
+}
+
+/* Returns -1 where a or b is 0 or infinite and the beta distribution has all its mass at x = 0 in this limit, 1 where it
+   has all its mass at x = 1, and 0 for other a and b and where there is no limit. */
+VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
+{
+    const int at_0 = a == 0 || b == VM_INFINITY, at_1 = b == 0 || a == VM_INFINITY;
+    if (!(a >= 0) || !(b >= 0)) return 0;
+    return at_1 - at_0;
 }
 
 /* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from x and y = 1 - x; the
    smaller of x and y carries the digits. For a and b from 1e-3 to 1e4 the errors of p and q are at most 30 ulp each.
-   a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. The results are NaN for
-   other a or b, for x or y below 0, and if x + y is not 1. docs/cost.md has the time. DLMF 8.17, equation (273). */
+   a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or infinite,
+   p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it moves to x = 1. The
+   results are NaN for other a or b, where there is no limit, for x or y below 0, and if x + y is not 1. docs/cost.md has
+   the time. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
     const vm_real longest = VM_C(0.6); /* 1 minus a longer tail would lose digits of the quick formula */
     const vm_real least = VM_MIN / (VM_EPSILON * VM_EPSILON); /* products of smaller numbers may underflow */
     vm_two x2 = vmi_two(x, 0), y2 = vmi_two(y, 0);
     vm_real tail, density;
+    vm_two ln_p, ln_q;
+    const int side = vmi_beta_limit_side(a, b);
     int left;
     *p = VM_NAN;
     *q = VM_NAN;
-    if (!vmi_beta_is_in_domain(a, b) || !vmi_beta_is_split_of_1(x, y)) return;
+    if (!vmi_beta_is_split_of_1(x, y)) return;
+    if ((side < 0 && x > 0) || (side > 0 && y > 0)) {
+        *p = (vm_real)(side < 0);
+        *q = (vm_real)(side > 0);
+        return;
+    }
+    if (!vmi_beta_is_in_domain(a, b)) return;
     if (x == 0 || y == 0) {
         *p = (vm_real)(x != 0);
         *q = (vm_real)(x == 0);
@@ -383,8 +423,11 @@ VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_re
     density = vmi_beta_density(x2, y2, a, b);
     if (left) tail = density * vmi_beta_fraction(x2.hi, y2.hi, a, b, VMI_BETA_FULL);
     else tail = density * vmi_beta_fraction(y2.hi, x2.hi, b, a, VMI_BETA_FULL);
-    if (!(density > least) || !(vmi_smaller(x, y) > least) || tail > longest) vmi_beta_inc_by_logarithms(x2, y2, a, b, p, q);
-    else {
+    if (!(density > least) || !(vmi_smaller(x, y) > least) || tail > longest) {
+        vmi_beta_logarithms(x2, y2, a, b, &ln_p, &ln_q);
+        *p = vmi_exp(ln_p.hi, ln_p.lo);
+        *q = vmi_exp(ln_q.hi, ln_q.lo);
+    } else {
         *p = 1 - tail;
         *q = tail;
         if (left) {
@@ -401,6 +444,23 @@ VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
     vm_real p, q;
     ateb_beta_inc_both(x, 1 - x, a, b, &p, &q);
     return p;
+}
+
+/* The logarithm of the regularised incomplete beta function, ln I_x(a, b), for 0 <= x <= 1.
+   I_x itself may underflow. Domain and limits are those of ateb_beta_inc. For a and b from 1e-3 to 1e4 the error is at
+   most 30 ulp. ln(1 - I_x(a, b)) is ln I_(1-x)(b, a). */
+VM_API vm_real ateb_ln_beta_inc(vm_real x, vm_real a, vm_real b)
+{
+    const int side = vmi_beta_limit_side(a, b);
+    vm_two ln_p, ln_q;
+    if (!(x >= 0) || !(x <= 1)) return VM_NAN;
+    if (side < 0 && x > 0) return 0;
+    if (side > 0 && x < 1) return -VM_INFINITY;
+    if (!vmi_beta_is_in_domain(a, b)) return VM_NAN;
+    if (x == 0) return -VM_INFINITY;
+    if (x == 1) return 0;
+    vmi_beta_logarithms(vmi_two(x, 0), vmi_two_sum(1, -x), a, b, &ln_p, &ln_q);
+    return ln_p.hi;
 }
 
 /* Returns the point with x/y = e^t, where y = 1 - x. ln x and ln y are computed from the rounded value of e^-|t|, so
@@ -511,21 +571,25 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
 /* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from p and
    q = 1 - p; the smaller of p and q carries the digits. ln x is also right where x underflows. For a and b from 1e-3 to
    1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q makes. a
-   and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. The results are NaN for
-   other a or b, for p or q below 0, and if p + q is not 1. docs/cost.md has the time. */
+   and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or infinite, x
+   is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to x = 1. The results
+   are NaN for other a or b, where there is no limit, for p or q below 0, and if p + q is not 1. docs/cost.md has the
+   time. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
+    const int side = vmi_beta_limit_side(a, b), is_at_0 = side < 0 && q > 0, is_at_1 = side > 0 && p > 0;
     vmi_beta_point at;
     *x = VM_NAN;
     *y = VM_NAN;
     *ln_x = VM_NAN;
-    if (!vmi_beta_is_in_domain(a, b) || !vmi_beta_is_split_of_1(p, q)) return;
-    if (p == 0) {
+    if (!vmi_beta_is_split_of_1(p, q)) return;
+    if (!is_at_0 && !is_at_1 && !vmi_beta_is_in_domain(a, b)) return;
+    if (is_at_0 || (p == 0 && !is_at_1)) {
         *x = 0;
         *y = 1;
         *ln_x = -VM_INFINITY;
-    } else if (q == 0) {
+    } else if (is_at_1 || q == 0) {
         *x = 1;
         *y = 0;
         *ln_x = 0;
@@ -546,21 +610,34 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
     return x;
 }
 
-/* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need this
-   mean. alpha may be up to 1e30, p and q up to 1e6; for larger ones the result is NaN. The error is at most 2 ulp.
-   Equation (316). */
-VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
+/* Signs that ateb_mean_nm can put before the powers: that of sa, that of ca, or both (their sum) */
+enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
+
+/* The mean of |sa(n, m, s)|^p |ca(m, n, s)|^q over a period, with or without the signs of sa and ca.
+   n and m lie between 0 and 1e30, p and q are above -1 and at most 1e6. signs is 0, ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or
+   their sum: a power with the sign of its base, such as sa^3, is odd, and the mean is 0 then. So the mean of sa^2 ca^3 is
+   ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)),
+   with an error of at most 2 ulp. Returns NaN for other numbers. Equation (316). */
+VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
 {
-    const vm_real largest_alpha = VM_C(1e30), largest_power = VM_C(1e6);
-    const vm_two half = {VM_C(0.5), 0}, one = {1, 0};
-    vm_two n, ln_above, ln_below, ln_mean;
-    if (!(alpha >= 0) || !(alpha <= largest_alpha)) return VM_NAN;
+    const vm_real largest_index = VM_C(1e30), largest_power = VM_C(1e6);
+    const vm_two one = {1, 0};
+    vm_two n1, m1, ln_above, ln_below, ln_mean;
+    if (!(n >= 0) || !(n <= largest_index) || !(m >= 0) || !(m <= largest_index)) return VM_NAN;
     if (!(p > -1) || !(q > -1) || !(p <= largest_power) || !(q <= largest_power)) return VM_NAN;
-    n = vmi_two_sum(alpha, 1);
-    ln_above = vmi_beta_ln(vmi_half(vmi_two_sum(p, 1)), vmi_two_over(vmi_two_sum(q, 1), n));
-    ln_below = vmi_beta_ln(half, vmi_two_over(one, n));
+    if (signs < 0 || signs > ATEB_SIGN_OF_SA + ATEB_SIGN_OF_CA) return VM_NAN;
+    if (signs != 0) return 0;
+    n1 = vmi_two_sum(n, 1);
+    m1 = vmi_two_sum(m, 1);
+    ln_above = vmi_beta_ln(vmi_two_over(vmi_two_sum(p, 1), n1), vmi_two_over(vmi_two_sum(q, 1), m1));
+    ln_below = vmi_beta_ln(vmi_two_over(one, n1), vmi_two_over(one, m1));
     ln_mean = vmi_two_plus(ln_above, vmi_minus(ln_below));
     return vmi_exp(ln_mean.hi, ln_mean.lo);
 }
+
+/* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need this
+   mean. alpha may be up to 1e30, p and q up to 1e6; for larger ones the result is NaN. The error is at most 2 ulp.
+   ateb_mean_nm has two indices and signs. Equation (316). */
+VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q) { return ateb_mean_nm(1, alpha, p, q, 0); }
 
 #endif
