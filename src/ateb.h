@@ -34,7 +34,7 @@
      ateb_pi               Pi_alpha, half the period
      ateb_plan_init        prepares a plan for one alpha; then call ateb_plan_saca for one s, or ateb_plan_saca_array
                            for many s. ateb_plan_init_to makes a shorter and quicker plan of less accuracy. A plan is
-                           plain data and may be a constant in flash; examples/ateb_plan prints one. On AVR copy it
+                           plain data and may be a constant in flash; examples/print_plan prints one. On AVR copy it
                            from there to RAM, by memcpy_P, before it is used.
      ateb_phase            s from sa and ca, as atan2 computes an angle from its sine and cosine
      ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm has two indices and signs

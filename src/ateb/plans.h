@@ -17,7 +17,7 @@
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
    alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
    an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c, tests/test_plans.sh. Example:
-   examples/ateb_plan.c. */
+   examples/print_plan.c. */
 #ifndef VARMASS_ATEB_PLANS_H
 #define VARMASS_ATEB_PLANS_H
 
@@ -355,26 +355,28 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
-    vm_real w[VMI_ATEB_TERMS];        /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond */
+    vm_real *w = odd; /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond; at the end the other function replaces it */
     int j;
+    if (beyond) w = even;
     if (alpha > large) {
         alpha = large;
         q = 1 / large;
     }
     odd[0] = 1;
     even[0] = 1;
-    w[0] = 1;
     for (j = 1; j < VMI_ATEB_TERMS; j++) {
         const vm_real i = (vm_real)j;
         if (beyond) {
-            even[j] = -w[j - 1] / (2 * i);
-            odd[j] = even[j] * (q / (q + i));
+            odd[j] = -w[j - 1] / (2 * i) * (q / (q + i));
             w[j] = vmi_ateb_series_power(alpha, j, odd, w);
         } else {
-            even[j] = -q * odd[j - 1] / i;
+            even[j] = -q * (w[j - 1] / (2 * i - 1)) / i;
             w[j] = vmi_ateb_series_power(alpha, j, even, w);
-            odd[j] = w[j] / (2 * i + 1);
         }
+    }
+    for (j = VMI_ATEB_TERMS - 1; j > 0; j--) {
+        if (beyond) even[j] = -w[j - 1] / (2 * (vm_real)j);
+        else odd[j] = w[j] / (2 * (vm_real)j + 1);
     }
 }
 
@@ -428,7 +430,7 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
    the terms of this sum are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
-    p->quarter = vmi_ateb_fine_quarter(c);
+    p->quarter = c->quarter;
     p->quarter_parts[0] = vmi_head(p->quarter.hi);
     p->quarter_parts[1] = vmi_head(p->quarter.hi - p->quarter_parts[0]);
     p->quarter_parts[2] = ((p->quarter.hi - p->quarter_parts[0]) - p->quarter_parts[1]) + p->quarter.lo;
@@ -450,7 +452,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(accuracy)) return -1;
     if (accuracy > VM_EPSILON) tolerance = accuracy / 2;
-    vmi_ateb_constants(&c, alpha);
+    vmi_ateb_fine_constants(&c, alpha);
     vmi_ateb_plan_period(p, &c);
     p->change_over = vmi_smaller(share * p->quarter.hi, farthest);
     p->n = c.n.hi;
