@@ -34,7 +34,7 @@
      ateb_pi               Pi_alpha, half the period
      ateb_plan_init        prepares a plan for one alpha; then call ateb_plan_saca for one s, or ateb_plan_saca_array
                            for many s. ateb_plan_init_to makes a shorter and quicker plan of less accuracy. A plan is
-                           plain data and may be a constant in flash; examples/ateb_plan prints one. On AVR copy it
+                           plain data and may be a constant in flash; examples/print_plan prints one. On AVR copy it
                            from there to RAM, by memcpy_P, before it is used.
      ateb_phase            s from sa and ca, as atan2 computes an angle from its sine and cosine
      ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm has two indices and signs
@@ -1144,22 +1144,38 @@ VM_API vm_real ateb_pi(vm_real alpha)
    words, else 0. */
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
-/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
-   Pi_alpha is n + g(q), with g(q) = 2 ln 2 + q g'(0) + q^2 g''(0)/2; for any other alpha it is n f(q), where f is
-   vmi_ateb_gamma_ratio. */
-VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
+/* Returns g(q) = Pi_alpha - (alpha + 1) in two words for a large alpha: 2 ln 2 + q g'(0) + q^2 g''(0)/2 */
+VM_API vm_two vmi_ateb_g_of_large(vm_real q)
 {
-    const vm_two one = {1, 0};
-    const vm_real q = c->q.hi, two_ln2 = VM_C(1.386294361119890618835);
+    const vm_real two_ln2 = VM_C(1.386294361119890618835);
 #if VM_MANT_DIG > 24
     const vm_real two_ln2_lo = VM_C(4.638093627692599231e-17);
 #else
     const vm_real two_ln2_lo = VM_C(-3.80930859992e-9);
 #endif
-    vm_real rest;
-    if (!vmi_ateb_is_large(c)) return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
-    rest = two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957));
-    return vmi_half(vmi_two_plus(c->n, vmi_two_sum(two_ln2, rest)));
+    return vmi_two_sum(two_ln2, two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)));
+}
+
+/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
+   Pi_alpha is n + g(q); for any other alpha it is n f(q), where f is vmi_ateb_gamma_ratio. */
+VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
+{
+    const vm_two one = {1, 0};
+    if (vmi_ateb_is_large(c)) return vmi_half(vmi_two_plus(c->n, vmi_ateb_g_of_large(c->q.hi)));
+    return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
+}
+
+/* A function that sets all constants of one alpha: vmi_ateb_constants, or vmi_ateb_fine_constants */
+typedef void (*vmi_ateb_constants_of)(vmi_ateb *c, vm_real alpha);
+
+/* Sets all of n, q, g and quarter. It does without the table of g that vmi_ateb_constants reads: its code is shorter and
+   its results are more accurate, but it takes longer. */
+VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
+{
+    vmi_ateb_index_constants(c, alpha);
+    c->quarter = vmi_ateb_fine_quarter(c);
+    c->g = vmi_two_minus(vmi_two_scaled(c->quarter, 2), c->n);
+    if (vmi_ateb_is_large(c)) c->g = vmi_ateb_g_of_large(c->q.hi);
 }
 
 #endif
@@ -1907,6 +1923,99 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 }
 
 #endif
+/* base/scalars.h - functions that keep their digits where the plain formula loses them
+
+   The functions compute e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the
+   values of the C library's pow for 0 and infinity.
+
+       vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
+
+   Tests: tests/test_lambert.c, tests/test_drum.c, tests/test_laws.c. */
+#ifndef VARMASS_BASE_SCALARS_H
+#define VARMASS_BASE_SCALARS_H
+
+/* Returns infinity if the condition holds, else 0. */
+VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
+
+/* Returns x^y for x >= 0 within 0.6 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity it has the values of
+   the C library's pow. */
+VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
+{
+    if (x != x || y != y || x < 0) return VM_NAN;
+    if (y == 0 || x == 1) return 1;
+    if (x == 0 || x > VM_MAX) return vmi_infinity_if((y > 0) == (x > 0));
+    if (!VM_IS_FINITE(y)) return vmi_infinity_if((y > 0) == (x > 1));
+    return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
+}
+
+/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
+   for small y it is below 2^-p of the result. The result is infinity where it overflows. */
+VM_API vm_two vmi_expm1(vm_two y)
+{
+    const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
+    const vm_real least = VM_C(-0.6931471805599453094) * (2 * VM_MANT_DIG);
+    vm_real p_lo, p;
+    vm_two sum, power;
+    int k;
+    if (y.hi > largest) return vmi_two(VM_INFINITY, 0);
+    if (y.hi != y.hi) return vmi_two(y.hi, 0);
+    if (!(y.hi > least)) return vmi_two(-1, 0);
+    p = vmi_exp_core(y.hi, y.lo, &k, &p_lo);
+    if (k == 0) return vmi_two(p, p_lo);
+    sum = vmi_fast_two_sum(1, p);
+    power = vmi_fast_two_sum(sum.hi, sum.lo + p_lo);
+    power = vmi_two(vmi_ldexp(power.hi, k), vmi_ldexp(power.lo, k));
+    sum = vmi_two_sum(power.hi, -1);
+    if (!VM_IS_FINITE(power.hi)) return vmi_two(power.hi, 0);
+    return vmi_fast_two_sum(sum.hi, sum.lo + power.lo);
+}
+
+/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is
+   below 2^-(p+7), where p is the number of digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
+   below an ulp of 1. */
+VM_API vm_two vmi_log1p(vm_two x)
+{
+    const vm_two sum = vmi_two_sum(1, x.hi), low = vmi_two_sum(sum.lo, x.lo);
+    const vm_two y = vmi_two_sum(sum.hi, low.hi);
+    const vm_two t = vmi_two_over(vmi_two_sum(y.lo, low.lo), vmi_two(y.hi, 0));
+    return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
+}
+
+/* Returns (e^x - 1)/x, which is 1 at x = 0. */
+VM_API vm_real vmi_exp_ratio(vm_real x)
+{
+    if (x > VM_MAX) return x;
+    if (x == 0) return 1;
+    return vmi_expm1(vmi_two(x, 0)).hi / x;
+}
+
+/* Returns ln(1 + x)/x, which is 1 at x = 0, and NaN for x <= -1 and infinite x. */
+VM_API vm_real vmi_log_ratio(vm_real x)
+{
+    if (!(x > -1) || !VM_IS_FINITE(x)) return VM_NAN;
+    if (x == 0) return 1;
+    return vmi_two_log(vmi_two_sum(1, x)).hi / x;
+}
+
+/* Returns (x - y)/x^2, where the caller gives x and y = ln(1 + x). For |x| >= 1/4 the result has two words, and its
+   error is that of x and y, amplified by the subtraction. For smaller |x| the result has one word, from the series of
+   ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
+VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
+{
+#if VM_MANT_DIG > 24
+    enum { degree = 9 };
+#else
+    enum { degree = 4 };
+#endif
+    const vm_real u = x.hi / (2 + x.hi);
+    vm_real P = 0;
+    int n;
+    if (!(VM_FABS(x.hi) < VM_C(0.25))) return vmi_two_over(vmi_two_over(vmi_two_plus(x, vmi_minus(y)), x), x);
+    for (n = degree; n >= 0; n--) P = P * (u * u) + 1 / (vm_real)(2 * n + 3);
+    return vmi_two((1 - u) / 2 * (1 - u * (1 - u) * P), 0);
+}
+
+#endif
 /* ateb/phase.h - the phase s that belongs to a pair of values sa and ca
 
    As atan2 computes an angle from its sine and cosine, ateb_phase computes the phase s from sa and ca, for example
@@ -1973,6 +2082,9 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
+/* Whether ateb_phase has a result for this alpha */
+VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
+
 /* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
    The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
    every lambda > 0. Therefore sa and ca may be -x' sqrt((alpha+1)/2)/omega and x of the oscillator x'' = -omega^2
@@ -1983,7 +2095,7 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
     vmi_ateb c;
-    if (!(alpha >= 0) || !(alpha <= VM_C(1e30)) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
+    if (!vmi_ateb_has_phase(alpha) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
     vmi_ateb_constants(&c, alpha);
     if (sa == 0) r = 0;
     else if (ca == 0) r = c.quarter.hi;
@@ -1993,6 +2105,51 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
         r = vmi_ateb_phase_r(vmi_two_plus(ln_w, vmi_minus(ln_x)), &c);
     }
     if (ca < 0) r = (2 * c.quarter.hi - r) + 2 * c.quarter.lo;
+    return VM_COPYSIGN(r, sa);
+}
+
+/* -- The phase by power series: shorter code, but slower -- */
+
+/* Number of terms that give all digits up to sa^2 = 1/2 and |ca|^(alpha+1) = 1/2 */
+enum { VMI_ATEB_PHASE_TERMS = VM_MANT_DIG > 24 ? 54 : 26 };
+
+/* Returns the distance of the phase from a zero of sa, where u = |sa| and y = sa^2 <= 1/2: the integral from 0 to u of
+   (1 - x^2)^(-alpha/(alpha+1)) dx, whose power series has positive terms. Its error is below 4 ulp. */
+VM_API vm_real vmi_ateb_from_sa_0(vm_real alpha, vm_real u, vm_real y)
+{
+    const vm_real power = alpha / (alpha + 1);
+    vm_real term = 1, sum = 0;
+    int i;
+    for (i = 1; i <= VMI_ATEB_PHASE_TERMS; i++) {
+        sum += term / (vm_real)(2 * i - 1);
+        term *= ((vm_real)(i - 1) + power) / (vm_real)i * y;
+    }
+    return u * sum;
+}
+
+/* Returns the distance of the phase from a zero of ca, where x = |ca| and w = x^(alpha+1) <= 1/2: (alpha+1)/2 times the
+   integral from 0 to x of (1 - z^(alpha+1))^(-1/2) dz. Its error is below 4 ulp. */
+VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
+{
+    const vm_real n = alpha + 1;
+    vm_real term = 1, sum = 0;
+    int i;
+    for (i = 0; i < VMI_ATEB_PHASE_TERMS; i++) {
+        sum += term / (1 + (vm_real)i * n);
+        term *= ((vm_real)i + VM_C(0.5)) / (vm_real)(i + 1) * w;
+    }
+    return n / 2 * x * sum;
+}
+
+/* The phase of ateb_phase by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and a valid alpha, whose quarter
+   period is given */
+VM_API vm_real vmi_ateb_phase_by_series(vm_two quarter, vm_real alpha, vm_real sa, vm_real ca)
+{
+    const vm_real y = sa * sa, x = VM_FABS(ca);
+    vm_real r;
+    if (y <= VM_C(0.5)) r = vmi_ateb_from_sa_0(alpha, VM_FABS(sa), y);
+    else r = (quarter.hi - vmi_ateb_from_ca_0(alpha, x, vmi_pow_checked(x, alpha + 1))) + quarter.lo;
+    if (ca < 0) r = (2 * quarter.hi - r) + 2 * quarter.lo;
     return VM_COPYSIGN(r, sa);
 }
 
@@ -2122,7 +2279,7 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
    alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
    an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c, tests/test_plans.sh. Example:
-   examples/ateb_plan.c. */
+   examples/print_plan.c. */
 #ifndef VARMASS_ATEB_PLANS_H
 #define VARMASS_ATEB_PLANS_H
 
@@ -2448,26 +2605,28 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
-    vm_real w[VMI_ATEB_TERMS];        /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond */
+    vm_real *w = odd; /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond; at the end the other function replaces it */
     int j;
+    if (beyond) w = even;
     if (alpha > large) {
         alpha = large;
         q = 1 / large;
     }
     odd[0] = 1;
     even[0] = 1;
-    w[0] = 1;
     for (j = 1; j < VMI_ATEB_TERMS; j++) {
         const vm_real i = (vm_real)j;
         if (beyond) {
-            even[j] = -w[j - 1] / (2 * i);
-            odd[j] = even[j] * (q / (q + i));
+            odd[j] = -w[j - 1] / (2 * i) * (q / (q + i));
             w[j] = vmi_ateb_series_power(alpha, j, odd, w);
         } else {
-            even[j] = -q * odd[j - 1] / i;
+            even[j] = -q * (w[j - 1] / (2 * i - 1)) / i;
             w[j] = vmi_ateb_series_power(alpha, j, even, w);
-            odd[j] = w[j] / (2 * i + 1);
         }
+    }
+    for (j = VMI_ATEB_TERMS - 1; j > 0; j--) {
+        if (beyond) even[j] = -w[j - 1] / (2 * (vm_real)j);
+        else odd[j] = w[j] / (2 * (vm_real)j + 1);
     }
 }
 
@@ -2521,7 +2680,7 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
    the terms of this sum are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
-    p->quarter = vmi_ateb_fine_quarter(c);
+    p->quarter = c->quarter;
     p->quarter_parts[0] = vmi_head(p->quarter.hi);
     p->quarter_parts[1] = vmi_head(p->quarter.hi - p->quarter_parts[0]);
     p->quarter_parts[2] = ((p->quarter.hi - p->quarter_parts[0]) - p->quarter_parts[1]) + p->quarter.lo;
@@ -2543,7 +2702,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(accuracy)) return -1;
     if (accuracy > VM_EPSILON) tolerance = accuracy / 2;
-    vmi_ateb_constants(&c, alpha);
+    vmi_ateb_fine_constants(&c, alpha);
     vmi_ateb_plan_period(p, &c);
     p->change_over = vmi_smaller(share * p->quarter.hi, farthest);
     p->n = c.n.hi;
