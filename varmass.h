@@ -142,7 +142,7 @@
      mechanics/inverse: how a part must leave, so that the rest moves as wanted
        vm_separation_for_rest         How a part must leave, so that the rest moves as wanted
        vm_separation_for_rest2        How a part must leave in the plane, so that the rest moves as wanted
-       vm_separation_for_spin2        Velocity that a part must have in the plane, so that the rest turns with rest_omega (Table 3, case 7)
+       vm_separation_for_spin2        Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s)
 
      mechanics/jump_energy: the kinetic energy that a jump adds or takes
        vm_energy_gain                 Energy gained at a separation, J
@@ -174,7 +174,7 @@
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
        vm_lagrange_mass               Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
-       vm_lagrange_momentum           Add to p the generalized momentum of a body that has the velocity body->v and the angular velocity body->omega
+       vm_lagrange_momentum           Add to p the generalized momentum of a body
        vm_lagrange_impulse            Add to p the generalized impulse (95) of an impulse on a body with the mass centre r
        vm_lagrange_separate           Velocities after a part separates
        vm_lagrange_attach             Velocities after a part is attached
@@ -998,13 +998,13 @@ VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
 /* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
-   as exact. The error is at most 1 ulp. Returns NaN for x < -1/e and for infinite x, except that the number next to
-   -1/e counts as -1/e and gives -1. */
+   as exact. The error is at most 1 ulp. Returns infinity for infinite x > 0, and NaN for x < -1/e, except that the
+   number next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_real start;
-    if (x == 0 || x != x) return x;
-    if (!VM_IS_FINITE(x)) return VM_NAN;
+    if (x == 0 || x != x || x == VM_INFINITY) return x;
+    if (x == -VM_INFINITY) return VM_NAN;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 0);
     if (x < 1) start = vmi_lambert_pade(x);
     else start = vmi_lambert_winitzki(vmi_log(1 + x).hi);
@@ -1027,12 +1027,13 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
 #define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* if ln|x| is less than this number, W_0(x) rounds to x */
 
 /* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
-   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
+   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns infinity for l = infinity
+   and 0 for l = -infinity. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
     const vm_real direct_from = 40; /* for l >= 40, ln(1 + e^l) rounds to l */
     vm_real start;
-    if (!VM_IS_FINITE(l)) return VM_NAN;
+    if (l != l || l == VM_INFINITY) return l;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
     if (l < 0) start = vmi_lambert_pade(vmi_exp(l, 0));
     else if (l < direct_from) start = vmi_lambert_winitzki(vmi_log(1 + vmi_exp(l, 0)).hi);
@@ -1041,20 +1042,22 @@ VM_API vm_real vm_wright_omega(vm_real l)
 }
 
 /* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1. It also works where e^l itself
-   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns 0 for l = -infinity and NaN for l > -1. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
-    if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
+    if (!(l <= -1)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return -vmi_exp(l, 0);
     if (l > VM_C(-1.375)) return vmi_lambert_near(vmi_two(-1 - l, 0), 0);
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
 /* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1. It also works where e^l itself
-   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns -infinity for l = -infinity and NaN for
+   l > -1. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
-    if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
+    if (!(l <= -1)) return VM_NAN;
+    if (l == -VM_INFINITY) return l;
     if (l < -1 / VM_EPSILON) return vmi_lambert_far(vmi_two(l, 0), l);
     return vmi_lambert_near(vmi_two_sum(-1, -l), 1);
 }
@@ -2724,11 +2727,11 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity that a part must have in the plane, so that the rest turns with rest_omega (Table 3, case 7). rest_omega is
-   in rad/s. *moving becomes a copy of *part with the new velocity; the velocity in *part is not read. The part keeps
-   its angular velocity. Let S and S2 be the mass centres of whole and part, and v_r the velocity of *moving relative to
-   the turning whole. Only the component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal
-   to SS2. Returns VM_SINGULAR if S and S2 are one point, so that no velocity turns the rest. The other statuses are
+/* Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s). *moving becomes a copy
+   of *part with the new velocity; the velocity in *part is not read. The part keeps its angular velocity. Let S and S2
+   be the mass centres of whole and part, and v_r the velocity of *moving relative to the turning whole. Only the
+   component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. This is case 7 of
+   Table 3. Returns VM_SINGULAR if S and S2 are one point, so that no velocity turns the rest. The other statuses are
    those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
@@ -2803,8 +2806,8 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
 }
 
 /* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
-   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the impulse on the whole. The
-   two are exactly equal, but the difference of energies loses digits at high speed. `whole` is the body before the
+   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the impulse on the whole.
+   The two are exactly equal, but the difference of energies loses digits at high speed. `whole` is the body before the
    separation; `parts` and `rest` are the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
@@ -3759,9 +3762,9 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Add to p the generalized momentum of a body that has the velocity body->v and the angular velocity body->omega.
-   p has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is
-   NULL, nothing is done. */
+/* Add to p the generalized momentum of a body.
+   It is that of the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those of
+   vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {

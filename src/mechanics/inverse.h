@@ -188,11 +188,11 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity that a part must have in the plane, so that the rest turns with rest_omega (Table 3, case 7). rest_omega is
-   in rad/s. *moving becomes a copy of *part with the new velocity; the velocity in *part is not read. The part keeps
-   its angular velocity. Let S and S2 be the mass centres of whole and part, and v_r the velocity of *moving relative to
-   the turning whole. Only the component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal
-   to SS2. Returns VM_SINGULAR if S and S2 are one point, so that no velocity turns the rest. The other statuses are
+/* Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s). *moving becomes a copy
+   of *part with the new velocity; the velocity in *part is not read. The part keeps its angular velocity. Let S and S2
+   be the mass centres of whole and part, and v_r the velocity of *moving relative to the turning whole. Only the
+   component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. This is case 7 of
+   Table 3. Returns VM_SINGULAR if S and S2 are one point, so that no velocity turns the rest. The other statuses are
    those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
