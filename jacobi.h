@@ -1,4 +1,4 @@
-/* jacobi.h - Jacobi's elliptic functions, complete elliptic integrals, and the modulus from its quarter period
+/* jacobi.h - Jacobi's elliptic functions, elliptic integrals, and the modulus from its quarter period
 
    Part of varmass (MIT licence), usable alone: copy this one file, include it, link with -lm.
 
@@ -22,7 +22,13 @@
    WHAT TO CALL
      jacobi_sncndn        sn, cn and dn for one u and one m; the twelve quotients and the amplitude have functions of
                           their own
-     jacobi_K, jacobi_E   complete elliptic integrals
+     jacobi_sncndn_any    sn, cn and dn for m > 1 too, as a rotating pendulum needs them
+     jacobi_K, jacobi_E, jacobi_Pi
+                          complete elliptic integrals of the first, second and third kind
+     jacobi_F, jacobi_E_incomplete, jacobi_Pi_incomplete
+                          incomplete elliptic integrals from 0 to any angle phi; F is the inverse of the amplitude
+     jacobi_inverse_sn    u from sn(u | m); jacobi_inverse_cn and jacobi_inverse_dn do the same for cn and dn
+     jacobi_RF            Carlson's symmetric integrals R_F, R_C, R_D, R_J, R_G, of which all others are sums
      jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
                           jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
                           examples/jacobi_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
@@ -33,7 +39,9 @@
                           argument
 
    ERRORS
-     m > 1, m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give NaN. m = 1 gives the limits:
+     m > 1 (but for jacobi_sncndn_any), m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give
+     NaN. The incomplete integrals, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
+     argument, and NaN where there is none. m = 1 gives the limits:
      K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u, for u = +-infinity too. A quotient at a pole is
      infinite. A plan refuses a bad m with -1 and stays as it was. Nothing else can fail. The functions allocate no
      memory and keep no state; the value of errno means nothing.
@@ -46,6 +54,7 @@
      words.
      Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
      or 1/(1 - m), which is then at most 0.003.
+     Incomplete integrals, inverses: Carlson's duplications and a series of order 10, after the angle is reduced by pi.
      A plan has polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
 
    MACROS, to be defined before the include
@@ -81,6 +90,9 @@
      k'K          <= 5 ulp
      means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
+     F, E, Pi     <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; for n > 1 as at jacobi_Pi_incomplete
+     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp, but R_J as at jacobi_RJ
+     m > 1        as sn, cn, dn for m <= 1, with k u in place of u
      solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
 
    COST
@@ -93,6 +105,7 @@
      [3] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
      [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (307) are its equations.
      [5] DLMF, 23.9 (Laurent series of Weierstrass' function), 22.6 (duplication).
+     [6] B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numer. Algorithms 10 (1995) 13-26.
 
    INDEX
      base/self_check: whether this compiler and this processor compute as varmass needs
@@ -141,7 +154,35 @@
 
      jacobi/descending: sn, cn, dn and K by the arithmetic-geometric mean
        jacobi_agm_sncndn              sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1
-       jacobi_agm_K                   K(m) by the arithmetic-geometric mean, for m <= 1 */
+       jacobi_agm_K                   K(m) by the arithmetic-geometric mean, for m <= 1
+
+     jacobi/carlson: Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
+       jacobi_RF                      R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0
+       jacobi_RC                      R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y
+       jacobi_RD                      R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0
+       jacobi_RJ                      R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0
+       jacobi_RG                      R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0
+
+     jacobi/incomplete: incomplete elliptic integrals F, E and Pi, and the complete one of the third kind
+       jacobi_F                       F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1
+       jacobi_F_m1                    F(phi | m) from the complementary parameter m1 = 1 - m >= 0
+       jacobi_E_incomplete            E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1
+       jacobi_E_incomplete_m1         E(phi | m) from the complementary parameter m1 = 1 - m >= 0
+       jacobi_Pi                      Pi(n | m), the complete elliptic integral of the third kind, for m <= 1
+       jacobi_Pi_m1                   Pi(n | m) from the complementary parameter m1 = 1 - m >= 0
+       jacobi_Pi_incomplete           Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1
+       jacobi_Pi_incomplete_m1        Pi(n; phi | m) from the complementary parameter m1 = 1 - m >= 0
+
+     jacobi/inverse: the inverses of sn, cn and dn
+       jacobi_inverse_sn              The inverse of sn
+       jacobi_inverse_sn_m1           The inverse of sn from the complementary parameter m1 = 1 - m >= 0
+       jacobi_inverse_cn              The inverse of cn
+       jacobi_inverse_cn_m1           The inverse of cn from the complementary parameter m1 = 1 - m >= 0
+       jacobi_inverse_dn              The inverse of dn
+       jacobi_inverse_dn_m1           The inverse of dn from the complementary parameter m1 = 1 - m >= 0
+
+     jacobi/reciprocal: sn, cn and dn for any parameter, also for m > 1
+       jacobi_sncndn_any              sn, cn and dn of the argument u for any finite parameter m */
 #ifndef VARMASS_JACOBI_H
 #define VARMASS_JACOBI_H
 
@@ -2601,6 +2642,767 @@ VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, v
         *re = vmi_cubic(d->re, cosine);
         *im = sine * vmi_cubic(d->im, cosine);
     }
+}
+
+#endif
+/* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
+
+   Every elliptic integral is a sum of these few, and they have no cases and no cancellations of their own:
+     R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
+     R_J(x, y, z, p) = 3/2 integral of dt/((t + p) s(t)),
+   R_C(x, y) = R_F(x, y, y), R_D(x, y, z) = R_J(x, y, z, z), and R_G, which gives the surface of an ellipsoid.
+
+       vm_real K = jacobi_RF(0, VM_C(0.75), 1); // K(m) = R_F(0, 1 - m, 1)
+
+   Method: Carlson's duplication brings the arguments together, until a series about their mean is exact enough. The
+   equations are those of Carlson, Numer. Algorithms 10 (1995) 13-26, with more terms, so that usually two or three
+   duplications are enough. Source: DLMF 19.15 to 19.36. Tests: tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_CARLSON_H
+#define VARMASS_JACOBI_CARLSON_H
+
+/* Three arguments on their way to their mean. Each duplication divides their distances from the mean, relative to it,
+   by about 4. */
+typedef struct VM_TAG(vmi_carlson) {
+    vm_real x, y, z; /* the arguments */
+    vm_real mean;    /* their mean (x + y + z)/3 */
+    vm_real X, Y;    /* mean - x and mean - y; mean - z is -(X + Y) */
+    vm_real a, b, c; /* the square roots of x, y, z in the last duplication */
+    vm_real lambda;  /* a b + b c + c a in the last duplication */
+} vmi_carlson;
+
+/* The series are used if all distances from the mean are at most this share of it. The first terms left out, of the
+   order 11 (float 5), are then below 1e-17 (float 4e-9). */
+#define VMI_CARLSON_CLOSE VM_C(0.0262)
+
+/* Begins with the arguments x, y, z. */
+VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
+{
+    vmi_carlson s;
+    s.x = x;
+    s.y = y;
+    s.z = z;
+    s.mean = (x + y + z) * VM_C(0.3333333333333333333);
+    s.X = s.mean - x;
+    s.Y = s.mean - y;
+    s.a = s.b = s.c = s.lambda = 0;
+    return s;
+}
+
+/* Returns the largest distance from the mean. */
+VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
+{
+    return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
+}
+
+/* One duplication (DLMF 19.26.18): each argument x becomes (x + lambda)/4. Nothing cancels. */
+VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
+{
+    s->a = VM_SQRT(s->x);
+    s->b = VM_SQRT(s->y);
+    s->c = VM_SQRT(s->z);
+    s->lambda = s->a * (s->b + s->c) + s->b * s->c;
+    s->x = (s->x + s->lambda) * VM_C(0.25);
+    s->y = (s->y + s->lambda) * VM_C(0.25);
+    s->z = (s->z + s->lambda) * VM_C(0.25);
+    s->mean = (s->mean + s->lambda) * VM_C(0.25);
+    s->X *= VM_C(0.25);
+    s->Y *= VM_C(0.25);
+}
+
+/* The two symmetric functions of the relative distances X, Y, Z from the mean, whose sum is 0:
+   E2 = XY + YZ + ZX, E3 = XYZ */
+VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real *E3)
+{
+    const vm_real per_mean = 1 / s->mean, X = s->X * per_mean, Y = s->Y * per_mean, Z = -(X + Y);
+    *E2 = X * Y - Z * Z;
+    *E3 = X * Y * Z;
+}
+
+/* R_F from arguments that are close together: the sum of t_N/(2N + 1), divided by the root of the mean. The terms t_N
+   are the coefficients of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2) (DLMF 19.19.7). */
+VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
+{
+    vm_real E2, E3, low, high = 0;
+    vmi_carlson_symmetric(s, &E2, &E3);
+    low = VM_C(0.07142857142857142857) * E3 - VM_C(0.1) * E2;
+    low += E2 * (VM_C(0.04166666666666666667) * E2);
+#if VM_MANT_DIG > 24
+    {
+        const vm_real E22 = E2 * E2, E33 = E3 * E3;
+        const vm_real five = VM_C(-0.06818181818181818182) * (E2 * E3);                                 /* -3/44 */
+        const vm_real six = VM_C(0.02884615384615384615) * E33 - VM_C(0.02403846153846153846) * (E22 * E2);
+        const vm_real seven = VM_C(0.0625) * (E22 * E3);                                                /* 1/16 */
+        const vm_real eight = E2 * (VM_C(0.01608455882352941176) * (E22 * E2) - VM_C(0.05514705882352941176) * E33);
+        const vm_real nine = E3 * (VM_C(0.01644736842105263158) * E33 - VM_C(0.05756578947368421053) * (E22 * E2));
+        const vm_real ten = E22 * (VM_C(0.078125) * E33 - VM_C(0.01171875) * (E22 * E2));
+        high = (five + six) + ((seven + eight) + (nine + ten));
+    }
+#endif
+    return (1 + (low + high)) / VM_SQRT(s->mean);
+}
+
+/* R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. The sum has the terms
+   3 T_N/(2N + 3), where T_N are the coefficients of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
+VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
+{
+    vm_real E2, E3, t, T, sum;
+    vmi_carlson_symmetric(s, &E2, &E3);
+    T = P;
+    sum = VM_C(0.6) * T;
+    t = VM_C(-0.5) * E2;
+    T = P * T + t;
+    sum += VM_C(0.4285714285714285714) * T;
+    t = VM_C(0.5) * E3;
+    T = P * T + t;
+    sum += VM_C(0.3333333333333333333) * T;
+    t = VM_C(0.375) * (E2 * E2);
+    T = P * T + t;
+    sum += VM_C(0.2727272727272727273) * T;
+#if VM_MANT_DIG > 24
+    {
+        const vm_real E22 = E2 * E2, E33 = E3 * E3, E222 = E22 * E2;
+        T = P * T - VM_C(0.75) * (E2 * E3);
+        sum += VM_C(0.2307692307692307692) * T;
+        T = P * T + (VM_C(0.375) * E33 - VM_C(0.3125) * E222);
+        sum += VM_C(0.2) * T;
+        T = P * T + VM_C(0.9375) * (E22 * E3);
+        sum += VM_C(0.1764705882352941176) * T;
+        T = P * T + E2 * (VM_C(0.2734375) * E222 - VM_C(0.9375) * E33);
+        sum += VM_C(0.1578947368421052632) * T;
+        T = P * T + E3 * (VM_C(0.3125) * E33 - VM_C(1.09375) * E222);
+        sum += VM_C(0.1428571428571428571) * T;
+        T = P * T + E22 * (VM_C(1.640625) * E33 - VM_C(0.24609375) * E222);
+        sum += VM_C(0.1304347826086956522) * T;
+    }
+#endif
+    return (1 + sum) / (s->mean * VM_SQRT(s->mean));
+}
+
+/* R_F for arguments x, y, z >= 0 of which at most one is 0, within 3 ulp */
+VM_INLINE vm_real vmi_rf(vm_real x, vm_real y, vm_real z)
+{
+    vmi_carlson s = vmi_carlson_begin(x, y, z);
+    vm_real spread = vmi_carlson_spread(&s);
+    while (spread > VMI_CARLSON_CLOSE * s.mean) {
+        vmi_carlson_duplicate(&s);
+        spread *= VM_C(0.25);
+    }
+    return vmi_carlson_first(&s);
+}
+
+/* R_F(x, y, z), and R_D(x, y, z) to *rd, for z > 0 and arguments of which at most one is 0. Both have the same
+   duplications; each of them adds a positive term to R_D (DLMF 19.26.20). */
+VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
+{
+    vmi_carlson s = vmi_carlson_begin(x, y, z);
+    vm_real spread = vmi_carlson_spread(&s), power = 1, sum = 0;
+    while (spread > VMI_CARLSON_CLOSE * s.mean) {
+        vmi_carlson_duplicate(&s);
+        spread *= VM_C(0.25);
+        sum += power / (4 * s.c * s.z); /* 4 z is here z + lambda of the formula */
+        power *= VM_C(0.25);
+    }
+    *rd = 3 * sum + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean);
+    return vmi_carlson_first(&s);
+}
+
+/* The series of R_C(1, 1 + e) for |e| <= 0.05: 1 - e/3 + e^2/5 - ... */
+VM_INLINE vm_real vmi_rc_series(vm_real e)
+{
+    const vm_real ee = e * e, e4 = ee * ee;
+    const vm_real low = (VM_C(-0.3333333333333333333) + e * VM_C(0.2)) +
+                        ee * (VM_C(-0.1428571428571428571) + e * VM_C(0.1111111111111111111));
+#if VM_MANT_DIG > 24
+    const vm_real middle = (VM_C(-0.09090909090909090909) + e * VM_C(0.07692307692307692308)) +
+                           ee * (VM_C(-0.06666666666666666667) + e * VM_C(0.05882352941176470588));
+    const vm_real high = VM_C(-0.05263157894736842105) + e * VM_C(0.04761904761904761905);
+    return 1 + e * (low + e4 * (middle + e4 * high));
+#else
+    return 1 + e * (low - e4 * VM_C(0.09090909091));
+#endif
+}
+
+/* R_C(1, y) for y > 0: the arctangent of sqrt(y - 1) divided by it, or for y < 1 the inverse hyperbolic tangent. Next
+   to y = 1 it is a series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
+VM_API vm_real vmi_rc_of_1(vm_real y)
+{
+    const vm_real e = y - 1;
+    vm_real root;
+    if (VM_FABS(e) < VM_C(0.18)) {
+        const vm_real sum = 1 + VM_SQRT(y);
+        return 2 * vmi_rc_series(e / (sum * sum)) / sum;
+    }
+    root = VM_SQRT(VM_FABS(e));
+    if (e > 0) return vmi_arctan(root, 1) / root;
+    return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
+}
+
+/* R_C(x, y) for x >= 0 and y != 0; for y < 0 its Cauchy principal value (DLMF 19.2.17, 19.2.20) */
+VM_API vm_real vmi_rc(vm_real x, vm_real y)
+{
+    if (y < 0) return VM_SQRT(x / (x - y)) * vmi_rc(x - y, -y);
+    if (2 * x < y) return vmi_arctan(VM_SQRT(y - x), VM_SQRT(x)) / VM_SQRT(y - x);
+    return vmi_rc_of_1(y / x) / VM_SQRT(x);
+}
+
+/* R_F(x, y, z), and R_J(x, y, z, p) to *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. They should
+   be about 1: d, which has their powers 3/2, must neither overflow nor underflow.
+   Each duplication adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995) with d = (r + a)(r + b)(r + c),
+   r = sqrt(p). 1 + e is here 2 r (p + lambda)/d, in which nothing cancels. */
+VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
+{
+    vmi_carlson s = vmi_carlson_begin(x, y, z);
+    vm_real P = s.mean - p, spread = vmi_larger(vmi_carlson_spread(&s), VM_FABS(P)), power = 1, sum = 0;
+    while (spread > VMI_CARLSON_CLOSE * s.mean) {
+        const vm_real r = VM_SQRT(p);
+        vm_real d;
+        vmi_carlson_duplicate(&s);
+        d = (r + s.a) * (r + s.b) * (r + s.c);
+        sum += power / d * vmi_rc_of_1(2 * r * (p + s.lambda) / d);
+        p = (p + s.lambda) * VM_C(0.25);
+        P *= VM_C(0.25);
+        spread *= VM_C(0.25);
+        power *= VM_C(0.25);
+    }
+    *rj = 6 * sum + power * vmi_carlson_third(&s, P / s.mean);
+    return vmi_carlson_first(&s);
+}
+
+/* A power of 4 and what it does to an integral: the arguments are multiplied by `factor`, so that the largest is about
+   1 and no power of them overflows or underflows. R_F and R_C are then multiplied by `root`, the root of the factor. */
+typedef struct VM_TAG(vmi_carlson_scale) {
+    vm_real factor, root;
+} vmi_carlson_scale;
+
+/* Returns the scale for the largest of the arguments, a finite number > 0. */
+VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
+{
+    const int exponent = (int)(vmi_to_bits(largest) >> VMI_STORED_DIG) - VMI_BIAS, half = (exponent - 1) / 2;
+    vmi_carlson_scale scale;
+    scale.factor = vmi_ldexp(1, -2 * half);
+    scale.root = vmi_ldexp(1, -half);
+    return scale;
+}
+
+/* Is 1 if x, y, z >= 0 */
+VM_API int vmi_carlson_allowed(vm_real x, vm_real y, vm_real z) { return x >= 0 && y >= 0 && z >= 0; }
+
+/* Is 1 if at least two of the three numbers, which are not negative, are 0 */
+VM_API int vmi_two_zeros(vm_real x, vm_real y, vm_real z)
+{
+    return x + y == 0 || y + z == 0 || z + x == 0;
+}
+
+/* The limit of R_F, R_D or R_J where two arguments are 0 (`zeros`) or one is infinite, else NaN: infinity for two
+   zeros, 0 for an infinite argument, and NaN where both meet. */
+VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
+{
+    if (zeros && infinite) return VM_NAN;
+    if (zeros) return VM_INFINITY;
+    return 0;
+}
+
+/* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
+   most 8 ulp. It is infinite if two arguments are 0, and 0 if one is infinite; NaN if one is negative. K(m) is
+   R_F(0, 1 - m, 1), F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
+VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
+{
+    const vm_real largest = vmi_larger(vmi_larger(x, y), z);
+    const int zeros = vmi_two_zeros(x, y, z), infinite = !VM_IS_FINITE(largest);
+    vmi_carlson_scale by;
+    if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
+    if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
+    by = vmi_carlson_scale_of(largest);
+    return by.root * vmi_rf(by.factor * x, by.factor * y, by.factor * z);
+}
+
+/* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
+   logarithm for x > y. The error is at most 8 ulp. For y < 0 it is Cauchy's principal value. It is infinite for y = 0,
+   and 0 if an argument is infinite; NaN if x is negative. DLMF 19.2.17. */
+VM_API vm_real jacobi_RC(vm_real x, vm_real y)
+{
+    const vm_real largest = vmi_larger(x, VM_FABS(y));
+    vmi_carlson_scale by;
+    if (!(x >= 0) || y != y) return VM_NAN;
+    if (y == 0 || !VM_IS_FINITE(largest)) return vmi_carlson_limit(y == 0, !VM_IS_FINITE(largest));
+    by = vmi_carlson_scale_of(largest);
+    return by.root * vmi_rc(by.factor * x, by.factor * y);
+}
+
+/* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and y.
+   The error is at most 8 ulp. It is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite; NaN if one is
+   negative. DLMF 19.16.5. */
+VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
+{
+    const vm_real largest = vmi_larger(vmi_larger(x, y), z);
+    const int zeros = z == 0 || x + y == 0, infinite = !VM_IS_FINITE(largest);
+    vmi_carlson_scale by;
+    vm_real rd;
+    if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
+    if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
+    by = vmi_carlson_scale_of(largest);
+    vmi_rf_rd(by.factor * x, by.factor * y, by.factor * z, &rd);
+    return by.root * (by.root * (by.root * rd));
+}
+
+/* R_J for p < 0: Cauchy's principal value from R_J at a positive p (DLMF 19.20.14), for 0 <= x, y <= z of which at
+   most one is 0 */
+VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
+{
+    const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
+    vm_real rf, rj, rest;
+    rf = vmi_rf_rj(x, y, z, other, &rj);
+    rest = (other - z) * rj - 3 * rf;
+    return (rest + 3 * VM_SQRT(x * y * z / product) * vmi_rc(product, other * q)) / (z + q);
+}
+
+/* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
+   error is at most 8 ulp where the quotients of the arguments are below 1e16, and at most 16 ulp elsewhere. For p < 0
+   it is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). It is infinite if
+   p = 0 or two of the others are 0, and 0 if an argument is infinite; NaN if x, y or z is negative. DLMF 19.16.2. */
+VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
+{
+    const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
+    const int zeros = p == 0 || vmi_two_zeros(x, y, z), infinite = !VM_IS_FINITE(largest);
+    vmi_carlson_scale by;
+    vm_real rj;
+    if (!vmi_carlson_allowed(x, y, z) || p != p) return VM_NAN;
+    if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
+    by = vmi_carlson_scale_of(largest);
+    x *= by.factor;
+    y *= by.factor;
+    z *= by.factor;
+    p *= by.factor;
+    if (p > 0) vmi_rf_rj(x, y, z, p, &rj);
+    else if (x == by.factor * top) rj = vmi_rj_principal(y, z, x, p);
+    else if (y == by.factor * top) rj = vmi_rj_principal(z, x, y, p);
+    else rj = vmi_rj_principal(x, y, z, p);
+    return by.root * (by.root * (by.root * rj));
+}
+
+/* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 8 ulp. It is
+   infinite if an argument is infinite; NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with the
+   half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3.
+   With the middle one of the arguments as z all terms of DLMF 19.21.10 are positive. */
+VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
+{
+    const vm_real least = vmi_smaller(vmi_smaller(x, y), z), largest = vmi_larger(vmi_larger(x, y), z);
+    vm_real middle = vmi_larger(vmi_smaller(x, y), vmi_smaller(vmi_larger(x, y), z)), low, high, rf, rd;
+    vmi_carlson_scale by;
+    if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
+    if (!VM_IS_FINITE(largest)) return VM_INFINITY;
+    if (middle == 0) return VM_SQRT(largest) / 2;
+    by = vmi_carlson_scale_of(largest);
+    low = by.factor * least;
+    middle *= by.factor;
+    high = by.factor * largest;
+    rf = vmi_rf_rd(low, high, middle, &rd);
+    rd *= (high - middle) * (middle - low) * VM_C(0.3333333333333333333);
+    return (middle * rf + rd + VM_SQRT(low * high / middle)) / (2 * by.root);
+}
+
+#endif
+/* jacobi/incomplete.h - incomplete elliptic integrals F, E and Pi, and the complete one of the third kind
+
+     F(phi | m)     = integral from 0 to phi of dx/sqrt(1 - m sin^2 x), the inverse of the amplitude am(u | m)
+     E(phi | m)     = integral of sqrt(1 - m sin^2 x) dx
+     Pi(n; phi | m) = integral of dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)), where n is the characteristic
+   The angle phi is any number of radians, and m = k^2 <= 1. F is the time in which a pendulum reaches an angle, E the
+   length of an arc of an ellipse, Pi the precession of a spherical pendulum or a top.
+
+       vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
+
+   Method: phi is reduced to |theta| <= pi/2 by multiples of pi, where pi has three words; each of them adds twice the
+   complete integral. The rest is a sum of Carlson's integrals whose terms are all positive, so that no digits cancel.
+   Source: DLMF 19.2, 19.7, 19.25. Tests: tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_INCOMPLETE_H
+#define VARMASS_JACOBI_INCOMPLETE_H
+
+/* An angle as a multiple of pi and a rest theta, |theta| <= pi/2 */
+typedef struct VM_TAG(vmi_angle) {
+    vm_real turns; /* twice the multiple: the number of complete integrals in an incomplete one */
+    vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
+} vmi_angle;
+
+/* Reduces the finite angle phi. Where phi is so large that its digits say nothing about the rest, turns is 2 phi/pi
+   and theta is 0. */
+VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_real x = VM_FABS(phi), count = x * VM_C(0.6366197723675813431), j = VM_FLOOR(count + VM_C(0.5));
+    vm_two rest = vmi_two(x, 0);
+    vmi_angle angle;
+    vm_real sine, cosine;
+    angle.turns = 0;
+    if (j > 0) {
+        const vm_two p = vmi_two_product(j, half_pi.hi), sum = vmi_two_sum(x - p.hi, -p.lo);
+        rest = vmi_two_sum(sum.hi, sum.lo - j * half_pi.mid);
+        rest.lo -= j * half_pi.lo;
+        angle.turns = j;
+    }
+    if (!(j < VM_C(0.25) / VM_EPSILON)) {
+        angle.turns = count;
+        rest = vmi_two(0, 0);
+    }
+    vmi_sin_cos(rest, &sine, &cosine);
+    angle.s = sine;
+    angle.c = cosine;
+    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, towards 0 */
+        const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
+        angle.turns = j + side;
+        angle.s = -side * cosine;
+        angle.c = VM_FABS(sine);
+    }
+    if (phi < 0) {
+        angle.turns = -angle.turns;
+        angle.s = -angle.s;
+    }
+    return angle;
+}
+
+/* Is 1 if an integral from 0 to phi has no ordinary value: phi or m1 is infinite, or one of them is NaN, or m1 < 0 */
+VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
+{
+    return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
+}
+
+/* F(phi | m) for 1 - m = m1 + m1_lo */
+VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
+{
+    vmi_angle angle;
+    vm_real cc, ss, part;
+    if (vmi_incomplete_special(phi, m1)) {
+        if (!(m1 >= 0) || phi != phi) return VM_NAN;
+        if (VM_IS_FINITE(phi)) return 0 * phi; /* m is -infinity */
+        if (VM_IS_FINITE(m1)) return phi;
+        return VM_NAN;
+    }
+    angle = vmi_angle_of(phi);
+    cc = angle.c * angle.c;
+    ss = angle.s * angle.s;
+    part = angle.s * vmi_rf(cc, cc + m1 * ss, 1);
+    if (angle.turns == 0) return part;
+    return angle.turns * vmi_K(m1, m1_lo) + part;
+}
+
+/* F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1. It is the inverse of the amplitude, odd in
+   phi, and F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
+   infinite phi, 0 for m = -infinity, and NaN for m > 1 and where both are infinite. For m = 1 it is infinite beyond
+   pi/2. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
+VM_API vm_real jacobi_F(vm_real phi, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_F(phi, m1.hi, m1.lo);
+}
+
+/* F(phi | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_F; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
+
+/* E(theta | m) for |theta| <= pi/2, from the sine and the cosine of theta. m and m1 = 1 - m are given both, so that
+   each has its digits. There is one form for either sign of m, with positive terms only (DLMF 19.25.9-10). */
+VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
+{
+    const vm_real cc = c * c, ss = s * s, dd = cc + m1 * ss;
+    vm_real rf, rd;
+    if (m < 0) {
+        rf = vmi_rf_rd(cc, dd, 1, &rd);
+        return s * (rf - m * ss * rd * VM_C(0.3333333333333333333));
+    }
+    rf = vmi_rf_rd(cc, 1, dd, &rd);
+    return s * (m1 * (rf + m * ss * rd * VM_C(0.3333333333333333333)) + m * (c / VM_SQRT(dd)));
+}
+
+/* E(phi | m) for 1 - m = m1 + m1_lo */
+VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_lo)
+{
+    vmi_angle angle;
+    vm_real part;
+    if (vmi_incomplete_special(phi, m1)) {
+        if (!(m1 >= 0) || phi != phi) return VM_NAN;
+        if (phi == 0 || !VM_IS_FINITE(phi)) return phi;
+        return VM_COPYSIGN(VM_INFINITY, phi); /* m is -infinity */
+    }
+    angle = vmi_angle_of(phi);
+    part = vmi_E_part(angle.s, angle.c, m, m1);
+    if (angle.turns == 0) return part;
+    return angle.turns * vmi_E(m1, m1_lo) + part;
+}
+
+/* E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1. It is odd in phi, and
+   E(phi + pi) = E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi,
+   infinity with the sign of phi for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF 19.2.5. */
+VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_E_incomplete(phi, m, m1.hi, m1.lo);
+}
+
+/* E(phi | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_E_incomplete; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
+
+/* R_F, and weight R_J/3 to *third, for arguments of any size, of which the largest is `top`. Only the product of the
+   weight and R_J has to be within the range of the type. */
+VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
+                                  vm_real *third)
+{
+    vmi_carlson_scale by;
+    vm_real rf, rj;
+    if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
+        rf = vmi_rf_rj(x, y, z, p, &rj);
+        *third = weight * (rj * VM_C(0.3333333333333333333));
+        return rf;
+    }
+    by = vmi_carlson_scale_of(top);
+    rf = vmi_rf_rj(by.factor * x, by.factor * y, by.factor * z, by.factor * p, &rj);
+    *third = by.root * (by.root * weight) * (by.root * rj) * VM_C(0.3333333333333333333);
+    return by.root * rf;
+}
+
+/* Pi(n; theta | m) for |theta| <= pi/2, from the sine and the cosine of theta, with 1 - m = m1. With p = 1 - n s^2 and
+   d = 1 - m s^2 there are three cases, each a sum of positive terms, but for a term of the third with m > 0:
+     n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
+            1 - N s^2 = c^2 + s^2 m1/(1 - n);
+     0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
+     p < 0: m/n replaces n (DLMF 19.7.8), q = 1 - s^2 m/n, and R_C has its principal value. */
+VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m1)
+{
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, top = vmi_larger(d, 1);
+    vm_real p = cc + (1 - n) * ss, q, share, rf, third;
+    if (n < 0) {
+        p = 1 - n * ss;
+        share = m1 / (1 - n);
+        q = cc + share * ss;
+        rf = vmi_rf_rj_weighted(cc, d, 1, q, top, share * ss, &third);
+        return s * (rf / (1 - n) + n / (n - 1) * (c * vmi_rc(d, p * q) + third));
+    }
+    if (p > 0) {
+        rf = vmi_rf_rj_weighted(cc, d, 1, p, top, n * ss, &third);
+        return s * (rf + third);
+    }
+    if (p == 0) return VM_COPYSIGN(VM_INFINITY, s);
+    q = cc + ((n - 1) + m1) / n * ss;
+    vmi_rf_rj_weighted(cc, d, 1, q, top, m / n * ss, &third);
+    return s * (vmi_rc(cc * d, p * q) - third);
+}
+
+/* Pi(n | m), where m and m1 = 1 - m are given both. The cases are those of vmi_Pi_part for theta = pi/2. */
+VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
+{
+    const vm_real top = vmi_larger(m1, 1);
+    vm_real share, rf, third;
+    if (!(m1 >= 0) || n != n) return VM_NAN;
+    if (!VM_IS_FINITE(n) || !VM_IS_FINITE(m1)) {
+        if (VM_IS_FINITE(n) && n < 1) return 0; /* m is -infinity */
+        if (!VM_IS_FINITE(n) && VM_IS_FINITE(m1) && m1 > 0) return 0;
+        return VM_NAN;
+    }
+    if (n == 1) return VM_INFINITY;
+    if (m1 == 0) return VM_COPYSIGN(VM_INFINITY, 1 - n);
+    if (n < 0) {
+        share = m1 / (1 - n);
+        rf = vmi_rf_rj_weighted(0, m1, 1, share, top, share, &third);
+        return rf / (1 - n) + n / (n - 1) * third;
+    }
+    if (n < 1) {
+        rf = vmi_rf_rj_weighted(0, m1, 1, 1 - n, top, n, &third);
+        return rf + third;
+    }
+    vmi_rf_rj_weighted(0, m1, 1, ((n - 1) + m1) / n, top, m / n, &third);
+    return 0 - third;
+}
+
+/* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The error
+   is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 it is Cauchy's principal value. It is infinite for n = 1 and for m = 1, where its sign is that
+   of 1 - n; 0 for infinite n, and for m = -infinity with n < 1; NaN for m > 1. DLMF 19.2.8, 19.6.5. */
+VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
+
+/* Pi(n | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_Pi; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
+
+/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from the sine and the cosine of theta. With the angle
+   theta' for which tan theta tan theta' = 1/k' and N = (m - n)/(1 - n) this is the integral from 0 to theta' of
+   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: always for
+   n <= 0, and for n > 0 where theta is nearer to pi/2 than the larger part of the integral. */
+VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
+{
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, share = m1 / (1 - n);
+    vm_real rf, third;
+    *exact = n <= 0 || share * cc <= m1 * ss;
+    rf = vmi_rf_rj_weighted(m1 * ss, m1, d, m1 * ss + share * cc, vmi_larger(d, m1), n * share * cc, &third);
+    return c * (rf - third) / (1 - n);
+}
+
+/* Pi(n; phi | m), where m and m1 = 1 - m are given both. Between pi/2 and pi a difference 2 Pi(n | m) - Pi(theta) would
+   triple the errors, so that the complement is added to Pi(n | m) instead. */
+VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
+{
+    vmi_angle angle;
+    vm_real part;
+    if (vmi_incomplete_special(phi, m1) || !VM_IS_FINITE(n)) {
+        const vm_real complete = vmi_Pi(n, m, m1);
+        if (!(m1 >= 0) || phi != phi || n != n) return VM_NAN;
+        if (!VM_IS_FINITE(phi) && complete != 0) return VM_COPYSIGN(phi, phi * complete);
+        if (VM_IS_FINITE(phi) && (complete == 0 || m1 == 0)) return 0 * phi;
+        return VM_NAN;
+    }
+    angle = vmi_angle_of(phi);
+    if (VM_FABS(angle.turns) == 2 && angle.s * angle.turns < 0 && n < 1 && m1 > 0) {
+        const vm_real half = vmi_Pi(n, m, m1);
+        int exact;
+        part = vmi_Pi_complement(VM_FABS(angle.s), angle.c, n, m1, &exact);
+        if (exact) return VM_COPYSIGN(half + part, phi);
+    }
+    part = vmi_Pi_part(angle.s, angle.c, n, m, m1);
+    if (angle.turns == 0) return part;
+    return angle.turns * vmi_Pi(n, m, m1) + part;
+}
+
+/* Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1. The characteristic n is any number.
+   Pi is odd in phi, and Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
+   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 it has poles where n sin^2 phi = 1, and is Cauchy's principal value beyond; its error is then at most 16
+   eps of the larger of |F| and |Pi|, plus the change that 4 ulp of n make. The limits at infinity are 0 for infinite n
+   and for m = -infinity; NaN for m > 1. docs/cost.md has the time. DLMF 19.2.7. */
+VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
+{
+    return vmi_Pi_incomplete(phi, n, m, 1 - m);
+}
+
+/* Pi(n; phi | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_Pi_incomplete; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
+{
+    return vmi_Pi_incomplete(phi, n, 1 - m1, m1);
+}
+
+#endif
+/* jacobi/inverse.h - the inverses of sn, cn and dn
+
+   Each returns the u that is nearest to 0 among those at which the function has the value x, for cn and dn the positive
+   one. The other solutions follow from the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m), jacobi_F.
+
+       vm_real u = jacobi_inverse_cn(VM_C(0.3), VM_C(0.5)); // cn(u | 0.5) = 0.3
+
+   Equations: DLMF 22.15, 19.25.31. Tests: tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_INVERSE_H
+#define VARMASS_JACOBI_INVERSE_H
+
+/* The inverse of sn for 1 - m = m1. 1 - x^2 is computed as a product, so that it keeps its digits. */
+VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
+{
+    const vm_real cc = (1 - x) * (1 + x);
+    if (!(VM_FABS(x) <= 1) || !(m1 >= 0)) return VM_NAN;
+    if (!VM_IS_FINITE(m1)) return 0 * x;
+    if (cc == 0 && m1 == 0) return x * VM_INFINITY;
+    return x * vmi_rf(cc, cc + m1 * (x * x), 1);
+}
+
+/* The inverse of sn: u with sn(u | m) = x and |u| <= K, for |x| <= 1 and m <= 1. It is odd in x. The error is at most
+   8 ulp. For m = 1 it is the inverse of tanh, infinite for |x| = 1. Returns 0 for m = -infinity, and NaN for |x| > 1
+   and m > 1. DLMF 22.15.12. */
+VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x, 1 - m); }
+
+/* The inverse of sn from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_inverse_sn; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
+
+/* The inverse of cn for 1 - m = m1 + m1_lo. For x < 0 it is 2 K minus the inverse at |x|, which is at most K. */
+VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
+{
+    const vm_real ss = (1 - x) * (1 + x), cc = x * x;
+    vm_real u;
+    if (!(VM_FABS(x) <= 1) || !(m1 >= 0)) return VM_NAN;
+    if (!VM_IS_FINITE(m1)) return 0;
+    if (m1 == 0 && x == 0) return VM_INFINITY;
+    if (m1 == 0 && x < 0) return VM_NAN;
+    u = VM_SQRT(ss) * vmi_rf(cc, cc + m1 * ss, 1);
+    if (x < 0) return 2 * vmi_K(m1, m1_lo) - u;
+    return u;
+}
+
+/* The inverse of cn: u with cn(u | m) = x and 0 <= u <= 2K, for |x| <= 1 and m <= 1. The error is at most 8 ulp. For
+   m = 1 it is the inverse of 1/cosh, infinite for x = 0 and NaN for x < 0. Returns 0 for m = -infinity, and NaN for
+   |x| > 1 and m > 1. DLMF 22.15.13. */
+VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_inverse_cn(x, m1.hi, m1.lo);
+}
+
+/* The inverse of cn from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_inverse_cn; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
+
+/* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1. The
+   latter is formed from the exact square of x. It may be negative if x is k' after rounding; then c is taken as 0. */
+VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
+{
+    const vm_real bound = VM_SQRT(m1);
+    const vm_two square = vmi_two_product(x, x);
+    vm_real ss, cc;
+    if (!(x >= vmi_smaller(bound, 1) && x <= vmi_larger(bound, 1)) || !(m1 >= 0)) return VM_NAN;
+    if (x == 1) return 0;
+    if (m1 == 0 && x == 0) return VM_INFINITY;
+    ss = (1 - x) * (1 + x) / m;
+    cc = vmi_larger(((square.hi - m1) + (square.lo - m1_lo)) / m, 0);
+    return VM_SQRT(ss) * vmi_rf(cc, square.hi, 1);
+}
+
+/* The inverse of dn: u with dn(u | m) = x and 0 <= u <= K, for x between 1 and sqrt(1 - m), m <= 1. The error is at
+   most 8 ulp. For m = 1 it is the inverse of 1/cosh, infinite for x = 0. Returns NaN for m > 1 and where dn has no such
+   value; for m = 0 dn is 1 everywhere, and u is 0. DLMF 22.15.14. */
+VM_API vm_real jacobi_inverse_dn(vm_real x, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    if (!VM_IS_FINITE(m)) return VM_NAN;
+    return vmi_inverse_dn(x, m, m1.hi, m1.lo);
+}
+
+/* The inverse of dn from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_inverse_dn; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
+{
+    if (!VM_IS_FINITE(m1)) return VM_NAN;
+    return vmi_inverse_dn(x, 1 - m1, m1, 0);
+}
+
+#endif
+/* jacobi/reciprocal.h - sn, cn and dn for any parameter, also for m > 1
+
+   For m > 1 the roles of cn and dn change: dn oscillates between 1 and -1, and cn stays positive. A pendulum whose
+   small oscillations have the frequency w0, and which passes its lowest point with the angular velocity W at t = 0,
+   has the modulus k = W/(2 w0). It swings for m = k^2 < 1 and rotates for m > 1. In both cases its angle is given by
+   sin(angle/2) = k sn(w0 t | m), cos(angle/2) = dn(w0 t | m), and its angular velocity is W cn(w0 t | m).
+
+       vm_real sn, cn, dn;
+       jacobi_sncndn_any(VM_C(1.2), VM_C(2.5), &sn, &cn, &dn);
+
+   Equations: DLMF 22.17.2-4. Tests: tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_RECIPROCAL_H
+#define VARMASS_JACOBI_RECIPROCAL_H
+
+/* sn, cn and dn of the argument u for any finite parameter m. For m <= 1 they are those of jacobi_sncndn. For m > 1
+     sn(u | m) = sn(k u | 1/m)/k,  cn(u | m) = dn(k u | 1/m),  dn(u | m) = cn(k u | 1/m),  k = sqrt(m).
+   The error is then at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4), and at most 8 ulp for
+   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. The method adds the second word of k u by a Taylor series. */
+VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    vm_two k, phase, m1;
+    vm_real s, c, d, h;
+    if (!(m > 1) || !VM_IS_FINITE(m) || !VM_IS_FINITE(u)) {
+        jacobi_sncndn(u, m, sn, cn, dn);
+        return;
+    }
+    k = vmi_root(m, 0);
+    m1 = vmi_two_over(vmi_two_sum(m, -1), vmi_two(m, 0));
+    phase = vmi_two_scaled(k, u);
+    vmi_sncndn(phase.hi, m1.hi, m1.lo, &s, &c, &d);
+    h = phase.lo;
+    *sn = (s + h * (c * d - h / 2 * s * (d * d + c * c / m))) / k.hi;
+    *cn = vmi_clamp(d - h / m * (s * c + h / 2 * d * (c * c - s * s)), 0, 1);
+    *dn = vmi_clamp(c - h * (s * d + h / 2 * c * (d * d - s * s / m)), -1, 1);
 }
 
 #endif
