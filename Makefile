@@ -115,8 +115,9 @@ exhaustive: $(EXHAUSTIVE)
 points: build/command
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	mkdir -p build/points && python3 tests/gen/jacobi_reference.py 20 build/points $(SEED)
+	python3 tests/gen/elliptic_integrals_reference.py 10 build/points $(SEED)
 	python3 tests/gen/ateb_reference.py 23 $(SEED) build/points/ateb_table.h
-	for flags in "" -DVM_USE_FLOAT "-O3 -march=native -ffp-contract=fast"; do for test in jacobi ateb; do \
+	for flags in "" -DVM_USE_FLOAT "-O3 -march=native -ffp-contract=fast"; do for test in jacobi elliptic_integrals ateb; do \
 	    $(COMPILE) $$flags -DPOINTS tests/test_$$test.c -o build/points/test -lm && ./build/points/test || exit 1; \
 	    done; done
 
@@ -251,6 +252,7 @@ data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	python3 tests/gen/ateb_reference.py
 	python3 tests/gen/jacobi_reference.py
+	python3 tests/gen/elliptic_integrals_reference.py
 	python3 tests/gen/beta_reference.py
 	python3 tests/gen/lambert_reference.py
 	python3 tests/gen/drum_reference.py
