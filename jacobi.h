@@ -91,7 +91,7 @@
      means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
      F, E, Pi     <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; for n > 1 as at jacobi_Pi_incomplete
-     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp, but R_J as at jacobi_RJ
+     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp, but R_G <= 10 ulp, and R_J as at jacobi_RJ
      m > 1        as sn, cn, dn for m <= 1, with k u in place of u
      solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
 
@@ -2845,10 +2845,10 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
     return vmi_rc_of_1(y / x) / VM_SQRT(x);
 }
 
-/* R_F(x, y, z), and R_J(x, y, z, p) to *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. They should
-   be about 1: d, which has their powers 3/2, must neither overflow nor underflow.
-   Each duplication adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995) with d = (r + a)(r + b)(r + c),
-   r = sqrt(p). 1 + e is here 2 r (p + lambda)/d, in which nothing cancels. */
+/* R_F(x, y, z), and R_J(x, y, z, p) to *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. They
+   should be about 1: d, which has their powers 3/2, must neither overflow nor underflow. Each duplication adds 6/d
+   R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995) with d = (r + a)(r + b)(r + c), r = sqrt(p). 1 + e is here 2
+   r (p + lambda)/d, in which nothing cancels. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -2903,8 +2903,8 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
 }
 
 /* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
-   most 8 ulp. It is infinite if two arguments are 0, and 0 if one is infinite; NaN if one is negative. K(m) is
-   R_F(0, 1 - m, 1), F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
+   most 8 ulp. It is infinite if two arguments are 0, and 0 if one is infinite; NaN if one is negative. K(m) is R_F(0,
+   1 - m, 1), F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
 VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -2917,8 +2917,8 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 }
 
 /* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
-   logarithm for x > y. The error is at most 8 ulp. For y < 0 it is Cauchy's principal value. It is infinite for y = 0,
-   and 0 if an argument is infinite; NaN if x is negative. DLMF 19.2.17. */
+   logarithm for x > y. The error is at most 8 ulp. For y < 0 it is Cauchy's principal value. It is infinite for y =
+   0, and 0 if an argument is infinite; NaN if x is negative. DLMF 19.2.17. */
 VM_API vm_real jacobi_RC(vm_real x, vm_real y)
 {
     const vm_real largest = vmi_larger(x, VM_FABS(y));
@@ -2929,9 +2929,9 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
     return by.root * vmi_rc(by.factor * x, by.factor * y);
 }
 
-/* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and y.
-   The error is at most 8 ulp. It is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite; NaN if one is
-   negative. DLMF 19.16.5. */
+/* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
+   y. The error is at most 8 ulp. It is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite; NaN if one
+   is negative. DLMF 19.16.5. */
 VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -2958,8 +2958,9 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
    error is at most 8 ulp where the quotients of the arguments are below 1e16, and at most 16 ulp elsewhere. For p < 0
-   it is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). It is infinite if
-   p = 0 or two of the others are 0, and 0 if an argument is infinite; NaN if x, y or z is negative. DLMF 19.16.2. */
+   it is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). It is infinite
+   if p = 0 or two of the others are 0, and 0 if an argument is infinite; NaN if x, y or z is negative. DLMF 19.16.2.
+   */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
@@ -2980,10 +2981,10 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     return by.root * (by.root * (by.root * rj));
 }
 
-/* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 8 ulp. It is
+/* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. It is
    infinite if an argument is infinite; NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with the
-   half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3.
-   With the middle one of the arguments as z all terms of DLMF 19.21.10 are positive. */
+   half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. With the middle one of the
+   arguments as z all terms of DLMF 19.21.10 are positive. */
 VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 {
     const vm_real least = vmi_smaller(vmi_smaller(x, y), z), largest = vmi_larger(vmi_larger(x, y), z);
@@ -3085,8 +3086,8 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
     return angle.turns * vmi_K(m1, m1_lo) + part;
 }
 
-/* F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1. It is the inverse of the amplitude, odd in
-   phi, and F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
+/* F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1. It is the inverse of the amplitude, odd
+   in phi, and F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
    infinite phi, 0 for m = -infinity, and NaN for m > 1 and where both are infinite. For m = 1 it is infinite beyond
    pi/2. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
@@ -3129,9 +3130,9 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     return angle.turns * vmi_E(m1, m1_lo) + part;
 }
 
-/* E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1. It is odd in phi, and
-   E(phi + pi) = E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi,
-   infinity with the sign of phi for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF 19.2.5. */
+/* E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1. It is odd in phi, and E(phi + pi) =
+   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, infinity
+   with the sign of phi for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3213,19 +3214,20 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
     return 0 - third;
 }
 
-/* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The error
-   is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 it is Cauchy's principal value. It is infinite for n = 1 and for m = 1, where its sign is that
-   of 1 - n; 0 for infinite n, and for m = -infinity with n < 1; NaN for m > 1. DLMF 19.2.8, 19.6.5. */
+/* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
+   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 it is Cauchy's principal value. It is infinite
+   for n = 1 and for m = 1, where its sign is that of 1 - n; 0 for infinite n, and for m = -infinity with n < 1; NaN
+   for m > 1. DLMF 19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
 
 /* Pi(n | m) from the complementary parameter m1 = 1 - m >= 0.
    Domain and accuracy are those of jacobi_Pi; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
-/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from the sine and the cosine of theta. With the angle
-   theta' for which tan theta tan theta' = 1/k' and N = (m - n)/(1 - n) this is the integral from 0 to theta' of
-   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: always for
-   n <= 0, and for n > 0 where theta is nearer to pi/2 than the larger part of the integral. */
+/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from the sine and the cosine of theta. With the
+   angle theta' for which tan theta tan theta' = 1/k' and N = (m - n)/(1 - n) this is the integral from 0 to theta' of
+   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: always for n
+   <= 0, and for n > 0 where theta is nearer to pi/2 than the larger part of the integral. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, share = m1 / (1 - n);
@@ -3235,8 +3237,8 @@ VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, in
     return c * (rf - third) / (1 - n);
 }
 
-/* Pi(n; phi | m), where m and m1 = 1 - m are given both. Between pi/2 and pi a difference 2 Pi(n | m) - Pi(theta) would
-   triple the errors, so that the complement is added to Pi(n | m) instead. */
+/* Pi(n; phi | m), where m and m1 = 1 - m are given both. Between pi/2 and pi a difference 2 Pi(n | m) - Pi(theta)
+   would triple the errors, so that the complement is added to Pi(n | m) instead. */
 VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
 {
     vmi_angle angle;
@@ -3262,9 +3264,10 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1. The characteristic n is any number.
    Pi is odd in phi, and Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
-   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 it has poles where n sin^2 phi = 1, and is Cauchy's principal value beyond; its error is then at most 16
-   eps of the larger of |F| and |Pi|, plus the change that 4 ulp of n make. The limits at infinity are 0 for infinite n
-   and for m = -infinity; NaN for m > 1. docs/cost.md has the time. DLMF 19.2.7. */
+   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 it has poles where n sin^2 phi = 1, and is Cauchy's
+   principal value beyond; its error is then at most 16 eps of the larger of |F| and |Pi|, plus the change that 4 ulp
+   of n make. The limits at infinity are 0 for infinite n and for m = -infinity; NaN for m > 1. docs/cost.md has the
+   time. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     return vmi_Pi_incomplete(phi, n, m, 1 - m);
@@ -3281,7 +3284,8 @@ VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 /* jacobi/inverse.h - the inverses of sn, cn and dn
 
    Each returns the u that is nearest to 0 among those at which the function has the value x, for cn and dn the positive
-   one. The other solutions follow from the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m), jacobi_F.
+   one. The other solutions follow from the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m),
+   which jacobi_F computes.
 
        vm_real u = jacobi_inverse_cn(VM_C(0.3), VM_C(0.5)); // cn(u | 0.5) = 0.3
 

@@ -91,7 +91,7 @@
      means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
      F, E, Pi     <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; for n > 1 as at jacobi_Pi_incomplete
-     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp, but R_J as at jacobi_RJ
+     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp, but R_G <= 10 ulp, and R_J as at jacobi_RJ
      m > 1        as sn, cn, dn for m <= 1, with k u in place of u
      solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
 

@@ -204,10 +204,10 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
     return vmi_rc_of_1(y / x) / VM_SQRT(x);
 }
 
-/* R_F(x, y, z), and R_J(x, y, z, p) to *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. They should
-   be about 1: d, which has their powers 3/2, must neither overflow nor underflow.
-   Each duplication adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995) with d = (r + a)(r + b)(r + c),
-   r = sqrt(p). 1 + e is here 2 r (p + lambda)/d, in which nothing cancels. */
+/* R_F(x, y, z), and R_J(x, y, z, p) to *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. They
+   should be about 1: d, which has their powers 3/2, must neither overflow nor underflow. Each duplication adds 6/d
+   R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995) with d = (r + a)(r + b)(r + c), r = sqrt(p). 1 + e is here 2
+   r (p + lambda)/d, in which nothing cancels. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -262,8 +262,8 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
 }
 
 /* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
-   most 8 ulp. It is infinite if two arguments are 0, and 0 if one is infinite; NaN if one is negative. K(m) is
-   R_F(0, 1 - m, 1), F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
+   most 8 ulp. It is infinite if two arguments are 0, and 0 if one is infinite; NaN if one is negative. K(m) is R_F(0,
+   1 - m, 1), F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
 VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -276,8 +276,8 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 }
 
 /* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
-   logarithm for x > y. The error is at most 8 ulp. For y < 0 it is Cauchy's principal value. It is infinite for y = 0,
-   and 0 if an argument is infinite; NaN if x is negative. DLMF 19.2.17. */
+   logarithm for x > y. The error is at most 8 ulp. For y < 0 it is Cauchy's principal value. It is infinite for y =
+   0, and 0 if an argument is infinite; NaN if x is negative. DLMF 19.2.17. */
 VM_API vm_real jacobi_RC(vm_real x, vm_real y)
 {
     const vm_real largest = vmi_larger(x, VM_FABS(y));
@@ -288,9 +288,9 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
     return by.root * vmi_rc(by.factor * x, by.factor * y);
 }
 
-/* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and y.
-   The error is at most 8 ulp. It is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite; NaN if one is
-   negative. DLMF 19.16.5. */
+/* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
+   y. The error is at most 8 ulp. It is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite; NaN if one
+   is negative. DLMF 19.16.5. */
 VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -317,8 +317,9 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
    error is at most 8 ulp where the quotients of the arguments are below 1e16, and at most 16 ulp elsewhere. For p < 0
-   it is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). It is infinite if
-   p = 0 or two of the others are 0, and 0 if an argument is infinite; NaN if x, y or z is negative. DLMF 19.16.2. */
+   it is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). It is infinite
+   if p = 0 or two of the others are 0, and 0 if an argument is infinite; NaN if x, y or z is negative. DLMF 19.16.2.
+   */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
@@ -339,10 +340,10 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     return by.root * (by.root * (by.root * rj));
 }
 
-/* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 8 ulp. It is
+/* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. It is
    infinite if an argument is infinite; NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with the
-   half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3.
-   With the middle one of the arguments as z all terms of DLMF 19.21.10 are positive. */
+   half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. With the middle one of the
+   arguments as z all terms of DLMF 19.21.10 are positive. */
 VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 {
     const vm_real least = vmi_smaller(vmi_smaller(x, y), z), largest = vmi_larger(vmi_larger(x, y), z);

@@ -88,8 +88,8 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
     return angle.turns * vmi_K(m1, m1_lo) + part;
 }
 
-/* F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1. It is the inverse of the amplitude, odd in
-   phi, and F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
+/* F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1. It is the inverse of the amplitude, odd
+   in phi, and F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
    infinite phi, 0 for m = -infinity, and NaN for m > 1 and where both are infinite. For m = 1 it is infinite beyond
    pi/2. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
@@ -132,9 +132,9 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     return angle.turns * vmi_E(m1, m1_lo) + part;
 }
 
-/* E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1. It is odd in phi, and
-   E(phi + pi) = E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi,
-   infinity with the sign of phi for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF 19.2.5. */
+/* E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1. It is odd in phi, and E(phi + pi) =
+   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, infinity
+   with the sign of phi for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -216,19 +216,20 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
     return 0 - third;
 }
 
-/* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The error
-   is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 it is Cauchy's principal value. It is infinite for n = 1 and for m = 1, where its sign is that
-   of 1 - n; 0 for infinite n, and for m = -infinity with n < 1; NaN for m > 1. DLMF 19.2.8, 19.6.5. */
+/* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
+   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 it is Cauchy's principal value. It is infinite
+   for n = 1 and for m = 1, where its sign is that of 1 - n; 0 for infinite n, and for m = -infinity with n < 1; NaN
+   for m > 1. DLMF 19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
 
 /* Pi(n | m) from the complementary parameter m1 = 1 - m >= 0.
    Domain and accuracy are those of jacobi_Pi; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
-/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from the sine and the cosine of theta. With the angle
-   theta' for which tan theta tan theta' = 1/k' and N = (m - n)/(1 - n) this is the integral from 0 to theta' of
-   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: always for
-   n <= 0, and for n > 0 where theta is nearer to pi/2 than the larger part of the integral. */
+/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from the sine and the cosine of theta. With the
+   angle theta' for which tan theta tan theta' = 1/k' and N = (m - n)/(1 - n) this is the integral from 0 to theta' of
+   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: always for n
+   <= 0, and for n > 0 where theta is nearer to pi/2 than the larger part of the integral. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, share = m1 / (1 - n);
@@ -238,8 +239,8 @@ VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, in
     return c * (rf - third) / (1 - n);
 }
 
-/* Pi(n; phi | m), where m and m1 = 1 - m are given both. Between pi/2 and pi a difference 2 Pi(n | m) - Pi(theta) would
-   triple the errors, so that the complement is added to Pi(n | m) instead. */
+/* Pi(n; phi | m), where m and m1 = 1 - m are given both. Between pi/2 and pi a difference 2 Pi(n | m) - Pi(theta)
+   would triple the errors, so that the complement is added to Pi(n | m) instead. */
 VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
 {
     vmi_angle angle;
@@ -265,9 +266,10 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1. The characteristic n is any number.
    Pi is odd in phi, and Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
-   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 it has poles where n sin^2 phi = 1, and is Cauchy's principal value beyond; its error is then at most 16
-   eps of the larger of |F| and |Pi|, plus the change that 4 ulp of n make. The limits at infinity are 0 for infinite n
-   and for m = -infinity; NaN for m > 1. docs/cost.md has the time. DLMF 19.2.7. */
+   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 it has poles where n sin^2 phi = 1, and is Cauchy's
+   principal value beyond; its error is then at most 16 eps of the larger of |F| and |Pi|, plus the change that 4 ulp
+   of n make. The limits at infinity are 0 for infinite n and for m = -infinity; NaN for m > 1. docs/cost.md has the
+   time. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     return vmi_Pi_incomplete(phi, n, m, 1 - m);

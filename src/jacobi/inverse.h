@@ -1,7 +1,8 @@
 /* jacobi/inverse.h - the inverses of sn, cn and dn
 
    Each returns the u that is nearest to 0 among those at which the function has the value x, for cn and dn the positive
-   one. The other solutions follow from the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m), jacobi_F.
+   one. The other solutions follow from the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m),
+   which jacobi_F computes.
 
        vm_real u = jacobi_inverse_cn(VM_C(0.3), VM_C(0.5)); // cn(u | 0.5) = 0.3
 

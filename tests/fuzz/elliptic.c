@@ -1,5 +1,5 @@
-/* Fuzz target: jacobi.h's elliptic integrals, their inverses, and m > 1. Ranges, symmetries, periods, inverses, order,
-   and what is outside the domain. */
+/* Fuzz target: jacobi.h's elliptic integrals, their inverses, and m > 1. Ranges, symmetries, periods, inverses,
+   order, and what is outside the domain. */
 #include "fuzz.h"
 
 /* m of all kinds: around 0 and 1, far below, and what is refused */
@@ -18,7 +18,8 @@ static vm_real draw_parameter(void)
 static vm_real draw_angle(void)
 {
     const int kind = draw_below(5);
-    if (kind == 0) return drawn((double)neighbour(R(0.785398163397448310) * R((int)draw_byte() - 128), draw_below(9) - 4));
+    if (kind == 0)
+        return drawn((double)neighbour(R(0.785398163397448310) * R((int)draw_byte() - 128), draw_below(9) - 4));
     if (kind == 1) return draw_in(-1.5, 1.5);
     if (kind == 2) return draw_in(-30, 30);
     if (kind == 3) return drawn((draw_byte() & 1 ? -1 : 1) * (double)draw_log(1e-12, IS_FLOAT ? 1e4 : 1e9));
@@ -38,10 +39,13 @@ static void check_first_and_second(void)
     HOLDS(same_bits(jacobi_F(-phi, m), -F) && same_bits(jacobi_E_incomplete(-phi, m), -E));
     if (!regular(phi, m)) return;
     HOLDS(!is_nan(F) && !is_nan(E) && (phi < 0 ? F <= 0 && E <= 0 : F >= 0 && E >= 0));
-    if (m >= R(0.5)) HOLDS(same_bits(jacobi_F_m1(phi, 1 - m), F) && same_bits(jacobi_E_incomplete_m1(phi, 1 - m), E));
+    if (m >= R(0.5))
+        HOLDS(same_bits(jacobi_F_m1(phi, 1 - m), F) && same_bits(jacobi_E_incomplete_m1(phi, 1 - m), E));
     if (VM_FABS(phi) > (IS_FLOAT ? R(1e4) : R(1e9))) return;
-    HOLDS(m >= 0 ? VM_FABS(E) <= VM_FABS(F) * (1 + 16 * VM_EPSILON) : VM_FABS(E) >= VM_FABS(F) * (1 - 16 * VM_EPSILON));
-    HOLDS(F * E <= VM_MAX ? VM_FABS(F) / 4 * VM_FABS(E) >= phi / 4 * phi * (1 - 32 * VM_EPSILON) - VM_MIN : 1); /* Schwarz */
+    HOLDS(m >= 0 ? VM_FABS(E) <= VM_FABS(F) * (1 + 16 * VM_EPSILON)
+                 : VM_FABS(E) >= VM_FABS(F) * (1 - 16 * VM_EPSILON));
+    HOLDS(F * E <= VM_MAX ? VM_FABS(F) / 4 * VM_FABS(E) >= phi / 4 * phi * (1 - 32 * VM_EPSILON) - VM_MIN
+                          : 1); /* Schwarz */
     next = neighbour(phi, 1);
     HOLDS(jacobi_F(next, m) >= F - 16 * VM_EPSILON * VM_FABS(F));
     HOLDS(jacobi_E_incomplete(next, m) >= E - 16 * VM_EPSILON * VM_FABS(E));
