@@ -805,18 +805,19 @@ typedef struct VM_TAG(vmi_rk_system) {
     ptrdiff_t m;
 } vmi_rk_system;
 
-/* What a run needs to know of its pair */
+/* What a run needs to know of its Runge-Kutta pair. k_i is the value of f in stage i of a step from t to t + h. */
 typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage is f at the new state, k_1 of the next step; 0: the run evaluates k_1 */
+    int last_is_first;    /* 1: the last stage gives f at the new state, the next k_1; 0: the run evaluates it */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
     vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of f's Jacobian exceeds this */
-    /* Two stages, or the last stage and the new state, evaluate f at t + h. Returns the weight of k_{j+1} in the
-       difference of these two states, divided by h. */
+    /* For the test of stiffness, which compares two states at the end t + h of a step: those of the last two stages
+       (rk45), or the new state and that of the last stage (rk87). The difference of these two states is h times a sum
+       over all k_{j+1}; the function returns the factor of k_{j+1} in it. */
     vm_real (*end_difference)(int j);
     /* Computes the state y at the fraction x of the step by the continuous extension, y_old + h (b_1 k_1 + ...), whose
        weights b_j depend on x */
@@ -826,8 +827,8 @@ typedef struct VM_TAG(vmi_rk_pair) {
 } vmi_rk_pair;
 
 /* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
-   inlines make_stages and step_error into the loop. They are no part of vmi_rk_pair, which each run stores, because the
-   compiler would then compile them a second time. */
+   inlines make_stages and step_error into the loop. The two functions are no part of vmi_rk_pair, which each run
+   stores, because the compiler would then compile them a second time. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -1183,7 +1184,7 @@ VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
     return v;
 }
 
-#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios from which the first step is chosen */
+#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios to tolerances from which the first step is chosen */
 
 /* The largest ratio of |v_i| to the tolerance of component i, at most VMI_LARGEST_RATIO */
 VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
@@ -1197,9 +1198,10 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
     return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
 }
 
-/* Chooses the size s->h of the first step from the sizes of y, y' and y'' [2, II.4], so that the error of this step
-   should be 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %, and at most
-   `longest`. `direction`, 1 or -1, is the sign of s->h. Overwrites k_2 and the part VMI_Z of work. Returns a status. */
+/* Chooses the size s->h of the first step from the sizes of y, y' and y'' (Hairer et al. [2, II.4]), so that the error
+   of this step should be 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %,
+   and at most `longest`. `direction`, 1 or -1, is the sign of s->h. Overwrites k_2 and the part VMI_Z of work. Returns
+   a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -1238,7 +1240,7 @@ VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - 
 /* The direction of the run to t_end: 1 forward, -1 backward */
 VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
 
-/* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is the
+/* The factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It is the
    smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
    where error is the error of this step divided by its tolerance, and error_before that of the step before. */
@@ -1445,7 +1447,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* not a field of p, because make_stages must not get the address of p */
+    long evals = 0; /* not a field of p, which must stay in registers: make_stages gets its address */
     int status;
     for (;;) {
         vmi_trial trial;
@@ -1606,9 +1608,9 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
    decide whether events coincide. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
-/* The value of g at the fraction x of the last step, in a state that is changed on purpose, by the largest error that
-   rounding may have caused within this step, or, if `earlier` is not 0, since the run began. `direction`, -1 or 1, is
-   the sign of the change. The components change by different amounts, so that their differences change too. */
+/* The value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose. The
+   error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`, -1 or
+   1, is its sign. Its size differs between the components, so that their differences change too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
@@ -1629,9 +1631,9 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real 
     return e->g(vmi_time_inside(s, x) * (1 + (vm_real)direction * VM_EPSILON), z, e->ctx);
 }
 
-/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; `earlier` has the
-   meaning that it has in vmi_event_value_moved. Returns 1 if g certainly has the sign `side` there, in spite of
-   rounding, else 0. */
+/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; if `earlier` is not 0,
+   the errors of all earlier steps of the run are included. Returns 1 if g certainly has the sign `side` there, in spite
+   of rounding, else 0. */
 VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlier, int side)
 {
     int direction, certain = 1;
@@ -1646,7 +1648,7 @@ VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlie
     return certain;
 }
 
-/* Whether the field `direction` of the event allows it to happen when g leaves the sign `side` */
+/* Whether the event may happen, by its field `direction`, when g changes from the sign `side` to another sign */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
@@ -1662,7 +1664,7 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept: 1 if the last x has replaced a, -1 if it has replaced b, 0 at first */
+    int count, kept = 0; /* kept: 1 if the last x has become a, -1 if it has become b, 0 at first */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
         vm_real x = b - gb * ((b - a) / (gb - ga)), g;
@@ -1757,8 +1759,9 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
             continue;
         }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
-        /* gap = 1 ends the evaluations at short distances; those at the evenly spaced points go on. A short excursion
-           of g is expected only after the start of the step, where an event may have changed y or f. */
+        /* Inside the step (start > 0), gap = 1 ends the evaluations of g at short distances as soon as its sign is
+           certain; those at evenly spaced points go on. At the start of the step the short distances go on, too: an
+           event there may have changed y or f, so that g may change its sign twice in a short time. */
         if (e->side && start > 0) gap = 1;
     }
     return ODE_OK;
@@ -1835,7 +1838,8 @@ VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
         vmi_quieten_event(s, e, x);
         return ODE_OK;
     }
-    /* x + VMI_QUIET may be above 1, where the step has ended: y is still defined there, but g may be NaN */
+    /* g is followed up to x + VMI_QUIET, which may be after the end of the step (x = 1). The extension of y goes on
+       there, but g may be NaN; the event then does not happen. */
     e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
     return ODE_OK;
 }
@@ -1880,7 +1884,7 @@ VM_API int vmi_take_back(rk45 *s)
     }
     s->steps--;
     s->rejected++;
-    s->k1 = VMI_K1_READY; /* vmi_advance has made only this step, so that its k_1 is still in work */
+    s->k1 = VMI_K1_READY; /* with events vmi_advance makes one step, whose k_1 is still in work */
     s->failure = VMI_NOT_FINITE;
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }
@@ -2107,10 +2111,10 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
 #ifndef VARMASS_INTEGRATORS_RK45_H
 #define VARMASS_INTEGRATORS_RK45_H
 
-enum { VMI_RK45 = 45 }; /* the field `method` of this pair */
+enum { VMI_RK45 = 45 }; /* the value of the field `method` for this pair, rk45 */
 
-/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy the order conditions
-   with an error of 2e-14. */
+/* Computes stages 2 to 7 of a step of Tsitouras' pair [1]. Its coefficients, which are published to 16 digits, satisfy
+   the order conditions with an error of 2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2161,8 +2165,8 @@ VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the weight of k_{j+1} in stage 7 minus its weight in stage 6. Both stages evaluate f at
-   the end of the step. */
+/* For the test of stiffness: the factor of k_{j+1} in the state of stage 7 minus its factor in the state of stage 6.
+   Both stages evaluate f at the end of the step. */
 VM_API vm_real vmi_rk45_end_difference(int j)
 {
     VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
@@ -2170,8 +2174,8 @@ VM_API vm_real vmi_rk45_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 4 [1], at the fraction x of
-   the step */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Tsitouras' continuous extension, of order 4 [1], at the
+   fraction x of the step */
 VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
 {
     const vm_real xx = x * x;
@@ -2291,9 +2295,9 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_i
 #ifndef VARMASS_INTEGRATORS_RK87_H
 #define VARMASS_INTEGRATORS_RK87_H
 
-enum { VMI_RK87 = 87 }; /* the field `method` of this pair */
+enum { VMI_RK87 = 87 }; /* the value of the field `method` for this pair, rk87 */
 
-/* Computes stages 2 to 7 of a step [4]. Returns 0, or the number with which f has stopped the run. */
+/* Computes stages 2 to 7 of a step of Verner's pair [4]. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2324,9 +2328,10 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
     return 0;
 }
 
-/* Computes stages 8 to 13 [4] and the new state, whose derivative is evaluated only after the step is accepted. Large
-   coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use the differences of such k,
-   which are exact, so that roundings remain small. Returns 0, or the number with which f has stopped the run. */
+/* Computes stages 8 to 13 of a step of Verner's pair [4], and the new state, whose derivative is evaluated only after
+   the step is accepted. Large coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use
+   the differences of such k, which are exact, so that roundings remain small. Returns 0, or the number with which f has
+   stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2436,8 +2441,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. The run evaluates f
-   for both states at the end of the step. */
+/* For the test of stiffness: the factor of k_{j+1} in the new state minus its factor in the state of stage 13. The run
+   evaluates f for both states at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -2564,8 +2569,8 @@ VM_API vm_real vmi_rk87_bernstein(int i, int j)
     return VM_READ(c[i][j]);
 }
 
-/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 8 [4], at the fraction x of
-   the step */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Verner's continuous extension, of order 8 [4], at the fraction
+   x of the step */
 VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 {
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};

@@ -716,8 +716,8 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 
 #include <stdint.h>
 
-/* Returns a constant of vmi_log for interval number `row`, 0 to 31, of its variable z. c is a number near all z of this
-   interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
+/* Returns a constant for vmi_log, whose variable z is in interval number `row`, 0 to 31. c is a number close to all z
+   of this interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
    multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
    rounding error. */
 VM_INLINE vm_real vmi_log_constant(int row, int column)
@@ -2026,7 +2026,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     vm_real bound;
     const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
-    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less than theta.c (1/theta.n) has */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* more accurate than the product of theta.c and 1/theta.n */
 }
 
 /* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies

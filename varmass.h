@@ -174,8 +174,8 @@
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
        vm_lagrange_mass               Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
-       vm_lagrange_momentum           Add the generalized momentum of a body's motion to p
-       vm_lagrange_impulse            Add the generalized impulse (95) of an impulse on a body whose mass centre is at r to p
+       vm_lagrange_momentum           Add to p the generalized momentum of a body's motion
+       vm_lagrange_impulse            Add to p the generalized impulse (95) of an impulse on a body with the mass centre r
        vm_lagrange_separate           Velocities after a part separates
        vm_lagrange_attach             Velocities after a part is attached
        vm_lagrange_impact             Velocities after an impact that changes no mass
@@ -1651,7 +1651,7 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
-/* Decides for thin bodies what vmi_running_inertia_is_possible returns. For a flat body one moment equals the sum of
+/* Returns 1 if a thin body can have the inertia i within rounding errors. For a flat body one moment equals the sum of
    the other two, except for the rounding errors of all integration steps so far. The tolerance, sqrt(eps) of the trace,
    allows for about 1/sqrt(eps) such errors. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
@@ -2069,8 +2069,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much a->noise grows when b is joined to a: by b->noise, and by the sizes of the terms of reduced d x
-   slip. The vector d leads from a to b and is a difference of positions of the size `reach`. */
+/* Returns how much a->noise grows when b joins a: by b->noise and by the sizes of the terms of (reduced mass) d x slip.
+   d leads from a to b, a difference of positions of the size `reach`; slip is b's velocity relative to a. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2283,7 +2283,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Sets *joined and *centre to inertia and mass centre after a jump of two bodies at rest, a at the origin, b at d */
+/* Sets *joined and *centre to inertia and mass centre of body a, at 0, after body b, at d, joins or leaves it */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -2364,7 +2364,7 @@ VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
     return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
 }
 
-/* Checks a jump in the plane as vmi_check_jump checks a jump in space */
+/* Returns VM_OK if the bodies of a jump in the plane are valid and the impulse is finite, else an error. */
 VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const vm_impulse2 *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body2(body), vmi_check_bodies(others));
@@ -2374,7 +2374,8 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
     return vmi_impulse_is_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* Computes *total as vmi_jump_total does in space, and the frame of the jump. Then calls vmi_lump_clamp_moments2. */
+/* Sets *total to `body` as it is after a jump in the plane and the impulse, and *frame to the frame of the jump.
+   Returns VM_BAD_MASS if no mass is left, VM_NOT_FINITE or VM_BAD_INERTIA for an impossible inertia, else VM_OK. */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
@@ -2391,7 +2392,8 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-/* Computes a jump in the plane as vmi_jump does in space */
+/* Sets *result to a body of the plane after n others are attached to it (sign = 1) or separate from it (sign = -1),
+   while an impulse acts. The statuses are those of vm_separate2. */
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
                      const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2508,8 +2510,8 @@ VM_API int vmi_put_body(const vm_body *b, vm_body *result)
     return VM_OK;
 }
 
-/* Copies b to *result as a body of the plane with this angle. Returns VM_NOT_FINITE, and copies nothing, if a number
-   is not finite. */
+/* Copies b to *result as a body of the plane with the given angle. Returns VM_NOT_FINITE, and copies nothing, if a
+   number is not finite. */
 VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
 {
     const vm_body2 flat = vmi_body_to_plane(b, angle);
@@ -2579,7 +2581,7 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Does in the plane what vmi_jump_relative does in space */
+/* Computes a jump in the plane from motions relative to `body`, which is at rest in its own frame */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2697,10 +2699,10 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
     return status;
 }
 
-/* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving is the part with the
-   velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and with the angular velocity that gives the rest
-   *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part keeps its own velocity. If rest_omega_or_NULL is
-   NULL, it keeps its own angular velocity.
+/* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving becomes a copy of *part
+   with another motion. Its velocity makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity makes the
+   rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the velocity, or the
+   angular velocity, of *part.
      - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, cases 5 and 7; Table 4, case 2).
      - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
      - If both have the values of the whole, the rest moves on as the whole did (Table 3, case 7).
@@ -2733,7 +2735,7 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
 
 /* ---- the plane ---- */
 
-/* Does in the plane what vmi_part_velocity does in space: sets vx and vy of *part */
+/* Sets vx and vy of *part, in the plane, to the velocity that gives the rest the velocity rest_v */
 VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
                            vm_body2 *part)
 {
@@ -2750,7 +2752,8 @@ VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or
     part->vy = v.y;
 }
 
-/* Does in the plane what vmi_unturned_rest does in space */
+/* Sets *rest, in the plane, to what would remain if the part left with its own velocity but with the angular velocity
+   of the whole. Sets *frame to the frame of the jump. */
 VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                               vmi_frame *frame, vmi_lump *rest)
 {
@@ -2761,7 +2764,8 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
 
-/* Does in the plane what vmi_turn_part does in space */
+/* Gives the part, in the plane, the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if
+   the part is a point but would need angular momentum about itself. */
 VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
                           vm_body2 *part)
 {
@@ -2776,10 +2780,10 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
     return left ? VM_NULL_AXIS : VM_OK;
 }
 
-/* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving is the
-   part with the velocity that gives the rest the velocity rest_v_or_NULL[0], rest_v_or_NULL[1] (m/s, along x and y),
-   and with the angular velocity that gives the rest *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part
-   keeps its own velocity. If rest_omega_or_NULL is NULL, it keeps its own angular velocity. The statuses are those of
+/* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving becomes a
+   copy of *part with another motion. Its velocity makes the rest move at (rest_v_or_NULL[0], rest_v_or_NULL[1]), in m/s
+   along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in rad/s. If one of these two
+   pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The statuses are those of
    vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
@@ -2932,7 +2936,7 @@ typedef struct VM_TAG(vm_broken_rotor) {
     vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
     vm_real damping;   /* damping k, N m s: at the angular velocity psi' the torque -k psi' acts on the rotor */
     vm_real torque;    /* driving torque, N m */
-    vm_real s;         /* distance from the mass centre to the shaft, in the direction of the angle psi, m */
+    vm_real s;         /* distance from the mass centre to the shaft, which lies in the direction psi, m */
 } vm_broken_rotor;
 
 /* Indices of the states of a rotor in the array y, and the number of states */
@@ -2965,8 +2969,9 @@ typedef struct VM_TAG(vm_broken_rotor_piece) {
 } vm_broken_rotor_piece;
 
 /* The break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of vm_broken_rotor_piece, and S1 is
-   the mass centre of the remainder. [1] assumes in (57): the point A of the piece keeps its velocity, and the component
-   of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and angular momentum. */
+   the mass centre of the remainder. The dissertation [1] assumes in (57): the point A of the piece keeps its velocity,
+   and the component of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and
+   angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
                              and torque are those of the whole */
@@ -2974,7 +2979,7 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
        direction of SS2. Its angular velocity is that of the whole, Omega_b, plus spin_rest [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
-    vm_real dragging;                      /* speed v_S2d of S2 before the break (52), (61), m/s */
+    vm_real dragging;                      /* speed v_S2d of S2, the piece's mass centre, before the break (52), m/s */
     vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; the
                                               velocity of S is taken into account */
     vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
@@ -3012,7 +3017,7 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
     const int status = vmi_check_broken_rotor(r);
-    vm_real sine, cosine, fx, fy; /* fx, fy: the force of the shaft on the disc (66) */
+    vm_real sine, cosine, fx, fy; /* fx, fy: the force (66) of the shaft, N */
     (void)t;
     if (status) return status;
     vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
@@ -3133,8 +3138,9 @@ VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cos
     return b;
 }
 
-/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S.
-   Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose state is `before`. */
+/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S,
+   the mass centre of the whole. Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose
+   state is `before`. */
 VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                                    vm_real spin, vm_real *state)
 {
@@ -3161,8 +3167,9 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
 }
 
 /* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
-   distance AS2. d is the vector SS2, v the velocity of S and `spin` the angular velocity of the whole before the break.
-   The x axis of all vectors is along SA, and the y axis is 90 degrees counterclockwise from it. */
+   distance AS2. S and S2 are the mass centres of the whole and of the piece, A is the point of contact. d is the vector
+   SS2, v the velocity of S and `spin` the angular velocity of the whole before the break. The x axis of all vectors is
+   along SA, and the y axis is 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
@@ -3170,7 +3177,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
     const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
     const vm_real reduced = p->mass / b->rest.mass * whole->mass;
     const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T, with the velocity v_T of size T perpendicular to S2A */
+    vm_real moment; /* SS2 x v_T, where v_T is the part of S2's velocity perpendicular to S2A */
     e->x = reach_x / reach;
     e->y = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);
@@ -3250,11 +3257,11 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 
 /* The coefficients (67) of the linearised equations */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
-    vm_real omega, k, torque, s; /* omega, k*, M* and s of (67) */
+    vm_real omega, k, torque, s; /* omega, k*, M* and s, as explained at vm_broken_rotor */
     vm_real coupling;            /* the factor s p^2 omega^2 of y in (69); 0 if this term is left out */
 } vmi_broken_rotor_linear;
 
-/* Indices in z, the array of those states that (69) couples: y, psi and their rates */
+/* Indices in z, the array of the states that the linearised equations (69) couple: y, psi and their rates */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -3406,11 +3413,11 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Advances the states z by the time t by (71), (72), without the coupling term s p^2 omega^2 y. Where [1] has k* Omega,
-   this function has M*. It is used if |t| times the rate vmi_broken_rotor_rate exceeds 1. With w = omega and k = k*,
-   psi = psi0 + psi0' E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The motion of y is driven by -s psi.
-   The functions g0, g1, g2 start from rest and solve g'' + w^2 g = F, where F is w^2 E1' for g0, w^2 E1 for g1 and
-   w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+/* Advances the states z by the time t by the solution (71), (72), without the coupling term s p^2 omega^2 y. Where the
+   dissertation [1] has k* Omega, this function has M*. It is used if |t| times the rate vmi_broken_rotor_rate exceeds
+   1. With w = omega and k = k*, psi = psi0 + psi0' E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The
+   motion of y is driven by -s psi. The functions g0, g1, g2 start from rest and solve g'' + w^2 g = F, where F is w^2
+   E1' for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -3429,7 +3436,7 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
-/* Checks the arguments of vm_broken_rotor_linear and of the two functions after it. Returns their status. */
+/* Checks the arguments of the three public functions for the motion below. Returns their status. */
 VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
                                          const vm_real *end)
 {
@@ -3438,8 +3445,8 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the results of the three public functions below. If coupled = 1, it solves all of (69). If coupled = 0, it
-   leaves out the last term of (69), -s p^2 omega^2 y. */
+/* Computes the results of the three public functions below. If coupled = 1, it solves all of the linearised equations
+   (69). If coupled = 0, it leaves out their last term, -s p^2 omega^2 y. */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -3497,13 +3504,13 @@ VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, 
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
     if (status) return status;
     if (rotor->s != 0) return VM_DOMAIN;
-    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are (46) */
+    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are exact (46) */
 }
 
 /* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers. The orbit is
    x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must not be 0. Its
-   half axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed at the time t, which [1]
-   prints wrongly after (52), is
+   half axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed at the time t, which the
+   dissertation prints wrongly after (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS if the stiffness is not
    positive, VM_BAD_INERTIA, and VM_OK otherwise. */
@@ -3549,8 +3556,8 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
 
 #include <string.h>
 
-/* The detuning (omega^2 - Omega^2) mass. It is computed as the sum of two numbers, so that its sign is right even if
-   the rotor turns very close to resonance. */
+/* The detuning from resonance, (omega^2 - Omega^2) mass, where omega^2 = stiffness/mass. It is computed as the sum of
+   two numbers, so that its sign is right even if the rotor turns very close to resonance. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
@@ -3570,7 +3577,7 @@ VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_re
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
     detuning = vmi_broken_rotor_detuning(rotor, Omega);
     if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
-    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; here mass Omega^2 overflows */
+    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; mass Omega^2 has overflowed */
     return -rotor->s * (share / (1 - share));
 }
 
@@ -3723,15 +3730,16 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 }
 
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
-   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' stays at omega, and the surplus
-   of the torque makes the orbit grow. The radius is r = |s|/4 + R, where R(0) = 0 and
+   Omega = torque/damping (rad/s) must be at or above omega; vm_broken_rotor explains omega, p, k* and s. The angular
+   velocity psi' stays at omega, and the surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where
+   R(0) = 0 and
      R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R).
    It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the second term of r for a large r/|s|. Terms of order s^2/r and the time until psi' reaches omega are
-   neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s, this
-   radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN
-   below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
+   |s|/4 is the second term of the expansion of r for large r/|s|. Terms of order s^2/r and the time until psi' reaches
+   omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s,
+   this radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
+   Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
    R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
@@ -3745,7 +3753,7 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
     B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
     R = vmi_pow_checked(3 * B * t, VM_C(1.) / 3);
     if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
-    z = A * R / B; /* for z < eps the term A is negligible, for z > 1/eps or B = 0 the term B/R */
+    z = A * R / B; /* A is negligible for z < eps, and B/R for z > 1/eps or B = 0 */
     if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t);
     else if (z > VM_EPSILON) R = vmi_broken_rotor_growth_root(z * z * z / 3) * B / A;
     return VM_FABS(rotor->s) / 4 + R;
@@ -3812,8 +3820,9 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
 /* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
-   dr and turn have n vectors: dr[i] = dv/dqdot_i, turn[i] = domega/dqdot_i. If dr or turn is NULL, its term is 0. If
-   body or matrix is NULL, nothing is done. */
+   dr and turn have n vectors: dr[i] = dv/dqdot_i, turn[i] = domega/dqdot_i, with the velocity v of the body's mass
+   centre and its angular velocity omega. If dr or turn is NULL, its term is 0. If body or matrix is NULL, nothing is
+   done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -3835,7 +3844,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Add the generalized momentum of a body's motion to p.
+/* Add to p the generalized momentum of a body's motion.
    p has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is
    NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
@@ -3845,7 +3854,7 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
     vm_lagrange_add_force(n, vm_momentum(body), dr_or_NULL, vmi_spin_momentum(body), turn_or_NULL, p);
 }
 
-/* Add the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
+/* Add to p the generalized impulse (95) of an impulse on a body with the mass centre r.
    r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. p has
    n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is NULL,
    nothing is done. */
@@ -3907,8 +3916,8 @@ VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *aft
 }
 
 /* Velocities after a part is attached: after*qdot_after = before*qdot + part + impulse (96).
-   `part` is the generalized momentum of the part before it is attached. Everything else is as for
-   vm_lagrange_separate. */
+   `part` is the generalized momentum of the part before it is attached. The other arguments, the accuracy and the
+   statuses are those of vm_lagrange_separate. */
 VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                               const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                               vm_real *work)
@@ -3918,8 +3927,8 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
 
 /* Velocities after an impact that changes no mass: matrix*(qdot_after - qdot) = impulse.
    This function also computes a separation accurately if the part is nearly the whole body. Then `matrix` is the mass
-   matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body.
-   Arrays, errors and work are as for vm_lagrange_separate, but impulse must not be NULL. */
+   matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. The
+   array sizes, the statuses and `work` are those of vm_lagrange_separate, but impulse must not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {
@@ -3964,14 +3973,14 @@ typedef struct VM_TAG(vm_pendulum) {
 typedef struct VM_TAG(vm_pendulum_cut) {
     vm_pendulum rest; /* the remaining rod; rest.rate is its angular velocity phi1' after the cut (125) */
     vm_real mass;     /* mass m of the part, kg */
-    vm_real x, y;     /* position of S2 (123), m */
-    vm_real vx, vy;   /* velocity of S2 (121), m/s */
+    vm_real x, y;     /* position of the part's mass centre S2 (123), m */
+    vm_real vx, vy;   /* velocity of the part's mass centre S2 (121), m/s */
     vm_real rate;     /* angular velocity of the part: the rod's phi' before the cut plus Omega, rad/s */
     vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
     vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
-    vm_real L1;       /* angular momentum of the remaining rod about O after the cut (130), kg m^2/s */
-    vm_real L2;       /* angular momentum of the part about O after the cut, kg m^2/s [(128) corrected] */
+    vm_real L1;       /* angular momentum of the remaining rod about its end O after the cut (130), kg m^2/s */
+    vm_real L2;       /* angular momentum of the part about the same point O, kg m^2/s [(128) corrected] */
     vm_real pivot_x;  /* impulse of the pivot on the remaining rod during the cut, along x, N s */
     vm_real pivot_y;  /* impulse of the pivot on the remaining rod during the cut, along y, N s */
 } vm_pendulum_cut;
@@ -4028,10 +4037,10 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     if (!VM_IS_FINITE(Omega) || !VM_IS_FINITE(ux) || !VM_IS_FINITE(uy)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_pendulum_directions(pendulum, &ex, &ey, &fx, &fy);
-    rho = pendulum->length - part / 2; /* distance from O to S2 */
+    rho = pendulum->length - part / 2; /* distance from O to the part's mass centre S2 */
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
-    across = ux * fx + uy * fy; /* velocity across the rod; rho * across is s (x u_y - y u_x) */
+    across = ux * fx + uy * fy; /* relative velocity across the rod; rho across is s (x u_y - y u_x) */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
@@ -4238,8 +4247,8 @@ VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 typedef struct VM_TAG(vmi_torque_free_axes) {
     vm_two I1, I2, I3;    /* the principal moments */
     vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
-    vm_two w1, w2, w3;    /* the components of omega */
-    vm_two S;             /* |2T I2 - L^2|, T kinetic energy, L angular momentum; 0 on the separatrix */
+    vm_two w1, w2, w3;    /* the components of omega along the axes */
+    vm_two S;             /* |2T I2 - L^2| for the kinetic energy T and angular momentum L; 0 on the separatrix */
     vm_real sigma;        /* the sign of I1 - I3 */
     vm_real s;            /* the sign of w3 */
     int symmetric;        /* 1 if I1 = I2 */
@@ -4357,8 +4366,8 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 
 #include <string.h>
 
-/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read. (A) and
-   (B) stand in the next comment.
+/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
+   Equations (A) and (B) stand in the next comment.
 
    Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
    |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
@@ -4372,18 +4381,18 @@ typedef struct VM_TAG(vm_torque_free) {
     vm_real t0;                  /* the time at which the body is as given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
-                                    opposite to it if w3 < 0 */
-    vm_real spin[3];             /* omega along axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
-    vm_real lean[3];             /* M of (B) is (w, x, y, 0)/sqrt(2 w) with w = 1 + lean[2] dn, x = lean[1] sn,
-                                    y = lean[0] cn */
-    vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
+                                    opposite to it if the component w3 of omega along axis 3 is negative */
+    vm_real spin[3];             /* omega along the axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
+    vm_real lean[3];             /* the quaternion M of equation (B) below is (w, x, y, 0)/sqrt(2 w), with
+                                    w = 1 + lean[2] dn, x = lean[1] sn, y = lean[0] cn */
+    vm_two phase;                /* argument u of sn, cn, dn at t0, divided by 4K; u itself on the separatrix */
     vm_two phase_rate;           /* rate of the phase, per second */
-    vm_two K;                    /* quarter period of sn in u; 0 on the separatrix */
-    vm_two turn_rate;            /* mean rate of s h in (B), turns/s; s h is half the angle turned about the angular
-                                    momentum */
+    vm_two K;                    /* quarter period of sn as a function of u; 0 on the separatrix */
+    vm_two turn_rate;            /* mean rate, turns/s, of s h in equation (B) below; s h is half the angle
+                                    turned about the angular momentum */
     vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
-    vmi_doubled_theta theta;     /* the theta function of (B); arg theta is the deviation of h from its mean growth */
+    vmi_doubled_theta theta;     /* theta function of (B) below; sigma arg theta is h minus its mean growth kappa t */
 } vm_torque_free;
 
 /* The solution. Let 1, 2, 3 be the principal axes, where axis 2 has the middle moment and omega moves around axis 3
@@ -4408,8 +4417,9 @@ typedef struct VM_TAG(vm_torque_free) {
 
 /* ---- amplitudes and parameter ---- */
 
-/* The squares of a1, a2, a3 of (A), of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
-   subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
+/* The squares of the amplitudes a1, a2, a3 of equation (A) above, of h1 = I1 a1, h3 = I3 a3 and of L, and the
+   parameters m and m1 = 1 - m. The only subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is
+   computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -4445,8 +4455,8 @@ VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the axes, and the amplitudes of omega and of the quaternion M in (B). `sign` is the sign of cn on the
-   separatrix, and 1 elsewhere. */
+/* Sets the axes, and the amplitudes of omega and of the quaternion M in equation (B) above. `sign` is the sign of cn on
+   the separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -4468,9 +4478,9 @@ VM_API vm_two vmi_torque_free_two_pi(void)
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with N =
-   I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those of
-   (A), and c = I3 a3/L:
+/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with
+   N = I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those
+   of equation (A) above, and c = I3 a3/L:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
@@ -4493,13 +4503,14 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* Returns kappa, the mean rate of h in (B). Sets *mean to agm(1, k') with k'^2 = 1 - m; it is 0 on the separatrix. */
+/* Returns kappa, the mean rate of the angle h in equation (B) above. Sets *mean to agm(1, k') with k'^2 = 1 - m; it is
+   0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
     const vm_two L = vmi_two_root(square->L);
     vm_two twice;
-    if (axes->symmetric) { /* k' = 1 and 2 kappa = (L + |w3| (I1 - I3))/I1 */
+    if (axes->symmetric) { /* I1 = I2: k' = 1 and 2 kappa = (L + |w3| (I1 - I3))/I1 */
         *mean = vmi_two(1, 0);
         twice = vmi_two_times(vmi_two_root(square->a3), vmi_two_minus(axes->I1, axes->I3));
         twice = vmi_two_over(vmi_two_plus(L, twice), axes->I1);
@@ -4510,9 +4521,9 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(twice, VM_C(0.5));
 }
 
-/* Computes the argument u of (A) at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u on the
-   separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign; else
-   *sign is 1. */
+/* Computes the argument u of equation (A) above at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u
+   on the separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign;
+   else *sign is 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -4524,7 +4535,7 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     *sign = 1;
     if (mean.hi > 0) {
         F = vmi_two_over(vmi_two_times(F, mean), vmi_torque_free_two_pi());
-        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* u/(4K) is 1/2 - F here */
+        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* cn < 0: u/(4K) is 1/2 - F */
     } else if (axes->w1.hi < 0) *sign = -1;
     return vmi_two_shifted(F, forward * *sign);
 }
@@ -4552,9 +4563,9 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
 
 /* ---- the theta function ---- */
 
-/* Returns y of theta(u + i y) in (B), which solves cd(y | m1) = c with c = I3 a3/L. It is an elliptic integral of the
-   first kind, in Carlson's form with N = I3 d12/(I1 d23):
-   y = R_F(N, N/c^2, N + 1) */
+/* Returns y, the constant imaginary part of the argument u + i y of the theta function in equation (B) above. y solves
+   cd(y | m1) = c with c = I3 a3/L. With N = I3 d12/(I1 d23) it is y = R_F(N, N/c^2, N + 1), where R_F is Carlson's
+   elliptic integral of the first kind. */
 VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square)
 {
     const vm_two N = vmi_two_over(vmi_two_times(axes->I3, axes->d12), vmi_two_times(axes->I1, axes->d23));
@@ -4562,8 +4573,9 @@ VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const
     return vmi_carlson_rf(N, vmi_two_over(N, c_square), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* Sets the theta function of (B), conjugated if sigma s < 0. For m = 0 it stays 1. It is summed directly for
-   K <= 2K', and by Jacobi's transformation for K > 2K', where K' (Kc in the code) is K of the parameter 1 - m. */
+/* Sets the theta function of equation (B) above, conjugated if sigma s < 0. For m = 0 it stays 1. K and K' (Kc in the
+   code) are the quarter periods for the parameters m and 1 - m. The function is summed directly for K <= 2K', and by
+   Jacobi's transformation for K > 2K'. */
 VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square)
 {
@@ -4629,8 +4641,8 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* Computes sn, cn, dn at the time t after t0. Returns u/(4K) minus the nearest multiple of 1/2, or u on the
-   separatrix. */
+/* Computes sn, cn, dn at the time t after t0. Returns u/(4K), with their argument u, minus the nearest multiple of 1/2;
+   or u on the separatrix. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
@@ -4638,7 +4650,7 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     vmi_thetas theta;
     vm_real turns;
     int half_turns = 0, quarters = 0;
-    vm_two v; /* u minus the nearest multiple of K */
+    vm_two v; /* argument u of sn, cn, dn, minus the nearest multiple of K */
     if (motion->K.hi > 0) {
         v = vmi_two_plus(vmi_torque_free_fraction(motion->phase_rate, t), motion->phase);
         half_turns = vmi_nearest(2 * v.hi);
@@ -4658,14 +4670,15 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     return turns;
 }
 
-/* Evaluates (A) and (B) at the time t after t0: *omega in body axes, and the rotation *turn = (cos h + s e3 sin h) M */
+/* Evaluates equations (A) and (B) above at the time t after t0: *omega in body axes, and the rotation *turn = (cos h +
+   s e3 sin h) M */
 VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, w, x, y, over, c, s;
     const vm_real turns = vmi_torque_free_functions(motion, t, &sn, &cn, &dn);
     vmi_doubled_at(&motion->theta, turns, &re, &im);
     vmi_sincos_turns(vmi_torque_free_fraction(motion->turn_rate, t).hi + motion->theta.shift * turns, &sine, &cosine);
-    w = 1 + motion->lean[2] * dn; /* M is (w, x, y, 0)/sqrt(2 w) */
+    w = 1 + motion->lean[2] * dn; /* the quaternion M of (B) is (w, x, y, 0)/sqrt(2 w) */
     x = motion->lean[1] * sn;
     y = motion->lean[0] * cn;
     over = 1 / VM_SQRT(2 * w * (re * re + im * im));
@@ -4902,7 +4915,7 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* The product M' kappa of a stream's rate M' and the gyration kappa of its mass */
+/* The product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -4945,13 +4958,13 @@ typedef struct VM_TAG(vmi_stream_seen) {
 typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
-    vm_vec3 pushed;     /* sum of M' (u - v) of the streams whose velocity is relative to the body */
-    vm_vec3 absolute;   /* sum of M' u of the streams whose velocity is absolute, inertial axes */
-    vm_vec3 moment;     /* sum of d x M' (u - v) of all streams */
-    vm_vec3 own;        /* sum of M' kappa omega2 */
-    vm_vec3 crossing;   /* sum of M' d, with d to the point at which the mass enters or leaves */
-    vm_vec3 stored;     /* sum of M' d_s, with d_s to the stream's store, or d_s = d without a store */
-    vm_inertia inertia; /* I', the rate of the inertia */
+    vm_vec3 pushed;     /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
+    vm_vec3 absolute;   /* sum of M' u of the streams whose velocity u is absolute, inertial axes */
+    vm_vec3 moment;     /* moment of all streams about the mass centre: sum of d x M' (u - v) */
+    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that masses bring per second by their spins */
+    vm_vec3 crossing;   /* sum of M' d, where d leads to the point at which the mass enters or leaves */
+    vm_vec3 stored;     /* sum of M' d_s, where d_s leads to the stream's store; d_s = d without a store */
+    vm_inertia inertia; /* I', the rate of the body's inertia */
     vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
     vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
@@ -5201,9 +5214,9 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
-   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R
-   is the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the
-   length of q back to 1 and does not lower the order of an integrator. In (152), [1] prints I' omega2 instead of
+   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R is
+   the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the length of
+   q back to 1 and does not lower the order of an integrator. The dissertation [1] prints I' omega2 in (152) instead of
    M' kappa omega2.
    If a stream has a store (vm_store) at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and
    P(d); the gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the
@@ -5247,7 +5260,7 @@ typedef struct VM_TAG(vm_flow) {
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
-    vm_vec3 centre;        /* mass centre (vm_flow_given_rhs, vm_flow_start) from the reference point, m, body axes */
+    vm_vec3 centre;        /* mass centre from the reference point, m, body axes (vm_flow_given_rhs, vm_flow_start) */
     vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
     vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
     vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
@@ -5258,7 +5271,7 @@ typedef struct VM_TAG(vm_flow) {
     int status;
     /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
        VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
-       VM_FLOW_BALANCED_STATES, it writes the zeros of the balance too. */
+       VM_FLOW_BALANCED_STATES, it also sets the seven integrals of the balance to 0. */
     int y_size;
 } vm_flow;
 
@@ -5273,8 +5286,8 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation in *kept and returns it. After several failures in a row *kept is the status of
-   the first one, because the NaN that it returned causes the later failures. */
+/* Stores the status of an evaluation of a right-hand side in *kept and returns it. After several failures in a row
+   *kept is the status of the first one, because the NaN that it returned causes the later failures. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
@@ -5288,7 +5301,8 @@ typedef struct VM_TAG(vmi_flow_mass) {
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* The present mass, mass centre and inertia: from the fields of the flow if given = 1, else from the state y */
+/* The present mass, mass centre and inertia of the body: from the fields of the flow if given = 1, else from the state
+   y */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -5457,8 +5471,8 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return 0;
 }
 
-/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes the
-   zeros of the balance only if y_size is large enough for them. */
+/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes zeros
+   for the integrals of the balance only if y_size is large enough for them. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
@@ -5627,10 +5641,10 @@ typedef struct VM_TAG(vm_flow2) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) j quarter turns are subtracted
-   from x in fewer operations than vmi_sincos needs. pi/2 is taken as the sum of two numbers: `first` has 33 (float 14)
-   bits, so that j times `first` is exact. The sum of `first` and `second` differs from pi/2 by 2^-87 (float 2^-38). The
-   product j times `second` has a rounding error of 2^-67 (float 2^-28). */
+/* Sine and cosine of x, with errors below 0.6 eps. For |x| up to 2^20 quarter turns (float 2^10) the j quarter turns
+   nearest to x are subtracted from it, in fewer operations than vmi_sincos needs. pi/2 is taken as the sum of two
+   numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and `second` differs
+   from pi/2 by 2^-87 (float 2^-38). The product j times `second` has a rounding error of 2^-67 (float 2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -5671,11 +5685,11 @@ typedef struct VM_TAG(vmi_stream_seen2) {
 typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real rate;    /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
-    vm_real px, py;  /* sum of M' (u - v) of the streams whose velocity is relative to the body */
-    vm_real fx, fy;  /* sum of M' u of the streams whose velocity is absolute, inertial axes, plus the outer force */
-    vm_real moment;  /* sum of d x M' (u - v) + M' kappa omega2, plus the outer moment */
-    vm_real sx, sy;  /* sum of M' d */
-    vm_real inertia; /* sum of M' (kappa + d^2) */
+    vm_real px, py;  /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
+    vm_real fx, fy;  /* outer force, plus the sum of M' u of the streams whose velocity is absolute, inertial axes */
+    vm_real moment;  /* outer moment, plus the moments d x M' (u - v) + M' kappa omega2 of the streams */
+    vm_real sx, sy;  /* sum of M' d, which moves the mass centre in the body */
+    vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) */
 } vmi_stream_sum2;
 
 /* Adds a stream, whose `motion` is known, to the sums */
@@ -6026,7 +6040,7 @@ VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_re
     if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
     if (vmi_stream_moves_with_body(stream->motion)) {
         difference = first - second;
-        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near tau = -1 first and second are large */
+        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* first - second would cancel */
         acceleration = (force + stream->rate * given) / m0;
         result[0] = x0 + t * (v0 + acceleration * t * difference);
         result[1] = v0 + acceleration * t * first;
@@ -6120,23 +6134,24 @@ typedef struct VM_TAG(vm_drum) {
 typedef struct VM_TAG(vm_drum_geometry) {
     vm_real mass;         /* mass M of drum and band (182), kg */
     vm_real arc_centre;   /* distance of the band's mass centre S' from the shaft S (184), m */
-    vm_real offset;       /* distance from S to the mass centre S1, m; its direction is phi/2 [(185) corrected] */
-    vm_real axle_inertia; /* inertia J_S about the axle (187), kg m^2 */
-    vm_real inertia;      /* inertia J_S1 about the mass centre (188), kg m^2 */
+    vm_real offset;       /* distance from the shaft S to S1, the mass centre of drum and band, m;
+                             S1 lies in the direction phi/2 from S [(185) corrected] */
+    vm_real axle_inertia; /* inertia J_S of drum and band about the axle (187), kg m^2 */
+    vm_real inertia;      /* inertia J_S1 of drum and band about S1 (188), kg m^2 */
 } vm_drum_geometry;
 
 /* Indices of the states of vm_drum_rhs and vm_drum_rhs_reduced in y, and the number of states */
 enum {
-    VM_DRUM_X = 0,     /* deflection of the shaft: position x, y of S, m */
-    VM_DRUM_ANGLE = 2, /* angle phi, rad */
-    VM_DRUM_V = 3,     /* velocity x', y' of S, m/s */
-    VM_DRUM_OMEGA = 5, /* angular velocity phi', rad/s */
+    VM_DRUM_X = 0,     /* deflection of the shaft: position x, y of its centre S, m */
+    VM_DRUM_ANGLE = 2, /* angle phi of the drum, rad */
+    VM_DRUM_V = 3,     /* velocity x', y' of the shaft's centre S, m/s */
+    VM_DRUM_OMEGA = 5, /* angular velocity phi' of the drum, rad/s */
     VM_DRUM_STATES = 6
 };
 
 /* Indices of the states of vm_drum_rhs_angle in y, and the number of states */
 enum {
-    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft: position x, y of S, m */
+    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft: position x, y of its centre S, m */
     VM_DRUM_SLOPE = 2,      /* derivatives dx/dphi, dy/dphi of the deflection, m/rad */
     VM_DRUM_ANGLE_STATES = 4
 };
@@ -6166,7 +6181,8 @@ VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm
 typedef struct VM_TAG(vmi_drum_mass) {
     vm_real M;       /* mass of drum and band, kg */
     vm_real J;       /* inertia of drum and band about the axle, kg m^2 */
-    vm_real steiner; /* M (S S1)^2, with the axle S and the mass centre S1, kg m^2; J - steiner: inertia about S1 */
+    vm_real steiner; /* M times the squared distance of the mass centre from the axle, kg m^2: the
+                        inertia about the mass centre is J - steiner */
 } vmi_drum_mass;
 
 /* Sets *m for the angle phi of the drum, where s is sin(phi/2). A call with s = 0 neglects the distance from the axle
@@ -6223,8 +6239,9 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
    unit vector k along z and q = mu R (sin phi, 1 - cos phi), the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
-   Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE,
-   VM_BAD_MASS or VM_BAD_INERTIA if mass or inertia is impossible at this angle. Each of these errors ends the run. */
+   M is the mass of drum and band, J_S their inertia about the axle; vm_drum explains c, D, mu, v, R. Returns VM_OK; or
+   VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE, VM_BAD_MASS or
+   VM_BAD_INERTIA if mass or inertia is impossible at this angle. Each of these errors ends the run. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6254,9 +6271,9 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. These are the equations of vm_drum_rhs in the limit of small
-   mu. Unlike (192) they contain the unbalance mu R phi'^2 (sin phi, -cos phi), because it is of the same order as the
-   terms that (192) keeps. The errors are those of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. These are the equations of vm_drum_rhs for a small mass mu of
+   the band per angle. Unlike (192) they contain the unbalance mu R phi'^2 (sin phi, -cos phi), because it is of the
+   same order as the terms that (192) keeps. The errors are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6311,10 +6328,11 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 }
 
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
-   The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's fields are taken
-   as exact and products of the fields do not overflow or underflow. This holds for e = 0 and e = j Omega_b, too, and
-   for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and if
-   inertia or omega is not positive or band is negative. */
+   J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
+   mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's
+   fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and e = j
+   Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null
+   pointer, and if inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -6352,7 +6370,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e < 0.
+/* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e = mu v R - D < 0.
    The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN for a drum for
    which vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_stop(const vm_drum *d)
@@ -6365,8 +6383,9 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 }
 
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
-   With x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2] for every sign of
-   e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN where vm_drum_rate gives NaN. */
+   With the letters of vm_drum_rate and x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x -
+   ln(1 + x))/x^2] for every sign of e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN
+   where vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -6382,10 +6401,10 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
     return vmi_drum_share(sum, phi, vmi_two(d->omega, 0)).hi;
 }
 
-/* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle explains a, b, f, x, y.
-   For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0
-   this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value. For a < 0 this p is too
-   small, and so is |a|/(|a| + b); the function takes the larger value. */
+/* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
+   and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 +
+   sqrt(1 + 2 b)). For a > 0 this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value.
+   For a < 0 this p is too small, and so is |a|/(|a| + b); the function takes the larger value. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -6396,8 +6415,8 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
-   Accuracy and NaN are those of vm_drum_rate. With x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0,
-   b = j Omega_b t/J0, f = phi/(Omega_b t) and the unknown p = y/a the equation of vm_drum_time is
+   Accuracy, NaN and the letters J0, Omega_b, e, j are those of vm_drum_rate. With x = e phi/(J0 Omega_b), y = ln(1 +
+   x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and the unknown p = y/a the equation of vm_drum_time is
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
    Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
@@ -6429,11 +6448,12 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 }
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
-   With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from
-   r - k1 ln r = f1. The solution is r = -k1 W(x), x = -exp(-f1/k1)/k1, with the branch W_-1 for 0 < k1 < 1 and the
-   branch W_0 for other k1. This function is for comparison; vm_drum_angle is better. Near e = 0 this form loses all
-   digits, because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows
-   near k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate does. */
+   The letters J0, Omega_b, e, j are those of vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and
+   f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) for x
+   = -exp(-f1/k1)/k1. It needs the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function is for
+   comparison; vm_drum_angle is better. Near e = 0 the solution by W loses all digits, because x approaches the branch
+   point of W. The code uses ln |x|, because x itself overflows or underflows near k1 = 0 (for k1 = 1e-3 it may be
+   1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate does. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -6566,8 +6586,8 @@ typedef struct VM_TAG(vm_lagrange_system) {
 
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
-    vm_real *A;      /* the mass matrix, n rows of n numbers */
-    vm_real *b;      /* the factors of the rates in the linear terms of T, n numbers */
+    vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
+    vm_real *b;      /* the vector b in T, the factors of the rates q' in its linear terms, n numbers */
     vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -6643,8 +6663,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     return status;
 }
 
-/* The derivative dT/dq_i with the masses in the work array, by a central difference of order 6 with the step h, times
-   the scale of q_i. Its error is h^6/140 times the seventh derivative, plus a rounding error of eps/h. Both are small
+/* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. It is a central
+   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step is h times the scale of q_i. In units of
+   this scale the error is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small
    for h = 2^-7 in double precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
@@ -6857,12 +6878,12 @@ VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
 
 typedef struct VM_TAG(vmi_osc_wave) vmi_osc_wave;
 struct VM_TAG(vmi_osc_wave) {
-    /* writes c and s at the Ateb phase psi */
+    /* writes the waves c of the position and s of the velocity at the Ateb phase psi */
     void (*at)(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s);
     /* estimates the error of the wave, where mean_ca2 is the mean of ca^2; null for ca, which has no error */
     vm_real (*error)(const vmi_osc_wave *w, vm_real mean_ca2);
     vm_real alpha;              /* exponent of the spring */
-    vm_real turn;               /* the wave's own angle is turn psi */
+    vm_real turn;               /* the wave's own angle, the argument of ca, cos or cn, is turn psi */
     vm_real speed;              /* the velocity is x' = -speed vmax(A) s */
     vm_real gain_A, gain_theta; /* factors of the means of the force in the averaged equations */
     vm_real m;                  /* parameter m = k^2 of cn; 0 for the other waves */
@@ -6907,15 +6928,17 @@ VM_API void vmi_osc_cos_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_re
     vmi_sincos(w->turn * psi, s, c);
 }
 
-/* The estimate is the error of the velocity at x = 0, which is the largest, times a factor that grows with alpha. */
+/* Estimates the error of the wave cos. It is the error of its velocity at x = 0, where it is largest, times a factor
+   that grows with alpha. */
 VM_API vm_real vmi_osc_cos_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     (void)mean_ca2;
     return VM_FABS(w->speed - 1) * (1 + w->alpha / 100);
 }
 
-/* The wave x = A cos(turn psi), whose period is that of ca; pi is Pi_alpha. Its gains are those of (337)-(339), but
-   with alpha + 3 for 5 - alpha, which comes from a wrong sign in (335). */
+/* The wave x = A cos(turn psi), whose period is that of ca; the argument pi is Pi_alpha. gain_A and gain_theta are the
+   factors 4/(alpha + 3) in the averaged equations (337)-(339). The dissertation has 5 - alpha instead of alpha + 3,
+   because of a wrong sign in (335). */
 VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
@@ -6938,19 +6961,19 @@ VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_rea
     *s = sn * dn;
 }
 
-/* The estimate is the difference between the means of cn^2 and of ca^2, which is 0 where cn is exact, times a factor
-   that is fitted to the largest errors of the wave. */
+/* Estimates the error of the wave cn. It is the difference between the means of cn^2 and of ca^2, which is 0 where cn
+   is exact, times a factor that is fitted to the largest errors of this wave. */
 VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     return VM_FABS(w->mean_c2 - mean_ca2) * (VM_C(2.7) + w->alpha / 2);
 }
 
 /* The wave x = A cn(turn psi | m), whose period and whose velocity at x = 0 are those of A ca(psi); pi is Pi_alpha. The
-   parameter m follows from (307), the gains from (380)-(382). */
+   parameter m follows from (307), the factors gain_A and gain_theta from (380)-(382). */
 VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
-    vm_real C2, C4, C6, bracket; /* the means of cn^2, cn^4, cn^6; 2 <sn^2 dn^2> */
+    vm_real C2, C4, C6, bracket; /* means of cn^2, cn^4, cn^6; twice the mean of sn^2 dn^2 */
     w.at = vmi_osc_cn_at;
     w.error = vmi_osc_cn_error;
     w.m = jacobi_solve_kpK(pi / (alpha + 1));
@@ -6973,8 +6996,8 @@ VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
     return vmi_smaller(error, 1);
 }
 
-/* Writes the largest differences of c from ca and of speed s from sa over a quarter of the period, at points that are
-   densest near x = 0. */
+/* Writes to *x_error the largest difference of the wave c from ca, and to *v_error that of speed s from sa. They are
+   taken over a quarter of the period, at points that are densest near x = 0. pi is Pi_alpha. */
 VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;
@@ -7150,8 +7173,8 @@ VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm
 VM_API vm_real vm_osc_jacobi_parameter(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
 
 /* Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number. It is valid for
-   x0 = omega0 = 1; in general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. It is computed by (300) with
-   K = Pi_alpha/((alpha+1) k') from (307). */
+   x0 = omega0 = 1; in general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. It is computed by (300), where
+   the quarter period of cn is K = Pi_alpha/((alpha+1) k') by (307). */
 VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 {
     return VM_SQRT(2 / ((alpha + 1) * jacobi_solve_kpK_m1(ateb_pi(alpha) / (alpha + 1))));
@@ -7167,11 +7190,11 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* The result of vm_osc_approximation_errors: the criterion (268) and the largest errors in a period, pure numbers */
+/* The result of vm_osc_approximation_errors, pure numbers: ratios of velocities (268) and largest errors in a period */
 typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax;          /* largest velocity of the cosine (296) over the exact one (267) */
-    vm_real jacobi_vmax;        /* largest velocity of cn over the exact one; for m > 1/2 cn is fastest near x = 0, with
-                                   Omega_1/(2k), and not at x = 0, with the k' Omega_1 of (306) */
+    vm_real jacobi_vmax;        /* largest velocity of cn over the exact one. At x = 0 cn has the velocity k' Omega_1
+                                   (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
     vm_real jacobi_x, jacobi_v; /* largest errors of cn, relative to x0 and vmax */
 } vm_osc_errors;
@@ -7350,7 +7373,7 @@ typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
    the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
-    vm_real f0, f1, f2;       /* arguments of the constructor, in its order; 0 for tables and functions */
+    vm_real f0, f1, f2;       /* numbers given to the constructor, in its order; 0 for tables and functions */
     int n;                    /* number of points of a table; 0 for the other laws */
     const vm_real *time;      /* n times of a table, s, rising; else null */
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
@@ -7360,14 +7383,14 @@ struct VM_TAG(vm_law) {
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null if this is no law */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f(0), f(t) are enough */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: checking f(0), f(t) is enough */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
 
 /* -- What every kind of law shares -- */
 
-/* The direction of an interval of time of this length: 1 forward, -1 backward */
+/* The direction of an interval of time whose length has a sign: 1 forward, -1 backward */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
 /* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
@@ -7457,7 +7480,7 @@ VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
     return VM_OK;
 }
 
-/* A law with these numbers, but without the functions of its kind, which the constructors below add */
+/* A law with the numbers f0, f1, f2, but without the functions of its kind, which the constructors below add */
 VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law;
@@ -7489,7 +7512,7 @@ VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm
     return VM_OK;
 }
 
-/* The exponential form of a linear law: f0 (1 + base t) = f0 exp(base u) */
+/* The exponential form of a linear law: f0 (1 + base t) = f0 exp(base u) with u = ln(1 + base t)/base */
 VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = law->f1 / law->f0;
@@ -7530,7 +7553,8 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
-/* The exponential form of a quadratic law: f0 (1 + base t)^2 = f0 exp(2 base u), if f is a square within rounding */
+/* The exponential form of a quadratic law that is a square within rounding errors: f0 (1 + base t)^2 = f0 exp(2 base u)
+   with u = ln(1 + base t)/base */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -7563,7 +7587,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* f and its derivatives; each is f1 times the derivative of the order before */
+/* f and the derivatives of an exponential law; each derivative is f1 times the one before it */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -7594,8 +7618,8 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* f and its derivatives. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers than masses
-   vmi_law_derivatives changes this status. */
+/* f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers
+   than masses vmi_law_derivatives changes this status. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -7608,7 +7632,7 @@ VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_
     return VM_OK;
 }
 
-/* The exponential form of a power law: f0 (1 + f1 t)^f2 = f0 exp(f2 f1 u) with base = f1 */
+/* The exponential form of a power law: f0 (1 + f1 t)^f2 = f0 exp(f2 f1 u) with base = f1 and u = ln(1 + f1 t)/f1 */
 VM_API int vmi_law_power_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = law->f1;
@@ -7739,7 +7763,7 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
     return (t_end - knot) * (vm_real)side > 0 ? knot : t_end;
 }
 
-/* Whether t is a point of a table inside it, where the second derivative may jump */
+/* Whether t is a point of the law's table, but not its first or last, so that the second derivative may jump there */
 VM_API int vmi_law_has_knot(const vm_law *law, vm_real t)
 {
     return law->time && vmi_law_interval(law, t, 1) != vmi_law_interval(law, t, -1);
@@ -9478,10 +9502,10 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period, where the wave moves as x = A c, x' = -V s. Each quarter of the period
-   is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large alpha the velocity varies like
-   tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the distance of psi from its value
-   at x = 0, because F may contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period, with the force F and a motion x = A c, x' = -V s by the wave w. Each
+   quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large alpha the
+   velocity varies like tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the distance of
+   psi from its value at x = 0, because F may contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -9563,11 +9587,11 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
 /* Number of phases in a period at which the exact rates of ln A and psi are compared with their means */
 enum { VMI_AVERAGING_POINTS = 64 };
 
-/* A time t between 0 and t_end, and the motion at t */
+/* A moment of a motion from time 0 to t_end: the time t and the motion at t */
 typedef struct VM_TAG(vmi_osc_moment) {
     const vm_osc_plan *plan;
-    vmi_osc_rates now;  /* mass, stiffness and rates just before t */
-    vm_real t, t_end;   /* this time and the last time, s */
+    vmi_osc_rates now;  /* mass, stiffness and their rates just before t */
+    vm_real t, t_end;   /* the time t of this moment, and the end t_end of the motion, s */
     vm_real A, psi, Om; /* amplitude, m, Ateb phase, and rate of this phase, 1/s */
 } vmi_osc_moment;
 
@@ -9649,8 +9673,8 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
     a->growth = (more_A - own_A) / change;
 }
 
-/* The ripples of ln A and psi within a period, from their rates without the means. The ripple of ln A changes Om,
-   which adds to the rate of psi. */
+/* Integrates the rates of ln A and psi, without their means, to the ripples of ln A and psi within a period. The ripple
+   of ln A changes Om, which adds to the rate of psi. */
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
@@ -9672,7 +9696,7 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* factor of rate times ripple; for Duffing's equation it is 0.156 */
+    const vm_real second_order = VM_C(0.25); /* error over rate times ripple; for Duffing's equation it is 0.156 */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -9701,8 +9725,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* Number of times at which errors are estimated on the way to t, also by comparing two integrations: the ends of the
-   last 8 of 11 equal parts of the interval from 0 to t */
+/* The interval from 0 to t has 11 equal parts. Errors are estimated at the ends of the last 8 of them, both here and
+   where oscillators/integration.h compares two integrations. */
 enum { VMI_OSC_CHECKS = 8 };
 
 /* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
@@ -9769,13 +9793,13 @@ typedef struct VM_TAG(vmi_osc_tuning) {
     vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
     vm_real ratio;     /* tolerance of the loose run over that of the strict run */
     vm_real factor;    /* estimated error of the strict run over the difference of the two runs */
-    vm_real by_chance; /* least ratio of estimated error to tolerance of the steps; less is taken for chance */
+    vm_real by_chance; /* the estimated error is at least this times the tolerance of the steps */
 } vmi_osc_tuning;
 
-/* How a route integrates */
+/* How a route, which is a method of solution, integrates */
 typedef struct VM_TAG(vmi_osc_method) {
     ode_rhs rhs;  /* the right-hand side: vmi_osc_averaged_rhs or vmi_osc_direct_rhs */
-    int averaged; /* 1 where rhs is averaged, so that an error of averaging is added; else 0 */
+    int averaged; /* 1 where rhs has averaged equations, whose error of averaging is added; else 0 */
     int direct;   /* 1 where the state of rhs is position and velocity, 0 where it is amplitude and phase */
     int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                 const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
@@ -9783,10 +9807,10 @@ typedef struct VM_TAG(vmi_osc_method) {
     vmi_osc_tuning tuning;                                           /* numbers for this pair */
 } vmi_osc_method;
 
-/* A method with rk45. rk45 does not change the length of its steps while their error stays within a factor of 3.
-   `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves room for errors that
-   are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree
-   well by chance; by_chance allows for this. */
+/* A method of integration with the pair rk45. rk45 does not change the length of its steps while their error stays
+   within a factor of 3. `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves
+   room for errors that are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps,
+   so two runs may agree well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -9802,7 +9826,8 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
     return method;
 }
 
-/* A method with rk87, which does not change the length of its steps while their error stays within a factor of 7.5 */
+/* A method of integration with the pair rk87, which does not change the length of its steps while their error stays
+   within a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -9829,10 +9854,10 @@ typedef struct VM_TAG(vmi_osc_run) {
     int route;        /* the method's route, VM_ROUTE_... */
     vmi_osc_wave wave;
     int side;         /* 1 forward, -1 backward in time */
-    int status;       /* status of a law of m or k that stopped the run, else VM_OK */
+    int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, as a part of the interval up to the next stop */
-    vm_real law_step; /* longest step, s, that skips no change of a user's law; it is reduced as `longest` is */
+    vm_real law_step; /* longest step, s, that skips no change of a user's law; a run shrinks it like `longest` */
     long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
@@ -9915,9 +9940,9 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
     return stop;
 }
 
-/* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than
-   a part of the period or, for a large Pi_alpha, of the 10/Pi_alpha periods in which the velocity reverses, since the
-   pair does not notice the error of a step across that time. */
+/* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than a
+   part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods; then no step is longer
+   than a part of this short time, because the Runge-Kutta pair does not notice the error of a step across it. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */
@@ -10160,28 +10185,19 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 }
 
 #endif
-/* oscillators/collocation.h - integration of an oscillator from each zero of x to the next, to a tolerance
+/* oscillators/gauss_rule.h - Gauss' rule of n points on [0, 1], and polynomials through values at these points
 
-   The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F, are
-     (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
-     with E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1); p, a and W are explained there.
-   They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
-   At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
+   The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to it: they give, from the values of a
+   polynomial of degree n - 1 at the n points, its integrals from 0 to each point and its derivatives there. The method
+   of collocation (oscillators/collocation.h) solves differential equations with them.
+       vmi_gauss_rule rule;
+       vmi_gauss_rule_init(&rule, 8);
+   Tests: tests/test_collocation.c. */
+#ifndef VARMASS_OSCILLATORS_GAUSS_RULE_H
+#define VARMASS_OSCILLATORS_GAUSS_RULE_H
 
-   A step uses Gauss' collocation of n points. Its equations are solved by iteration, which starts from values that are
-   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points,
-   so that laws have to give only f and f'. Two runs with different n go side by side; their difference gives the error.
-       vm_osc_motion motion;
-       int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
-   Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
-   Tests: tests/test_collocation.c, tests/test_routes.c. */
-#ifndef VARMASS_OSCILLATORS_COLLOCATION_H
-#define VARMASS_OSCILLATORS_COLLOCATION_H
-
-/* -- Gauss' rule of n points on [0, 1] -- */
-
-/* The largest n, and from how many earlier steps a step is extrapolated */
-enum { VMI_NODES = VMI_GAUSS, VMI_HISTORY = 6 };
+/* The largest n */
+enum { VMI_NODES = VMI_GAUSS };
 
 /* Gauss' rule, and two matrices for polynomials of degree n - 1: polynomial j is 1 at node j, 0 at all other nodes */
 typedef struct VM_TAG(vmi_gauss_rule) {
@@ -10274,6 +10290,28 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
     }
 }
 
+#endif
+/* oscillators/collocation.h - integration of an oscillator from each zero of x to the next, to a tolerance
+
+   The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F, are
+     (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
+     with E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1); p, a and W are explained there.
+   They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
+   At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
+
+   A step uses Gauss' collocation of n points. Its equations are solved by iteration, which starts from values that are
+   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points,
+   so that laws have to give only f and f'. Two runs with different n go side by side; their difference gives the error.
+       vm_osc_motion motion;
+       int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
+   Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
+   Tests: tests/test_collocation.c, tests/test_routes.c. */
+#ifndef VARMASS_OSCILLATORS_COLLOCATION_H
+#define VARMASS_OSCILLATORS_COLLOCATION_H
+
+/* From how many earlier steps a step is extrapolated */
+enum { VMI_HISTORY = 6 };
+
 /* -- A run -- */
 
 /* sa and ca at the nodes of a step */
@@ -10304,7 +10342,8 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
-    vmi_step_rates history[2][VMI_HISTORY];         /* rates of earlier whole steps over each part, the latest first */
+    vmi_step_rates history[2][VMI_HISTORY];         /* rates of earlier whole steps over each part */
+    int latest[2];                                  /* index in history of the latest step; earlier ones come after it */
     int known[2];                                   /* number of earlier steps over each part that history holds */
     int status;
     long evals;            /* evaluations of the rates */
@@ -10459,8 +10498,9 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
         if (sweeps > 2 && !(change < before)) break;
         before = change;
     }
+    if (change * c->contraction > c->sweep_limit && !(change <= rounding)) return VM_NOT_INTEGRATED;
     c->left += change * c->contraction;
-    return change * c->contraction <= c->sweep_limit || change <= rounding ? VM_OK : VM_NOT_INTEGRATED;
+    return VM_OK;
 }
 
 /* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps of the same
@@ -10486,7 +10526,7 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
         s->rates.t[i] = 0;
     }
     for (k = 0; k < c->known[part]; k++) { /* extrapolation of n values: factors n, -n (n-1)/2, ... */
-        const vmi_step_rates *last = &c->history[part][k];
+        const vmi_step_rates *last = &c->history[part][(c->latest[part] + k) % VMI_HISTORY];
         factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
         for (i = 0; i < c->rule.n; i++) {
             s->rates.ln_A[i] -= factor * last->ln_A[i];
@@ -10509,12 +10549,12 @@ VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
     c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
-/* Stores the rates of a whole step, from which later steps of the same part are extrapolated. */
+/* Stores the rates of ln A and t over a whole step. vmi_osc_predict extrapolates from them the rates of the next step
+   over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
-    int i;
-    for (i = VMI_HISTORY - 1; i > 0; i--) c->history[part][i] = c->history[part][i - 1];
-    c->history[part][0] = *rates;
+    c->latest[part] = (c->latest[part] + VMI_HISTORY - 1) % VMI_HISTORY;
+    c->history[part][c->latest[part]] = *rates;
     if (c->known[part] < VMI_HISTORY) c->known[part]++;
 }
 
@@ -10609,8 +10649,9 @@ VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
 }
 
-/* Makes one step. If it would go beyond c->stop, it is shortened to end there. */
-VM_API int vmi_osc_course_step(vmi_osc_course *c)
+/* Makes a step of the part `most`, 0 to 1, of its usual length. If it would go beyond c->stop, it is shortened to end
+   there. */
+VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
     vmi_osc_step s;
@@ -10619,7 +10660,7 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     s.length = vmi_osc_next_phase(c, &part, &s.sign) - c->psi;
     status = vmi_osc_predict(c, part < 0 ? 0 : part, &s);
     if (status) return status;
-    share = c->longest / VM_FABS(vmi_osc_whole_change(c, &s).t);
+    share = vmi_smaller(c->longest / VM_FABS(vmi_osc_whole_change(c, &s).t), most);
     if (share < 1) {
         s.length *= share;
         part = -1;
@@ -10640,6 +10681,20 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     vmi_osc_take(c, &s);
     if (part >= 0) vmi_osc_remember(c, part, &s.rates);
     return VM_OK;
+}
+
+/* Makes one step. Where its iteration does not converge, it tries shorter and shorter steps. */
+VM_API int vmi_osc_course_step(vmi_osc_course *c)
+{
+    const vm_real shortest = VM_C(0.01); /* part of the usual length */
+    vm_real most = 1;
+    int status = vmi_osc_course_step_of(c, most);
+    while (status == VM_NOT_INTEGRATED && most > shortest) {
+        most /= 2;
+        c->contraction = VM_C(0.1);
+        status = vmi_osc_course_step_of(c, most);
+    }
+    return status;
 }
 
 /* Starts a course at t = 0 from the amplitude and phase in *start, with n points a step and `parts` parts a half
@@ -10669,9 +10724,11 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
         from = half * ((vm_real)part / (vm_real)parts - VM_C(0.5));
         if (side < 0) from += half / (vm_real)parts;
         vmi_osc_course_waves(c, from, length, &c->waves[part]);
+    }
+    for (part = 0; part < 2; part++) {
+        c->latest[part] = 0;
         c->known[part] = 0;
     }
-    c->known[1] = 0;
     c->evals = 0;
 }
 
@@ -10710,40 +10767,62 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
 
 /* Numbers of points a step of the loose and of the strict run, and parts of a half period in both runs */
 typedef struct VM_TAG(vmi_osc_points) {
-    int loose, strict, parts;
+    signed char loose, strict, parts;
 } vmi_osc_points;
 
-VM_API vmi_osc_points vmi_osc_points_of(int loose, int strict, int parts)
+/* The number of pairs of runs that can be tried one after the other */
+enum { VMI_OSC_PAIRS = 6 };
+
+/* Whether the rates are smooth inside a half period, so that one step over it is good. With a force they may have kinks
+   in the middle, where x' = 0, and where alpha > 3 they change quickly there. Then two steps are better that meet in
+   the middle. */
+VM_API int vmi_osc_has_smooth_halves(const vm_osc_problem *o) { return o->alpha <= 3 && !o->force; }
+
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. */
+VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
-    vmi_osc_points points;
-    points.loose = loose;
-    points.strict = strict;
-    points.parts = parts;
-    return points;
+    static const vmi_osc_points smooth[VMI_OSC_PAIRS] = {{4, 6, 1}, {5, 7, 1},  {8, 11, 1},
+                                                         {5, 7, 2}, {8, 11, 2}, {14, 20, 2}};
+    static const vmi_osc_points other[VMI_OSC_PAIRS] = {{4, 6, 2},  {5, 7, 2},   {6, 8, 2},
+                                                        {8, 11, 2}, {10, 14, 2}, {14, 20, 2}};
+    return vmi_osc_has_smooth_halves(o) ? smooth[i] : other[i];
 }
 
-/* The number of pairs of runs that are tried one after the other */
-enum { VMI_OSC_PAIRS = 5 };
-
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1; the last pair is the most accurate. */
-VM_API vmi_osc_points vmi_osc_pair(int i)
+/* The number of the pair that is tried first. It is about the cheapest that reaches the tolerance where mass and
+   stiffness change by 1 % while the phase grows by 1. */
+VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
 {
-    switch (i) {
-    case 0: return vmi_osc_points_of(6, 8, 1);
-    case 1: return vmi_osc_points_of(8, 11, 1);
-    case 2: return vmi_osc_points_of(10, 14, 1);
-    case 3: return vmi_osc_points_of(10, 14, 2);
-    default: return vmi_osc_points_of(14, 20, 2);
+    if (o->force) return tolerance >= VM_C(1e-6) ? 2 : 4;
+    if (tolerance >= VM_C(1e-6)) return 0;
+    if (tolerance >= VM_C(1e-8)) return vmi_osc_has_smooth_halves(o) ? 1 : 0;
+    if (tolerance >= VM_C(1e-9)) return 2;
+    return tolerance >= VM_C(1e-10) ? 3 : 4;
+}
+
+/* The number of the pair that is tried after pair i, whose error is estimated as `error`, larger than the tolerance.
+   Pairs are left out whose error would be too large even if it fell as the tenth power of the number of points. */
+VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_real tolerance)
+{
+    const vmi_osc_points last = vmi_osc_pair(o, i);
+    int next;
+    for (next = i + 1; next < VMI_OSC_PAIRS - 1; next++) {
+        const vmi_osc_points points = vmi_osc_pair(o, next);
+        const vm_real ratio = (vm_real)(last.strict * last.parts) / (vm_real)(points.strict * points.parts);
+        const vm_real power_5 = ratio * ratio * ratio * ratio * ratio;
+        if (error * power_5 * power_5 <= tolerance) break;
     }
+    return next;
 }
 
-/* The number of the pair that is tried first. With a force the rates may have kinks where x' = 0; pairs with two parts
-   a half period end steps near there. */
-VM_API int vmi_osc_first_pair(const vm_osc_plan *plan, vm_real tolerance)
+/* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
+   the loose run. Where alpha < 1, the rates have terms of the power alpha + 2 in the distance from a zero of x. For them
+   the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it falls as n^-8 at least.
+   Kinks from a force or from a law by a function, and the sharp turns of a large alpha, make it fall more slowly. */
+VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
-    if (plan->problem.force) return 3;
-    if (tolerance >= VM_C(1e-8)) return 0;
-    return tolerance >= VM_C(1e-10) ? 1 : 2;
+    const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
+    if (o->force || o->mass.function || o->stiffness.function || o->alpha > 10) return squared * squared;
+    return squared * squared * squared * (o->alpha >= 1 ? squared : 1);
 }
 
 /* Makes one pair of runs from 0 to t. *strict becomes the strict run at t, *error the estimate of its error. */
@@ -10751,7 +10830,6 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
                                   vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
 {
     const int side = vmi_time_side(t);
-    const vm_real factor = VM_C(0.25); /* estimated error of the strict run over the difference of the two runs */
     const vm_real looser = 16;         /* ratio of their sweep_limits, so that errors of the iteration differ, too */
     vmi_osc_rates now;
     vmi_osc_slow start;
@@ -10771,7 +10849,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     while (!status && strict->t != t)
         status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
     strict->evals += loose.evals;
-    *error = factor * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
+    *error = vmi_osc_strict_share(&plan->problem, points) * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
     return status;
 }
 
@@ -10785,7 +10863,6 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
     const vm_real share = 4 * steps; /* the iterations of all steps may take a quarter of the tolerance */
     const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
-    const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
     vmi_osc_course c;
     vmi_osc_reduced state;
@@ -10793,14 +10870,15 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vm_real error = VM_INFINITY, sweep_limit = vmi_larger(tolerance / share, VM_EPSILON), sa, ca;
     long evals = 0;
     vm_real longest;
-    int i, status = vmi_osc_law_step(plan, t, &longest);
+    int i = vmi_osc_first_pair(&plan->problem, tolerance), status = vmi_osc_law_step(plan, t, &longest);
     if (status) return status;
     if (!(plan->Om * VM_FABS(t) <= most_half_periods * plan->ripple.pi)) return VM_NOT_INTEGRATED;
-    for (i = first; i < VMI_OSC_PAIRS && !(error <= tolerance); i++) {
-        status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(i), 2 * longest, sweep_limit, &c, &error);
+    while (i < VMI_OSC_PAIRS && !(error <= tolerance)) {
+        status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(&plan->problem, i), 2 * longest, sweep_limit, &c, &error);
         if (status) return status;
         evals += c.evals;
         sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* perhaps the iterations left too much */
+        i = vmi_osc_next_pair(&plan->problem, i, error, tolerance);
     }
     status = vmi_osc_rates_at(&plan->problem, t, -c.side, &now);
     if (status) return status;
@@ -10859,7 +10937,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
    1/8 to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. In double its bounds are, for
      the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
      the largest ratio of true error to estimate: 30 by rk87, 40 by rk45, else 10,
-     the median ratio of estimate to true error: 70 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
+     the median ratio of estimate to true error: 45 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
        averaged solutions with F, else 10.
    The estimate is worse for rk87, because its errors are not proportional to the tolerance if alpha is not an odd
    integer. */
@@ -11413,9 +11491,9 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 /* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
 
    A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), F_e(rho) the
-   shaft's elastic force at the deflection rho = |z|, and F_e'(rho) is short for F_e(rho)/rho, as in [1]. g is the
-   gyroscopic constant of the remark after (516). r is the share of the reactive force of mass that joins or leaves with
-   the velocity u, and F_z an external force:
+   shaft's elastic force at the deflection rho = |z|, and F_e'(rho) is short for F_e(rho)/rho, as in the dissertation
+   [1]. g is the gyroscopic constant of the remark after (516). r is the share of the reactive force of mass that joins
+   or leaves with the velocity u, and F_z an external force:
        m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
    Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
    nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
@@ -11516,8 +11594,8 @@ VM_API int vmi_jeffcott_mass_at(const vm_jeffcott *r, vm_real t, vm_real *mass, 
     return vmi_law_at(&r->mass, VM_BAD_MASS, t, mass, rate);
 }
 
-/* F_z + r m' u: the loads without the gyroscopic force and without the part of the reactive force that depends on z'.
-   `rate` is m'. */
+/* F_z + r m' u: the external force and the reactive force r m' (u - z') without its part that depends on z'. `rate` is
+   m'. */
 VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     const vm_complex thrust = vmi_c_scale(r->reactive * rate, r->u);
@@ -11525,7 +11603,7 @@ VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real ra
     return vmi_c_add(r->force(t, z, v, r->force_ctx), thrust);
 }
 
-/* F_z + r m' u + 2 i g z', where `rate` is m' and v is z' */
+/* F_z + r m' u + 2 i g z': the load of vmi_jeffcott_drive and the gyroscopic force, where `rate` is m' and v is z' */
 VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
@@ -11608,7 +11686,7 @@ VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_rea
     return vmi_copy_if_finite(VMI_JEFFCOTT_SIZE, found, y);
 }
 
-/* Writes z and v = z' from the whirls in y, where turn = e^(i phi). */
+/* Writes the disc's position z and velocity v = z' from the whirls P and N in y, where turn = e^(i phi). */
 VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
 {
     const vm_complex P = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_P], y[VMI_JEFFCOTT_P + 1]), turn);
@@ -11636,7 +11714,8 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     return vmi_copy_if_finite(4, joined, motion);
 }
 
-/* Computes the exact rates P' and N' (470)-(473) of the whirls at the fast phase phi:
+/* Writes the exact rates P' and N' (470)-(473) of the whirls to *dP and *dN. At the fast phase phi the disc is at z = P
+   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N. The rates are
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
      m f = F_z + r m' u + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
    The last term has r - 1/2 in place of r, because the change of omega contributes m' z'/2. */
@@ -11655,10 +11734,10 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
     *dN = vmi_c_times_i(push, vmi_c_times(f, turn));
 }
 
-/* Number of phases of a period that enter a mean value */
+/* The number of phases, evenly spaced in a period, at which the loads are computed for a mean over the period */
 VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
-    const int usual = 32; /* exact means for forces that are polynomials in z and z' of degree <= 15 */
+    const int usual = 32; /* gives exact means of forces that are polynomials of degree <= 15 in z and z' */
     if (r->nodes > 0) return r->nodes;
     return usual;
 }
@@ -11687,20 +11766,21 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
-   F_z, u, g and F_e'(rho) - F_e'(0) are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass
-   or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and
-   VM_BAD_STIFFNESS where F_e'(0) is not positive. */
+   the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change F_e'(rho) - F_e'(0)
+   of the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
+   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS
+   where F_e'(0) is not positive. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_mean(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs,
-   averaged over the fast phase phi while P and N stay constant. [1] averages over the angles psi1 and psi2 of the two
-   whirls separately, (474)-(477). That is wrong unless the force turns with z, since forward and backward whirl are in
-   1:1 resonance. The error is of the order of the largest perturbation (F_z, u, g, F_e'(rho) - F_e'(0) or m'), up to
-   times of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at
+/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs, averaged
+   over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and psi2 of
+   the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since forward and backward whirl
+   are in 1:1 resonance. The error is of the order of the largest perturbation (F_z, u, g, F_e'(rho) - F_e'(0) or m'),
+   up to times of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at
    `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -11712,8 +11792,8 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
-/* The frequency of circular whirl W = (g +- S)/m with S^2 = g^2 + m F_e', where + is for forward whirl (sense >= 0);
-   the formula subtracts no nearly equal numbers */
+/* The frequency of circular whirl W = (g +- S)/m with S^2 = g^2 + m F_e', where + is for forward whirl (sense >= 0). g
+   is gyro, m the mass, F_e' the stiffness. The code subtracts no nearly equal numbers. */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);
@@ -11738,9 +11818,9 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
     return vmi_jeffcott_root(r->gyro, mass, vmi_jeffcott_stiffness(r, A, &slope), sense);
 }
 
-/* The mean load D e^(-i psi), N, averaged over the angle psi of a circle of radius A that turns at the frequency W,
-   with D = F_z + r m' u. Its real part is the mean radial load, its imaginary part the mean tangential load. `rate`
-   is m'. */
+/* The mean load, N, on a disc that moves on a circle of radius A at the frequency W. The load D = F_z + r m' u is taken
+   as D e^(-i angle), where `angle` is the disc's place on the circle, and averaged over one turn that begins at the
+   angle psi. The real part is the mean radial load, the imaginary part the mean tangential load. `rate` is m'. */
 VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
                                          vm_real W)
 {
@@ -11784,12 +11864,13 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 /* Averaged equations (506), (507) of forward whirl, for rk45 or rk87.
    The nonlinearity may be strong. The motion is nearly circular: z = A e^(i psi), z' = i W z with the frequency W of
    vm_jeffcott_frequency. y = (A, psi) is in m and rad; rotor points to a vm_jeffcott. The error of A is of the order of
-   the largest load (F_z, u or m'), up to times of its inverse. Where F_e' is not constant, the phase accumulates this
-   error: up to these times tests bound the error of psi by 0.015 for loads that turn with z (their angle to z is
-   fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads that do not turn
-   with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor
-   without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
-   positive, and VM_BAD_STIFFNESS if g^2 + m F_e' is not positive. Each call evaluates the force at `nodes` phases. */
+   the largest load (by the force F_z, the velocity u or the mass rate m'), up to times of its inverse. Where F_e' is
+   not constant, the phase accumulates this error: up to these times tests bound the error of psi by 0.015 for loads
+   that turn with z (their angle to z is fixed), but for other loads it is of order 1. The equations do not hold for a
+   linear F_e with loads that do not turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT
+   for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS if g^2 + m F_e' is not positive. Each call
+   evaluates the force at `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -11810,7 +11891,7 @@ typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
     vm_real mass;    /* mass after the change, kg */
-    vm_real first;   /* g^2 + m F_e'(A) before the change */
+    vm_real first;   /* the factor g^2 + m F_e'(A) of the invariant before the change */
 } vmi_jeffcott_orbit;
 
 /* ln of the invariant over its value before the change, at the radius first_A e^x; NaN where F_e' is not a number or
@@ -11877,7 +11958,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
     o.r = r;
     o.first_A = first_A;
     o.mass = mass;
-    if (r->gyro == 0) { /* for g = 0, m^(2r-1) replaces m in the invariant */
+    if (r->gyro == 0) { /* for g = 0 the invariant has m^(2r-1) in place of m (509) */
         o.mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
         first_mass = 1;
     }
@@ -12115,7 +12196,7 @@ typedef struct VM_TAG(vm_forced) {
     vm_law force;      /* amplitude F of the force, N, of either sign */
     vm_real pi;        /* Pi_alpha; vm_forced_init writes this field and those below */
     vm_real Om1;       /* the constant of the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
-    vm_real G;         /* share of the force that acts on the mean motion */
+    vm_real G;         /* the factor Om1^2 c[0]/2 of F/m in the averaged equations */
     /* Fourier coefficients: ca is the sum of c[j] cos((2j+1) phi), sa the sum of s[j] sin((2j+1) phi). */
     vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS];
 } vm_forced;
@@ -12230,8 +12311,9 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
 }
 
 /* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
-   The state is y = (A, psi, theta), where x = A ca(psi). The equations neglect nothing, but are singular at A = 0.
-   The argument forced and the statuses are those of vm_forced_rhs. */
+   The state is y = (A, psi, theta): the amplitude A and the Ateb phase psi of x = A ca(psi), and the phase theta of the
+   force. The equations neglect nothing, but are singular at A = 0. The argument forced and the statuses are those of
+   vm_forced_rhs. */
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -12252,10 +12334,11 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87.
-   The main resonance is nu = w(A). The state is y = (A, delta, theta), where A is the mean amplitude and
-   delta = phi - theta the phase by which the vibration leads the force. Start with vm_forced_to_averaged, and end
-   with vm_forced_from_averaged. The error is of the order of the largest of b, m' and F, up to times of its inverse,
-   and larger away from the resonance. The argument forced and the statuses are those of vm_forced_rhs. */
+   At the main resonance the frequency nu of the force is the natural frequency w(A). The state is y = (A, delta,
+   theta): A is the mean amplitude, theta the phase of the force, and delta the phase by which the vibration leads the
+   force. Start with vm_forced_to_averaged, and end with vm_forced_from_averaged. The error is of the order of the
+   largest of the damping b, the mass rate m' and the force F, up to times of its inverse, and larger away from the
+   resonance. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -12366,12 +12449,12 @@ typedef struct VM_TAG(vm_steady_state) {
 
 /* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
-    vm_real A;              /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
-    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can balance. Below 1 the vibration
+    vm_real A;              /* amplitude, m, whose natural frequency w(A) is nu; for alpha = 1 the given amplitude */
+    vm_real drift_ratio;    /* rate of w - nu over the largest rate that the force can balance. Below 1 the vibration
                                may be captured, so that it follows A; above 1 it passes through the resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
-    vm_real amplitude_jump; /* relative change of the amplitude in a quick passage (drift_ratio much larger than 1).
-                               It depends on the phase at the start; this is half of its range */
+    vm_real amplitude_jump; /* largest relative change of the amplitude in a quick passage (drift_ratio much larger
+                               than 1). The change depends on the phase at the start and may have either sign */
 } vm_passage;
 
 /* The quantities that determine the resonance at one time */
@@ -12382,7 +12465,7 @@ typedef struct VM_TAG(vmi_resonance) {
     vm_real push;         /* force per mass F G/m that acts on the mean motion, with the sign of F */
 } vmi_resonance;
 
-/* The resonance of the oscillator f with the parameters n */
+/* The fields of vmi_resonance for the oscillator f with the parameters n */
 VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_parameters *n)
 {
     vmi_resonance z;
@@ -12394,7 +12477,8 @@ VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_param
     return z;
 }
 
-/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. It is 0 for a steady vibration. */
+/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. It is 0 for a steady vibration. w = w1
+   A^exponent, nu, p and push are those of vmi_resonance. */
 VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
 {
     const vmi_resonance *z = (const vmi_resonance *)resonance;
@@ -12831,7 +12915,7 @@ struct VM_TAG(vm_scene_body) {
     int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
     vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
-    vm_real law_offset;     /* kg: added to the value of the mass law, which does not know of jumps and switching */
+    vm_real law_offset;     /* kg: added to the mass law, which does not know of jumps and of being switched */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
@@ -12874,7 +12958,7 @@ struct VM_TAG(vm_effect) {
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
     int variant; /* which variant of the effect: for example which mass law, or whether a band lies in layers */
     /* fields set once by vm_scene_start, so that evaluations are fast */
-    int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
+    int idle;             /* bits VMI_IDLE_... that say why the effect does not act; 0 while it acts */
     int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
     int other_x, other_v; /* indices in y: position and velocity of the coordinate on which the opposite force acts */
     vm_load *load;        /* load of the body on which the effect acts */
@@ -12885,7 +12969,7 @@ struct VM_TAG(vm_effect) {
     vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
     vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function given to vm_effect_force */
     vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function given to vm_effect_mass_law */
-    vm_moving_point point;                                          /* NULL, or the moving end of vm_effect_link */
+    vm_moving_point point;                                          /* NULL, or the function for vm_effect_link */
     const vm_stream *stream;                                        /* stream of vm_effect_stream_mass, _force, ... */
     void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function given to vm_effect_varying */
     int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
@@ -13500,7 +13584,7 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* not used further; vmi_free_accelerate solves Euler's equations with pivoting */
+    vmi_inertia_ldl factors; /* needed for the test only; vmi_free_accelerate solves Euler's equations with pivoting */
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
@@ -14014,7 +14098,7 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 enum { VMI_MASS_U = 0, VMI_MASS_REACTIVE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
 
 /* Adds the reactive force rate (u - reactive v) on each coordinate along which the mass moves, and adds to the budget
-   what the mass brings */
+   the momentum and the energy that the mass brings */
 VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate, const vm_real *u,
                                   vm_real reactive)
 {
@@ -14200,9 +14284,9 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 
 /* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
    negative for mass that leaves. If reactive is 1, u is the absolute velocity of the mass; if reactive is 0, u is
-   relative to the body. In general the velocity of the mass is u + (1 - reactive) v, where v is the velocity of the
-   body. The inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body
-   is not a state. */
+   relative to the body. For any number reactive the velocity of the mass is u + (1 - reactive) v, where v is the
+   velocity of the body. The inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass
+   of the body is not a state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -14370,14 +14454,14 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
 #endif
 /* scenes/band.h - a band that winds up on a drum or off it
 
-   The drum is a body on an axle (chapter 5.2 of [1]). It is bare at the angle phi = 0, and the body is made with the
-   inertia of the bare drum. The band comes or goes at the radius
+   The drum is a body on an axle (chapter 5.2 of the dissertation). It is bare at the angle phi = 0, and the body is
+   made with the inertia of the bare drum. The band comes or goes at the radius
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (by_layer),
-   and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b
-   its width and rho its density. If the band lies in layers, its rate jumps at each complete turn, and with it the
-   reactive torque. vm_band_at computes the part that is wound up at any angle; vm_effect_band is the mass law of the
-   drum in a scene.
+   and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b its
+   width and rho its density. If the band lies in layers, its rate jumps at each complete turn, and with it the reactive
+   torque. vm_band_at computes the part that is wound up at any angle; vm_effect_band is the mass law of the drum in a
+   scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
@@ -14406,10 +14490,10 @@ typedef struct VM_TAG(vm_band_now) {
     vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
 } vm_band_now;
 
-/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass and
-   inertia are line times the integrals of the radius and of its cube over phi. n is the number of complete layers; over
-   them these integrals are 2 pi times the sums of R + i h and of (R + i h)^3 for i = 0 ... n - 1. The sums of i, i^2
-   and i^3 are sum1, sum2 and sum1^2. */
+/* The part of a band in layers that is wound up at the angle phi. `line` is density times width times thickness. Mass
+   and inertia are line times the integrals of the radius and of its cube over phi. n is the number of complete layers;
+   over them these integrals are 2 pi times the sums of R + i h and of (R + i h)^3 for i = 0 ... n - 1. The sums of i,
+   i^2 and i^3 are sum1, sum2 and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -14428,8 +14512,8 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-/* A result whose radius is `radius` and whose other numbers are `others`. For a bare drum `others` is 0; for a result
-   that does not exist both arguments are NaN. */
+/* A vm_band_now whose radius is `radius` and whose other numbers are all `others`. For a bare drum `others` is 0; for a
+   band or an angle that is not valid both arguments are NaN. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -14481,8 +14565,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the speed of the
-   band divided by the radius at which it comes, an angular velocity about the axle. */
+/* Gives the drum its moment of inertia J(phi), which takes the place of the mass on an axle, as a mass law does. u is
+   the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -14796,7 +14880,7 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
-/* The status that says why a body with this load cannot be accelerated */
+/* The status that says which mass of the load is not positive or not finite, so that the body cannot be accelerated */
 VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
     if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
@@ -14819,8 +14903,8 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
 }
 
 /* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
-   is the status of the preceding evaluation. If that failed too, its status is kept, because its NaN has caused this
-   failure. */
+   is the status of the preceding evaluation. If the preceding evaluation failed too, its status is kept, because its
+   NaN has caused this failure. */
 VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 {
     int k;
@@ -14875,7 +14959,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* The part of a scene in which a fault is */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect" or "event"; "scene" if an array of the scene, or nothing, is wrong */
+    const char *kind; /* "body", "effect" or "event"; "scene" for an array of the scene, and if nothing is wrong */
     int index;        /* index of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
@@ -14959,8 +15043,8 @@ VM_API int vmi_scene_can_jump(int motion, int other)
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Checks a jump. For a part that separates, also checks that the absent body of the scene which it becomes can have the
-   mass, inertia and motion of the part. */
+/* Checks a jump. A part that separates becomes a body of the scene that was absent. The function also checks that this
+   body can have the mass, inertia and motion of the part. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -15076,8 +15160,8 @@ VM_API int vmi_scene_is_started(const vm_scene *s)
     return 1;
 }
 
-/* The function whose zeros the integrator locates. ctx points to a vm_event of the scene. For an event at a set time
-   the function is 1, so that it has no zeros. */
+/* The function whose zeros the integrator locates to find an event. ctx points to a vm_event of the scene. For an event
+   at a set time the function is 1, so that it has no zeros. */
 VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 {
     const vm_event *e = (const vm_event *)ctx;
@@ -15582,7 +15666,7 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     return VM_OK;
 }
 
-/* Converts the motion of a part, given relative to the body, to inertial axes */
+/* Converts *part from motion relative to *body, in the axes of *body, to motion in inertial axes */
 VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -15646,8 +15730,8 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* After a jump has moved the mass centre of a growing body to r, updates the position of the mass centre in body
-   axes */
+/* After a jump has moved the mass centre of a growing body to r, updates its position in body axes, which is in the
+   state */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -15817,13 +15901,13 @@ typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
     vm_real gap;   /* s: of all crossings at this instant, the shortest time since the last crossing by the same event;
                       VM_MAX if none */
-    int crowded;   /* number of successive instants whose gap is too short for the precision of the time */
+    int crowded;   /* number of successive instants whose gap the time t cannot resolve with its digits */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more would cause each other without end */
-    VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants with a gap too short for the precision of time */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, so that no later event is missed */
+    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more are taken for an endless chain */
+    VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants whose gap the time cannot resolve */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a short gap between two events, so that no later event is missed */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
@@ -15891,8 +15975,8 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
     return status;
 }
 
-/* Calls output if it is due at the time t. *next is the index of the next time of output. Returns VM_STOPPED if output
-   ends the run, else VM_OK. */
+/* Calls the caller's function scene.output if it is due at the time t. *next is the index of the next time of output.
+   Returns VM_STOPPED if output ends the run, else VM_OK. */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
     if (!s->output) return VM_OK;
@@ -15938,7 +16022,7 @@ VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
     }
 }
 
-/* The status of a scene that reports an error of the integrator */
+/* The status VM_... of a scene for the status ODE_... of its integrator, which has reported an error */
 VM_API int vmi_scene_status_of_ode(int ode_status)
 {
     switch (ode_status) {

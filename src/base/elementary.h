@@ -18,8 +18,8 @@
 #include "sums.h"
 #include "words.h"
 
-/* Returns a constant of vmi_log for interval number `row`, 0 to 31, of its variable z. c is a number near all z of this
-   interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
+/* Returns a constant for vmi_log, whose variable z is in interval number `row`, 0 to 31. c is a number close to all z
+   of this interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
    multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
    rounding error. */
 VM_INLINE vm_real vmi_log_constant(int row, int column)

@@ -94,9 +94,9 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
    decide whether events coincide. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
-/* The value of g at the fraction x of the last step, in a state that is changed on purpose, by the largest error that
-   rounding may have caused within this step, or, if `earlier` is not 0, since the run began. `direction`, -1 or 1, is
-   the sign of the change. The components change by different amounts, so that their differences change too. */
+/* The value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose. The
+   error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`, -1 or
+   1, is its sign. Its size differs between the components, so that their differences change too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
@@ -117,9 +117,9 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real 
     return e->g(vmi_time_inside(s, x) * (1 + (vm_real)direction * VM_EPSILON), z, e->ctx);
 }
 
-/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; `earlier` has the
-   meaning that it has in vmi_event_value_moved. Returns 1 if g certainly has the sign `side` there, in spite of
-   rounding, else 0. */
+/* Sets e->slack to the largest |g| that rounding can cause at the fraction x of the last step; if `earlier` is not 0,
+   the errors of all earlier steps of the run are included. Returns 1 if g certainly has the sign `side` there, in spite
+   of rounding, else 0. */
 VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlier, int side)
 {
     int direction, certain = 1;
@@ -134,7 +134,7 @@ VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlie
     return certain;
 }
 
-/* Whether the field `direction` of the event allows it to happen when g leaves the sign `side` */
+/* Whether the event may happen, by its field `direction`, when g changes from the sign `side` to another sign */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
@@ -150,7 +150,7 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept: 1 if the last x has replaced a, -1 if it has replaced b, 0 at first */
+    int count, kept = 0; /* kept: 1 if the last x has become a, -1 if it has become b, 0 at first */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
         vm_real x = b - gb * ((b - a) / (gb - ga)), g;
@@ -245,8 +245,9 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
             continue;
         }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
-        /* gap = 1 ends the evaluations at short distances; those at the evenly spaced points go on. A short excursion
-           of g is expected only after the start of the step, where an event may have changed y or f. */
+        /* Inside the step (start > 0), gap = 1 ends the evaluations of g at short distances as soon as its sign is
+           certain; those at evenly spaced points go on. At the start of the step the short distances go on, too: an
+           event there may have changed y or f, so that g may change its sign twice in a short time. */
         if (e->side && start > 0) gap = 1;
     }
     return ODE_OK;
@@ -323,7 +324,8 @@ VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
         vmi_quieten_event(s, e, x);
         return ODE_OK;
     }
-    /* x + VMI_QUIET may be above 1, where the step has ended: y is still defined there, but g may be NaN */
+    /* g is followed up to x + VMI_QUIET, which may be after the end of the step (x = 1). The extension of y goes on
+       there, but g may be NaN; the event then does not happen. */
     e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
     return ODE_OK;
 }
@@ -368,7 +370,7 @@ VM_API int vmi_take_back(rk45 *s)
     }
     s->steps--;
     s->rejected++;
-    s->k1 = VMI_K1_READY; /* vmi_advance has made only this step, so that its k_1 is still in work */
+    s->k1 = VMI_K1_READY; /* with events vmi_advance makes one step, whose k_1 is still in work */
     s->failure = VMI_NOT_FINITE;
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }

@@ -32,18 +32,19 @@ typedef struct VM_TAG(vmi_rk_system) {
     ptrdiff_t m;
 } vmi_rk_system;
 
-/* What a run needs to know of its pair */
+/* What a run needs to know of its Runge-Kutta pair. k_i is the value of f in stage i of a step from t to t + h. */
 typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage is f at the new state, k_1 of the next step; 0: the run evaluates k_1 */
+    int last_is_first;    /* 1: the last stage gives f at the new state, the next k_1; 0: the run evaluates it */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
     vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of f's Jacobian exceeds this */
-    /* Two stages, or the last stage and the new state, evaluate f at t + h. Returns the weight of k_{j+1} in the
-       difference of these two states, divided by h. */
+    /* For the test of stiffness, which compares two states at the end t + h of a step: those of the last two stages
+       (rk45), or the new state and that of the last stage (rk87). The difference of these two states is h times a sum
+       over all k_{j+1}; the function returns the factor of k_{j+1} in it. */
     vm_real (*end_difference)(int j);
     /* Computes the state y at the fraction x of the step by the continuous extension, y_old + h (b_1 k_1 + ...), whose
        weights b_j depend on x */
@@ -53,8 +54,8 @@ typedef struct VM_TAG(vmi_rk_pair) {
 } vmi_rk_pair;
 
 /* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
-   inlines make_stages and step_error into the loop. They are no part of vmi_rk_pair, which each run stores, because the
-   compiler would then compile them a second time. */
+   inlines make_stages and step_error into the loop. The two functions are no part of vmi_rk_pair, which each run
+   stores, because the compiler would then compile them a second time. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.

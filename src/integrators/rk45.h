@@ -21,10 +21,10 @@
 #include "pairs.h"
 #include "runs.h"
 
-enum { VMI_RK45 = 45 }; /* the field `method` of this pair */
+enum { VMI_RK45 = 45 }; /* the value of the field `method` for this pair, rk45 */
 
-/* Computes stages 2 to 7 of a step [1]. The coefficients, which [1] gives to 16 digits, satisfy the order conditions
-   with an error of 2e-14. */
+/* Computes stages 2 to 7 of a step of Tsitouras' pair [1]. Its coefficients, which are published to 16 digits, satisfy
+   the order conditions with an error of 2e-14. */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -75,8 +75,8 @@ VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the weight of k_{j+1} in stage 7 minus its weight in stage 6. Both stages evaluate f at
-   the end of the step. */
+/* For the test of stiffness: the factor of k_{j+1} in the state of stage 7 minus its factor in the state of stage 6.
+   Both stages evaluate f at the end of the step. */
 VM_API vm_real vmi_rk45_end_difference(int j)
 {
     VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
@@ -84,8 +84,8 @@ VM_API vm_real vmi_rk45_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 4 [1], at the fraction x of
-   the step */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Tsitouras' continuous extension, of order 4 [1], at the
+   fraction x of the step */
 VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
 {
     const vm_real xx = x * x;

@@ -16,9 +16,9 @@
 #include "pairs.h"
 #include "runs.h"
 
-enum { VMI_RK87 = 87 }; /* the field `method` of this pair */
+enum { VMI_RK87 = 87 }; /* the value of the field `method` for this pair, rk87 */
 
-/* Computes stages 2 to 7 of a step [4]. Returns 0, or the number with which f has stopped the run. */
+/* Computes stages 2 to 7 of a step of Verner's pair [4]. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -49,9 +49,10 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
     return 0;
 }
 
-/* Computes stages 8 to 13 [4] and the new state, whose derivative is evaluated only after the step is accepted. Large
-   coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use the differences of such k,
-   which are exact, so that roundings remain small. Returns 0, or the number with which f has stopped the run. */
+/* Computes stages 8 to 13 of a step of Verner's pair [4], and the new state, whose derivative is evaluated only after
+   the step is accepted. Large coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use
+   the differences of such k, which are exact, so that roundings remain small. Returns 0, or the number with which f has
+   stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -161,8 +162,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the weight of k_{j+1} in the new state minus its weight in stage 13. The run evaluates f
-   for both states at the end of the step. */
+/* For the test of stiffness: the factor of k_{j+1} in the new state minus its factor in the state of stage 13. The run
+   evaluates f for both states at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -289,8 +290,8 @@ VM_API vm_real vmi_rk87_bernstein(int i, int j)
     return VM_READ(c[i][j]);
 }
 
-/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in the continuous extension, of order 8 [4], at the fraction x of
-   the step */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Verner's continuous extension, of order 8 [4], at the fraction
+   x of the step */
 VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 {
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};

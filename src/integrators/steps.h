@@ -34,7 +34,7 @@ VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
     return v;
 }
 
-#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios from which the first step is chosen */
+#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios to tolerances from which the first step is chosen */
 
 /* The largest ratio of |v_i| to the tolerance of component i, at most VMI_LARGEST_RATIO */
 VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
@@ -48,9 +48,10 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
     return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
 }
 
-/* Chooses the size s->h of the first step from the sizes of y, y' and y'' [2, II.4], so that the error of this step
-   should be 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %, and at most
-   `longest`. `direction`, 1 or -1, is the sign of s->h. Overwrites k_2 and the part VMI_Z of work. Returns a status. */
+/* Chooses the size s->h of the first step from the sizes of y, y' and y'' (Hairer et al. [2, II.4]), so that the error
+   of this step should be 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %,
+   and at most `longest`. `direction`, 1 or -1, is the sign of s->h. Overwrites k_2 and the part VMI_Z of work. Returns
+   a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -89,7 +90,7 @@ VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - 
 /* The direction of the run to t_end: 1 forward, -1 backward */
 VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
 
-/* The factor by which the step size changes after an accepted step, by PI control [2, IV.2]. It is the
+/* The factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It is the
    smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
    where error is the error of this step divided by its tolerance, and error_before that of the step before. */
@@ -296,7 +297,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* not a field of p, because make_stages must not get the address of p */
+    long evals = 0; /* not a field of p, which must stay in registers: make_stages gets its address */
     int status;
     for (;;) {
         vmi_trial trial;

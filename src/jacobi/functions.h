@@ -44,7 +44,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     vm_real bound;
     const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
-    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less than theta.c (1/theta.n) has */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* more accurate than the product of theta.c and 1/theta.n */
 }
 
 /* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies

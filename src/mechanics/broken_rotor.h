@@ -32,7 +32,7 @@ typedef struct VM_TAG(vm_broken_rotor) {
     vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
     vm_real damping;   /* damping k, N m s: at the angular velocity psi' the torque -k psi' acts on the rotor */
     vm_real torque;    /* driving torque, N m */
-    vm_real s;         /* distance from the mass centre to the shaft, in the direction of the angle psi, m */
+    vm_real s;         /* distance from the mass centre to the shaft, which lies in the direction psi, m */
 } vm_broken_rotor;
 
 /* Indices of the states of a rotor in the array y, and the number of states */
@@ -65,8 +65,9 @@ typedef struct VM_TAG(vm_broken_rotor_piece) {
 } vm_broken_rotor_piece;
 
 /* The break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of vm_broken_rotor_piece, and S1 is
-   the mass centre of the remainder. [1] assumes in (57): the point A of the piece keeps its velocity, and the component
-   of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and angular momentum. */
+   the mass centre of the remainder. The dissertation [1] assumes in (57): the point A of the piece keeps its velocity,
+   and the component of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and
+   angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
                              and torque are those of the whole */
@@ -74,7 +75,7 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
        direction of SS2. Its angular velocity is that of the whole, Omega_b, plus spin_rest [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
-    vm_real dragging;                      /* speed v_S2d of S2 before the break (52), (61), m/s */
+    vm_real dragging;                      /* speed v_S2d of S2, the piece's mass centre, before the break (52), m/s */
     vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; the
                                               velocity of S is taken into account */
     vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
@@ -112,7 +113,7 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
     const int status = vmi_check_broken_rotor(r);
-    vm_real sine, cosine, fx, fy; /* fx, fy: the force of the shaft on the disc (66) */
+    vm_real sine, cosine, fx, fy; /* fx, fy: the force (66) of the shaft, N */
     (void)t;
     if (status) return status;
     vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
@@ -233,8 +234,9 @@ VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cos
     return b;
 }
 
-/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S.
-   Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose state is `before`. */
+/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S,
+   the mass centre of the whole. Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose
+   state is `before`. */
 VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                                    vm_real spin, vm_real *state)
 {
@@ -261,8 +263,9 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
 }
 
 /* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
-   distance AS2. d is the vector SS2, v the velocity of S and `spin` the angular velocity of the whole before the break.
-   The x axis of all vectors is along SA, and the y axis is 90 degrees counterclockwise from it. */
+   distance AS2. S and S2 are the mass centres of the whole and of the piece, A is the point of contact. d is the vector
+   SS2, v the velocity of S and `spin` the angular velocity of the whole before the break. The x axis of all vectors is
+   along SA, and the y axis is 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
@@ -270,7 +273,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
     const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
     const vm_real reduced = p->mass / b->rest.mass * whole->mass;
     const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T, with the velocity v_T of size T perpendicular to S2A */
+    vm_real moment; /* SS2 x v_T, where v_T is the part of S2's velocity perpendicular to S2A */
     e->x = reach_x / reach;
     e->y = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);

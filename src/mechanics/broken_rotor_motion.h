@@ -27,11 +27,11 @@
 
 /* The coefficients (67) of the linearised equations */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
-    vm_real omega, k, torque, s; /* omega, k*, M* and s of (67) */
+    vm_real omega, k, torque, s; /* omega, k*, M* and s, as explained at vm_broken_rotor */
     vm_real coupling;            /* the factor s p^2 omega^2 of y in (69); 0 if this term is left out */
 } vmi_broken_rotor_linear;
 
-/* Indices in z, the array of those states that (69) couples: y, psi and their rates */
+/* Indices in z, the array of the states that the linearised equations (69) couple: y, psi and their rates */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -183,11 +183,11 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Advances the states z by the time t by (71), (72), without the coupling term s p^2 omega^2 y. Where [1] has k* Omega,
-   this function has M*. It is used if |t| times the rate vmi_broken_rotor_rate exceeds 1. With w = omega and k = k*,
-   psi = psi0 + psi0' E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The motion of y is driven by -s psi.
-   The functions g0, g1, g2 start from rest and solve g'' + w^2 g = F, where F is w^2 E1' for g0, w^2 E1 for g1 and
-   w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+/* Advances the states z by the time t by the solution (71), (72), without the coupling term s p^2 omega^2 y. Where the
+   dissertation [1] has k* Omega, this function has M*. It is used if |t| times the rate vmi_broken_rotor_rate exceeds
+   1. With w = omega and k = k*, psi = psi0 + psi0' E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The
+   motion of y is driven by -s psi. The functions g0, g1, g2 start from rest and solve g'' + w^2 g = F, where F is w^2
+   E1' for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -206,7 +206,7 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
-/* Checks the arguments of vm_broken_rotor_linear and of the two functions after it. Returns their status. */
+/* Checks the arguments of the three public functions for the motion below. Returns their status. */
 VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
                                          const vm_real *end)
 {
@@ -215,8 +215,8 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the results of the three public functions below. If coupled = 1, it solves all of (69). If coupled = 0, it
-   leaves out the last term of (69), -s p^2 omega^2 y. */
+/* Computes the results of the three public functions below. If coupled = 1, it solves all of the linearised equations
+   (69). If coupled = 0, it leaves out their last term, -s p^2 omega^2 y. */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -274,13 +274,13 @@ VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, 
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
     if (status) return status;
     if (rotor->s != 0) return VM_DOMAIN;
-    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are (46) */
+    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are exact (46) */
 }
 
 /* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers. The orbit is
    x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must not be 0. Its
-   half axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed at the time t, which [1]
-   prints wrongly after (52), is
+   half axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed at the time t, which the
+   dissertation prints wrongly after (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS if the stiffness is not
    positive, VM_BAD_INERTIA, and VM_OK otherwise. */

@@ -28,8 +28,8 @@
 #include "../base/words.h"
 #include "broken_rotor.h"
 
-/* The detuning (omega^2 - Omega^2) mass. It is computed as the sum of two numbers, so that its sign is right even if
-   the rotor turns very close to resonance. */
+/* The detuning from resonance, (omega^2 - Omega^2) mass, where omega^2 = stiffness/mass. It is computed as the sum of
+   two numbers, so that its sign is right even if the rotor turns very close to resonance. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
@@ -49,7 +49,7 @@ VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_re
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
     detuning = vmi_broken_rotor_detuning(rotor, Omega);
     if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
-    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; here mass Omega^2 overflows */
+    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; mass Omega^2 has overflowed */
     return -rotor->s * (share / (1 - share));
 }
 
@@ -202,15 +202,16 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 }
 
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
-   Omega = torque/damping (rad/s) must be at or above omega. The angular velocity psi' stays at omega, and the surplus
-   of the torque makes the orbit grow. The radius is r = |s|/4 + R, where R(0) = 0 and
+   Omega = torque/damping (rad/s) must be at or above omega; vm_broken_rotor explains omega, p, k* and s. The angular
+   velocity psi' stays at omega, and the surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where
+   R(0) = 0 and
      R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R).
    It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the second term of r for a large r/|s|. Terms of order s^2/r and the time until psi' reaches omega are
-   neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s, this
-   radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s. Returns NaN
-   below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
+   |s|/4 is the second term of the expansion of r for large r/|s|. Terms of order s^2/r and the time until psi' reaches
+   omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s,
+   this radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
+   Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
    R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
@@ -224,7 +225,7 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
     B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
     R = vmi_pow_checked(3 * B * t, VM_C(1.) / 3);
     if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
-    z = A * R / B; /* for z < eps the term A is negligible, for z > 1/eps or B = 0 the term B/R */
+    z = A * R / B; /* A is negligible for z < eps, and B/R for z > 1/eps or B = 0 */
     if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t);
     else if (z > VM_EPSILON) R = vmi_broken_rotor_growth_root(z * z * z / 3) * B / A;
     return VM_FABS(rotor->s) / 4 + R;

@@ -45,23 +45,24 @@ typedef struct VM_TAG(vm_drum) {
 typedef struct VM_TAG(vm_drum_geometry) {
     vm_real mass;         /* mass M of drum and band (182), kg */
     vm_real arc_centre;   /* distance of the band's mass centre S' from the shaft S (184), m */
-    vm_real offset;       /* distance from S to the mass centre S1, m; its direction is phi/2 [(185) corrected] */
-    vm_real axle_inertia; /* inertia J_S about the axle (187), kg m^2 */
-    vm_real inertia;      /* inertia J_S1 about the mass centre (188), kg m^2 */
+    vm_real offset;       /* distance from the shaft S to S1, the mass centre of drum and band, m;
+                             S1 lies in the direction phi/2 from S [(185) corrected] */
+    vm_real axle_inertia; /* inertia J_S of drum and band about the axle (187), kg m^2 */
+    vm_real inertia;      /* inertia J_S1 of drum and band about S1 (188), kg m^2 */
 } vm_drum_geometry;
 
 /* Indices of the states of vm_drum_rhs and vm_drum_rhs_reduced in y, and the number of states */
 enum {
-    VM_DRUM_X = 0,     /* deflection of the shaft: position x, y of S, m */
-    VM_DRUM_ANGLE = 2, /* angle phi, rad */
-    VM_DRUM_V = 3,     /* velocity x', y' of S, m/s */
-    VM_DRUM_OMEGA = 5, /* angular velocity phi', rad/s */
+    VM_DRUM_X = 0,     /* deflection of the shaft: position x, y of its centre S, m */
+    VM_DRUM_ANGLE = 2, /* angle phi of the drum, rad */
+    VM_DRUM_V = 3,     /* velocity x', y' of the shaft's centre S, m/s */
+    VM_DRUM_OMEGA = 5, /* angular velocity phi' of the drum, rad/s */
     VM_DRUM_STATES = 6
 };
 
 /* Indices of the states of vm_drum_rhs_angle in y, and the number of states */
 enum {
-    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft: position x, y of S, m */
+    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft: position x, y of its centre S, m */
     VM_DRUM_SLOPE = 2,      /* derivatives dx/dphi, dy/dphi of the deflection, m/rad */
     VM_DRUM_ANGLE_STATES = 4
 };
@@ -91,7 +92,8 @@ VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm
 typedef struct VM_TAG(vmi_drum_mass) {
     vm_real M;       /* mass of drum and band, kg */
     vm_real J;       /* inertia of drum and band about the axle, kg m^2 */
-    vm_real steiner; /* M (S S1)^2, with the axle S and the mass centre S1, kg m^2; J - steiner: inertia about S1 */
+    vm_real steiner; /* M times the squared distance of the mass centre from the axle, kg m^2: the
+                        inertia about the mass centre is J - steiner */
 } vmi_drum_mass;
 
 /* Sets *m for the angle phi of the drum, where s is sin(phi/2). A call with s = 0 neglects the distance from the axle
@@ -148,8 +150,9 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
    unit vector k along z and q = mu R (sin phi, 1 - cos phi), the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
-   Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE,
-   VM_BAD_MASS or VM_BAD_INERTIA if mass or inertia is impossible at this angle. Each of these errors ends the run. */
+   M is the mass of drum and band, J_S their inertia about the axle; vm_drum explains c, D, mu, v, R. Returns VM_OK; or
+   VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE, VM_BAD_MASS or
+   VM_BAD_INERTIA if mass or inertia is impossible at this angle. Each of these errors ends the run. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -179,9 +182,9 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. These are the equations of vm_drum_rhs in the limit of small
-   mu. Unlike (192) they contain the unbalance mu R phi'^2 (sin phi, -cos phi), because it is of the same order as the
-   terms that (192) keeps. The errors are those of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. These are the equations of vm_drum_rhs for a small mass mu of
+   the band per angle. Unlike (192) they contain the unbalance mu R phi'^2 (sin phi, -cos phi), because it is of the
+   same order as the terms that (192) keeps. The errors are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -236,10 +239,11 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 }
 
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
-   The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's fields are taken
-   as exact and products of the fields do not overflow or underflow. This holds for e = 0 and e = j Omega_b, too, and
-   for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and if
-   inertia or omega is not positive or band is negative. */
+   J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
+   mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's
+   fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and e = j
+   Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null
+   pointer, and if inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -277,7 +281,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e < 0.
+/* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e = mu v R - D < 0.
    The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN for a drum for
    which vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_stop(const vm_drum *d)
@@ -290,8 +294,9 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 }
 
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
-   With x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2] for every sign of
-   e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN where vm_drum_rate gives NaN. */
+   With the letters of vm_drum_rate and x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x -
+   ln(1 + x))/x^2] for every sign of e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN
+   where vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -307,10 +312,10 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
     return vmi_drum_share(sum, phi, vmi_two(d->omega, 0)).hi;
 }
 
-/* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle explains a, b, f, x, y.
-   For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0
-   this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value. For a < 0 this p is too
-   small, and so is |a|/(|a| + b); the function takes the larger value. */
+/* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
+   and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 +
+   sqrt(1 + 2 b)). For a > 0 this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value.
+   For a < 0 this p is too small, and so is |a|/(|a| + b); the function takes the larger value. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -321,8 +326,8 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
-   Accuracy and NaN are those of vm_drum_rate. With x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0,
-   b = j Omega_b t/J0, f = phi/(Omega_b t) and the unknown p = y/a the equation of vm_drum_time is
+   Accuracy, NaN and the letters J0, Omega_b, e, j are those of vm_drum_rate. With x = e phi/(J0 Omega_b), y = ln(1 +
+   x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and the unknown p = y/a the equation of vm_drum_time is
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
    Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
@@ -354,11 +359,12 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 }
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
-   With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from
-   r - k1 ln r = f1. The solution is r = -k1 W(x), x = -exp(-f1/k1)/k1, with the branch W_-1 for 0 < k1 < 1 and the
-   branch W_0 for other k1. This function is for comparison; vm_drum_angle is better. Near e = 0 this form loses all
-   digits, because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows
-   near k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate does. */
+   The letters J0, Omega_b, e, j are those of vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and
+   f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) for x
+   = -exp(-f1/k1)/k1. It needs the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function is for
+   comparison; vm_drum_angle is better. Near e = 0 the solution by W loses all digits, because x approaches the branch
+   point of W. The code uses ln |x|, because x itself overflows or underflows near k1 = 0 (for k1 = 1e-3 it may be
+   1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate does. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */

@@ -31,9 +31,9 @@
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
-   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R
-   is the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the
-   length of q back to 1 and does not lower the order of an integrator. In (152), [1] prints I' omega2 instead of
+   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R is
+   the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the length of
+   q back to 1 and does not lower the order of an integrator. The dissertation [1] prints I' omega2 in (152) instead of
    M' kappa omega2.
    If a stream has a store (vm_store) at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and
    P(d); the gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the
@@ -86,7 +86,7 @@ typedef struct VM_TAG(vm_flow) {
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
-    vm_vec3 centre;        /* mass centre (vm_flow_given_rhs, vm_flow_start) from the reference point, m, body axes */
+    vm_vec3 centre;        /* mass centre from the reference point, m, body axes (vm_flow_given_rhs, vm_flow_start) */
     vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
     vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
     vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
@@ -97,7 +97,7 @@ typedef struct VM_TAG(vm_flow) {
     int status;
     /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
        VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
-       VM_FLOW_BALANCED_STATES, it writes the zeros of the balance too. */
+       VM_FLOW_BALANCED_STATES, it also sets the seven integrals of the balance to 0. */
     int y_size;
 } vm_flow;
 
@@ -112,8 +112,8 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation in *kept and returns it. After several failures in a row *kept is the status of
-   the first one, because the NaN that it returned causes the later failures. */
+/* Stores the status of an evaluation of a right-hand side in *kept and returns it. After several failures in a row
+   *kept is the status of the first one, because the NaN that it returned causes the later failures. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
@@ -127,7 +127,8 @@ typedef struct VM_TAG(vmi_flow_mass) {
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* The present mass, mass centre and inertia: from the fields of the flow if given = 1, else from the state y */
+/* The present mass, mass centre and inertia of the body: from the fields of the flow if given = 1, else from the state
+   y */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -296,8 +297,8 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return 0;
 }
 
-/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes the
-   zeros of the balance only if y_size is large enough for them. */
+/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes zeros
+   for the integrals of the balance only if y_size is large enough for them. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;

@@ -58,10 +58,10 @@ typedef struct VM_TAG(vm_flow2) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* Sine and cosine of x, with errors below 0.6 eps. Up to 2^20 quarter turns (float 2^10) j quarter turns are subtracted
-   from x in fewer operations than vmi_sincos needs. pi/2 is taken as the sum of two numbers: `first` has 33 (float 14)
-   bits, so that j times `first` is exact. The sum of `first` and `second` differs from pi/2 by 2^-87 (float 2^-38). The
-   product j times `second` has a rounding error of 2^-67 (float 2^-28). */
+/* Sine and cosine of x, with errors below 0.6 eps. For |x| up to 2^20 quarter turns (float 2^10) the j quarter turns
+   nearest to x are subtracted from it, in fewer operations than vmi_sincos needs. pi/2 is taken as the sum of two
+   numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and `second` differs
+   from pi/2 by 2^-87 (float 2^-38). The product j times `second` has a rounding error of 2^-67 (float 2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -102,11 +102,11 @@ typedef struct VM_TAG(vmi_stream_seen2) {
 typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real rate;    /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
-    vm_real px, py;  /* sum of M' (u - v) of the streams whose velocity is relative to the body */
-    vm_real fx, fy;  /* sum of M' u of the streams whose velocity is absolute, inertial axes, plus the outer force */
-    vm_real moment;  /* sum of d x M' (u - v) + M' kappa omega2, plus the outer moment */
-    vm_real sx, sy;  /* sum of M' d */
-    vm_real inertia; /* sum of M' (kappa + d^2) */
+    vm_real px, py;  /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
+    vm_real fx, fy;  /* outer force, plus the sum of M' u of the streams whose velocity is absolute, inertial axes */
+    vm_real moment;  /* outer moment, plus the moments d x M' (u - v) + M' kappa omega2 of the streams */
+    vm_real sx, sy;  /* sum of M' d, which moves the mass centre in the body */
+    vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) */
 } vmi_stream_sum2;
 
 /* Adds a stream, whose `motion` is known, to the sums */

@@ -327,7 +327,7 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
-/* Decides for thin bodies what vmi_running_inertia_is_possible returns. For a flat body one moment equals the sum of
+/* Returns 1 if a thin body can have the inertia i within rounding errors. For a flat body one moment equals the sum of
    the other two, except for the rounding errors of all integration steps so far. The tolerance, sqrt(eps) of the trace,
    allows for about 1/sqrt(eps) such errors. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)

@@ -76,10 +76,10 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
     return status;
 }
 
-/* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving is the part with the
-   velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and with the angular velocity that gives the rest
-   *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part keeps its own velocity. If rest_omega_or_NULL is
-   NULL, it keeps its own angular velocity.
+/* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving becomes a copy of *part
+   with another motion. Its velocity makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity makes the
+   rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the velocity, or the
+   angular velocity, of *part.
      - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, cases 5 and 7; Table 4, case 2).
      - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
      - If both have the values of the whole, the rest moves on as the whole did (Table 3, case 7).
@@ -112,7 +112,7 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
 
 /* ---- the plane ---- */
 
-/* Does in the plane what vmi_part_velocity does in space: sets vx and vy of *part */
+/* Sets vx and vy of *part, in the plane, to the velocity that gives the rest the velocity rest_v */
 VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
                            vm_body2 *part)
 {
@@ -129,7 +129,8 @@ VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or
     part->vy = v.y;
 }
 
-/* Does in the plane what vmi_unturned_rest does in space */
+/* Sets *rest, in the plane, to what would remain if the part left with its own velocity but with the angular velocity
+   of the whole. Sets *frame to the frame of the jump. */
 VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                               vmi_frame *frame, vmi_lump *rest)
 {
@@ -140,7 +141,8 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
 
-/* Does in the plane what vmi_turn_part does in space */
+/* Gives the part, in the plane, the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if
+   the part is a point but would need angular momentum about itself. */
 VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
                           vm_body2 *part)
 {
@@ -155,10 +157,10 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
     return left ? VM_NULL_AXIS : VM_OK;
 }
 
-/* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving is the
-   part with the velocity that gives the rest the velocity rest_v_or_NULL[0], rest_v_or_NULL[1] (m/s, along x and y),
-   and with the angular velocity that gives the rest *rest_omega_or_NULL (rad/s). If rest_v_or_NULL is NULL, the part
-   keeps its own velocity. If rest_omega_or_NULL is NULL, it keeps its own angular velocity. The statuses are those of
+/* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving becomes a
+   copy of *part with another motion. Its velocity makes the rest move at (rest_v_or_NULL[0], rest_v_or_NULL[1]), in m/s
+   along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in rad/s. If one of these two
+   pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The statuses are those of
    vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,

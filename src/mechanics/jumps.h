@@ -92,8 +92,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much a->noise grows when b is joined to a: by b->noise, and by the sizes of the terms of reduced d x
-   slip. The vector d leads from a to b and is a difference of positions of the size `reach`. */
+/* Returns how much a->noise grows when b joins a: by b->noise and by the sizes of the terms of (reduced mass) d x slip.
+   d leads from a to b, a difference of positions of the size `reach`; slip is b's velocity relative to a. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -306,7 +306,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Sets *joined and *centre to inertia and mass centre after a jump of two bodies at rest, a at the origin, b at d */
+/* Sets *joined and *centre to inertia and mass centre of body a, at 0, after body b, at d, joins or leaves it */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {

@@ -48,7 +48,7 @@ VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
     return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
 }
 
-/* Checks a jump in the plane as vmi_check_jump checks a jump in space */
+/* Returns VM_OK if the bodies of a jump in the plane are valid and the impulse is finite, else an error. */
 VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const vm_impulse2 *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body2(body), vmi_check_bodies(others));
@@ -58,7 +58,8 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
     return vmi_impulse_is_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
 }
 
-/* Computes *total as vmi_jump_total does in space, and the frame of the jump. Then calls vmi_lump_clamp_moments2. */
+/* Sets *total to `body` as it is after a jump in the plane and the impulse, and *frame to the frame of the jump.
+   Returns VM_BAD_MASS if no mass is left, VM_NOT_FINITE or VM_BAD_INERTIA for an impossible inertia, else VM_OK. */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
@@ -75,7 +76,8 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-/* Computes a jump in the plane as vmi_jump does in space */
+/* Sets *result to a body of the plane after n others are attached to it (sign = 1) or separate from it (sign = -1),
+   while an impulse acts. The statuses are those of vm_separate2. */
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
                      const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {

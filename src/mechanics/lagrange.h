@@ -69,8 +69,8 @@ typedef struct VM_TAG(vm_lagrange_system) {
 
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
-    vm_real *A;      /* the mass matrix, n rows of n numbers */
-    vm_real *b;      /* the factors of the rates in the linear terms of T, n numbers */
+    vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
+    vm_real *b;      /* the vector b in T, the factors of the rates q' in its linear terms, n numbers */
     vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -146,8 +146,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     return status;
 }
 
-/* The derivative dT/dq_i with the masses in the work array, by a central difference of order 6 with the step h, times
-   the scale of q_i. Its error is h^6/140 times the seventh derivative, plus a rounding error of eps/h. Both are small
+/* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. It is a central
+   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step is h times the scale of q_i. In units of
+   this scale the error is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small
    for h = 2^-7 in double precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)

@@ -30,8 +30,9 @@
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
 /* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
-   dr and turn have n vectors: dr[i] = dv/dqdot_i, turn[i] = domega/dqdot_i. If dr or turn is NULL, its term is 0. If
-   body or matrix is NULL, nothing is done. */
+   dr and turn have n vectors: dr[i] = dv/dqdot_i, turn[i] = domega/dqdot_i, with the velocity v of the body's mass
+   centre and its angular velocity omega. If dr or turn is NULL, its term is 0. If body or matrix is NULL, nothing is
+   done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -53,7 +54,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Add the generalized momentum of a body's motion to p.
+/* Add to p the generalized momentum of a body's motion.
    p has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is
    NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
@@ -63,7 +64,7 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
     vm_lagrange_add_force(n, vm_momentum(body), dr_or_NULL, vmi_spin_momentum(body), turn_or_NULL, p);
 }
 
-/* Add the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
+/* Add to p the generalized impulse (95) of an impulse on a body with the mass centre r.
    r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. p has
    n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is NULL,
    nothing is done. */
@@ -125,8 +126,8 @@ VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *aft
 }
 
 /* Velocities after a part is attached: after*qdot_after = before*qdot + part + impulse (96).
-   `part` is the generalized momentum of the part before it is attached. Everything else is as for
-   vm_lagrange_separate. */
+   `part` is the generalized momentum of the part before it is attached. The other arguments, the accuracy and the
+   statuses are those of vm_lagrange_separate. */
 VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                               const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                               vm_real *work)
@@ -136,8 +137,8 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
 
 /* Velocities after an impact that changes no mass: matrix*(qdot_after - qdot) = impulse.
    This function also computes a separation accurately if the part is nearly the whole body. Then `matrix` is the mass
-   matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body.
-   Arrays, errors and work are as for vm_lagrange_separate, but impulse must not be NULL. */
+   matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. The
+   array sizes, the statuses and `work` are those of vm_lagrange_separate, but impulse must not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {

@@ -38,14 +38,14 @@ typedef struct VM_TAG(vm_pendulum) {
 typedef struct VM_TAG(vm_pendulum_cut) {
     vm_pendulum rest; /* the remaining rod; rest.rate is its angular velocity phi1' after the cut (125) */
     vm_real mass;     /* mass m of the part, kg */
-    vm_real x, y;     /* position of S2 (123), m */
-    vm_real vx, vy;   /* velocity of S2 (121), m/s */
+    vm_real x, y;     /* position of the part's mass centre S2 (123), m */
+    vm_real vx, vy;   /* velocity of the part's mass centre S2 (121), m/s */
     vm_real rate;     /* angular velocity of the part: the rod's phi' before the cut plus Omega, rad/s */
     vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
     vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
-    vm_real L1;       /* angular momentum of the remaining rod about O after the cut (130), kg m^2/s */
-    vm_real L2;       /* angular momentum of the part about O after the cut, kg m^2/s [(128) corrected] */
+    vm_real L1;       /* angular momentum of the remaining rod about its end O after the cut (130), kg m^2/s */
+    vm_real L2;       /* angular momentum of the part about the same point O, kg m^2/s [(128) corrected] */
     vm_real pivot_x;  /* impulse of the pivot on the remaining rod during the cut, along x, N s */
     vm_real pivot_y;  /* impulse of the pivot on the remaining rod during the cut, along y, N s */
 } vm_pendulum_cut;
@@ -102,10 +102,10 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     if (!VM_IS_FINITE(Omega) || !VM_IS_FINITE(ux) || !VM_IS_FINITE(uy)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     vmi_pendulum_directions(pendulum, &ex, &ey, &fx, &fy);
-    rho = pendulum->length - part / 2; /* distance from O to S2 */
+    rho = pendulum->length - part / 2; /* distance from O to the part's mass centre S2 */
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
-    across = ux * fx + uy * fy; /* velocity across the rod; rho * across is s (x u_y - y u_x) */
+    across = ux * fx + uy * fy; /* relative velocity across the rod; rho across is s (x u_y - y u_x) */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;

@@ -51,8 +51,8 @@ VM_API int vmi_put_body(const vm_body *b, vm_body *result)
     return VM_OK;
 }
 
-/* Copies b to *result as a body of the plane with this angle. Returns VM_NOT_FINITE, and copies nothing, if a number
-   is not finite. */
+/* Copies b to *result as a body of the plane with the given angle. Returns VM_NOT_FINITE, and copies nothing, if a
+   number is not finite. */
 VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
 {
     const vm_body2 flat = vmi_body_to_plane(b, angle);
@@ -122,7 +122,7 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Does in the plane what vmi_jump_relative does in space */
+/* Computes a jump in the plane from motions relative to `body`, which is at rest in its own frame */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {

@@ -101,7 +101,7 @@ VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_re
     if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
     if (vmi_stream_moves_with_body(stream->motion)) {
         difference = first - second;
-        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near tau = -1 first and second are large */
+        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* first - second would cancel */
         acceleration = (force + stream->rate * given) / m0;
         result[0] = x0 + t * (v0 + acceleration * t * difference);
         result[1] = v0 + acceleration * t * first;

@@ -93,7 +93,7 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* The product M' kappa of a stream's rate M' and the gyration kappa of its mass */
+/* The product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -136,13 +136,13 @@ typedef struct VM_TAG(vmi_stream_seen) {
 typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
-    vm_vec3 pushed;     /* sum of M' (u - v) of the streams whose velocity is relative to the body */
-    vm_vec3 absolute;   /* sum of M' u of the streams whose velocity is absolute, inertial axes */
-    vm_vec3 moment;     /* sum of d x M' (u - v) of all streams */
-    vm_vec3 own;        /* sum of M' kappa omega2 */
-    vm_vec3 crossing;   /* sum of M' d, with d to the point at which the mass enters or leaves */
-    vm_vec3 stored;     /* sum of M' d_s, with d_s to the stream's store, or d_s = d without a store */
-    vm_inertia inertia; /* I', the rate of the inertia */
+    vm_vec3 pushed;     /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
+    vm_vec3 absolute;   /* sum of M' u of the streams whose velocity u is absolute, inertial axes */
+    vm_vec3 moment;     /* moment of all streams about the mass centre: sum of d x M' (u - v) */
+    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that masses bring per second by their spins */
+    vm_vec3 crossing;   /* sum of M' d, where d leads to the point at which the mass enters or leaves */
+    vm_vec3 stored;     /* sum of M' d_s, where d_s leads to the stream's store; d_s = d without a store */
+    vm_inertia inertia; /* I', the rate of the body's inertia */
     vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
     vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;

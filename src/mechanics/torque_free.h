@@ -30,8 +30,8 @@
 #include "torque_free_axes.h"
 #include "vectors.h"
 
-/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read. (A) and
-   (B) stand in the next comment.
+/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
+   Equations (A) and (B) stand in the next comment.
 
    Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
    |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
@@ -45,18 +45,18 @@ typedef struct VM_TAG(vm_torque_free) {
     vm_real t0;                  /* the time at which the body is as given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
-                                    opposite to it if w3 < 0 */
-    vm_real spin[3];             /* omega along axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
-    vm_real lean[3];             /* M of (B) is (w, x, y, 0)/sqrt(2 w) with w = 1 + lean[2] dn, x = lean[1] sn,
-                                    y = lean[0] cn */
-    vm_two phase;                /* u/(4K) at t0, with the argument u of sn, cn, dn; u itself on the separatrix */
+                                    opposite to it if the component w3 of omega along axis 3 is negative */
+    vm_real spin[3];             /* omega along the axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
+    vm_real lean[3];             /* the quaternion M of equation (B) below is (w, x, y, 0)/sqrt(2 w), with
+                                    w = 1 + lean[2] dn, x = lean[1] sn, y = lean[0] cn */
+    vm_two phase;                /* argument u of sn, cn, dn at t0, divided by 4K; u itself on the separatrix */
     vm_two phase_rate;           /* rate of the phase, per second */
-    vm_two K;                    /* quarter period of sn in u; 0 on the separatrix */
-    vm_two turn_rate;            /* mean rate of s h in (B), turns/s; s h is half the angle turned about the angular
-                                    momentum */
+    vm_two K;                    /* quarter period of sn as a function of u; 0 on the separatrix */
+    vm_two turn_rate;            /* mean rate, turns/s, of s h in equation (B) below; s h is half the angle
+                                    turned about the angular momentum */
     vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
-    vmi_doubled_theta theta;     /* the theta function of (B); arg theta is the deviation of h from its mean growth */
+    vmi_doubled_theta theta;     /* theta function of (B) below; sigma arg theta is h minus its mean growth kappa t */
 } vm_torque_free;
 
 /* The solution. Let 1, 2, 3 be the principal axes, where axis 2 has the middle moment and omega moves around axis 3
@@ -81,8 +81,9 @@ typedef struct VM_TAG(vm_torque_free) {
 
 /* ---- amplitudes and parameter ---- */
 
-/* The squares of a1, a2, a3 of (A), of h1 = I1 a1, h3 = I3 a3 and of L, and the parameters m and m1 = 1 - m. The only
-   subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
+/* The squares of the amplitudes a1, a2, a3 of equation (A) above, of h1 = I1 a1, h3 = I3 a3 and of L, and the
+   parameters m and m1 = 1 - m. The only subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is
+   computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -118,8 +119,8 @@ VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the axes, and the amplitudes of omega and of the quaternion M in (B). `sign` is the sign of cn on the
-   separatrix, and 1 elsewhere. */
+/* Sets the axes, and the amplitudes of omega and of the quaternion M in equation (B) above. `sign` is the sign of cn on
+   the separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -141,9 +142,9 @@ VM_API vm_two vmi_torque_free_two_pi(void)
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with N =
-   I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those of
-   (A), and c = I3 a3/L:
+/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with
+   N = I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those
+   of equation (A) above, and c = I3 a3/L:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
@@ -166,13 +167,14 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* Returns kappa, the mean rate of h in (B). Sets *mean to agm(1, k') with k'^2 = 1 - m; it is 0 on the separatrix. */
+/* Returns kappa, the mean rate of the angle h in equation (B) above. Sets *mean to agm(1, k') with k'^2 = 1 - m; it is
+   0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
     const vm_two L = vmi_two_root(square->L);
     vm_two twice;
-    if (axes->symmetric) { /* k' = 1 and 2 kappa = (L + |w3| (I1 - I3))/I1 */
+    if (axes->symmetric) { /* I1 = I2: k' = 1 and 2 kappa = (L + |w3| (I1 - I3))/I1 */
         *mean = vmi_two(1, 0);
         twice = vmi_two_times(vmi_two_root(square->a3), vmi_two_minus(axes->I1, axes->I3));
         twice = vmi_two_over(vmi_two_plus(L, twice), axes->I1);
@@ -183,9 +185,9 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(twice, VM_C(0.5));
 }
 
-/* Computes the argument u of (A) at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u on the
-   separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign; else
-   *sign is 1. */
+/* Computes the argument u of equation (A) above at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u
+   on the separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign;
+   else *sign is 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -197,7 +199,7 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     *sign = 1;
     if (mean.hi > 0) {
         F = vmi_two_over(vmi_two_times(F, mean), vmi_torque_free_two_pi());
-        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* u/(4K) is 1/2 - F here */
+        if (axes->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F); /* cn < 0: u/(4K) is 1/2 - F */
     } else if (axes->w1.hi < 0) *sign = -1;
     return vmi_two_shifted(F, forward * *sign);
 }
@@ -225,9 +227,9 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
 
 /* ---- the theta function ---- */
 
-/* Returns y of theta(u + i y) in (B), which solves cd(y | m1) = c with c = I3 a3/L. It is an elliptic integral of the
-   first kind, in Carlson's form with N = I3 d12/(I1 d23):
-   y = R_F(N, N/c^2, N + 1) */
+/* Returns y, the constant imaginary part of the argument u + i y of the theta function in equation (B) above. y solves
+   cd(y | m1) = c with c = I3 a3/L. With N = I3 d12/(I1 d23) it is y = R_F(N, N/c^2, N + 1), where R_F is Carlson's
+   elliptic integral of the first kind. */
 VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square)
 {
     const vm_two N = vmi_two_over(vmi_two_times(axes->I3, axes->d12), vmi_two_times(axes->I1, axes->d23));
@@ -235,8 +237,9 @@ VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const
     return vmi_carlson_rf(N, vmi_two_over(N, c_square), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* Sets the theta function of (B), conjugated if sigma s < 0. For m = 0 it stays 1. It is summed directly for
-   K <= 2K', and by Jacobi's transformation for K > 2K', where K' (Kc in the code) is K of the parameter 1 - m. */
+/* Sets the theta function of equation (B) above, conjugated if sigma s < 0. For m = 0 it stays 1. K and K' (Kc in the
+   code) are the quarter periods for the parameters m and 1 - m. The function is summed directly for K <= 2K', and by
+   Jacobi's transformation for K > 2K'. */
 VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square)
 {
@@ -302,8 +305,8 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* Computes sn, cn, dn at the time t after t0. Returns u/(4K) minus the nearest multiple of 1/2, or u on the
-   separatrix. */
+/* Computes sn, cn, dn at the time t after t0. Returns u/(4K), with their argument u, minus the nearest multiple of 1/2;
+   or u on the separatrix. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
@@ -311,7 +314,7 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     vmi_thetas theta;
     vm_real turns;
     int half_turns = 0, quarters = 0;
-    vm_two v; /* u minus the nearest multiple of K */
+    vm_two v; /* argument u of sn, cn, dn, minus the nearest multiple of K */
     if (motion->K.hi > 0) {
         v = vmi_two_plus(vmi_torque_free_fraction(motion->phase_rate, t), motion->phase);
         half_turns = vmi_nearest(2 * v.hi);
@@ -331,14 +334,15 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     return turns;
 }
 
-/* Evaluates (A) and (B) at the time t after t0: *omega in body axes, and the rotation *turn = (cos h + s e3 sin h) M */
+/* Evaluates equations (A) and (B) above at the time t after t0: *omega in body axes, and the rotation *turn = (cos h +
+   s e3 sin h) M */
 VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, w, x, y, over, c, s;
     const vm_real turns = vmi_torque_free_functions(motion, t, &sn, &cn, &dn);
     vmi_doubled_at(&motion->theta, turns, &re, &im);
     vmi_sincos_turns(vmi_torque_free_fraction(motion->turn_rate, t).hi + motion->theta.shift * turns, &sine, &cosine);
-    w = 1 + motion->lean[2] * dn; /* M is (w, x, y, 0)/sqrt(2 w) */
+    w = 1 + motion->lean[2] * dn; /* the quaternion M of (B) is (w, x, y, 0)/sqrt(2 w) */
     x = motion->lean[1] * sn;
     y = motion->lean[0] * cn;
     over = 1 / VM_SQRT(2 * w * (re * re + im * im));

@@ -186,8 +186,8 @@ VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 typedef struct VM_TAG(vmi_torque_free_axes) {
     vm_two I1, I2, I3;    /* the principal moments */
     vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
-    vm_two w1, w2, w3;    /* the components of omega */
-    vm_two S;             /* |2T I2 - L^2|, T kinetic energy, L angular momentum; 0 on the separatrix */
+    vm_two w1, w2, w3;    /* the components of omega along the axes */
+    vm_two S;             /* |2T I2 - L^2| for the kinetic energy T and angular momentum L; 0 on the separatrix */
     vm_real sigma;        /* the sign of I1 - I3 */
     vm_real s;            /* the sign of w3 */
     int symmetric;        /* 1 if I1 = I2 */

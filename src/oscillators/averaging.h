@@ -26,10 +26,10 @@
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period, where the wave moves as x = A c, x' = -V s. Each quarter of the period
-   is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large alpha the velocity varies like
-   tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the distance of psi from its value
-   at x = 0, because F may contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period, with the force F and a motion x = A c, x' = -V s by the wave w. Each
+   quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large alpha the
+   velocity varies like tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the distance of
+   psi from its value at x = 0, because F may contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -111,11 +111,11 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
 /* Number of phases in a period at which the exact rates of ln A and psi are compared with their means */
 enum { VMI_AVERAGING_POINTS = 64 };
 
-/* A time t between 0 and t_end, and the motion at t */
+/* A moment of a motion from time 0 to t_end: the time t and the motion at t */
 typedef struct VM_TAG(vmi_osc_moment) {
     const vm_osc_plan *plan;
-    vmi_osc_rates now;  /* mass, stiffness and rates just before t */
-    vm_real t, t_end;   /* this time and the last time, s */
+    vmi_osc_rates now;  /* mass, stiffness and their rates just before t */
+    vm_real t, t_end;   /* the time t of this moment, and the end t_end of the motion, s */
     vm_real A, psi, Om; /* amplitude, m, Ateb phase, and rate of this phase, 1/s */
 } vmi_osc_moment;
 
@@ -197,8 +197,8 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
     a->growth = (more_A - own_A) / change;
 }
 
-/* The ripples of ln A and psi within a period, from their rates without the means. The ripple of ln A changes Om,
-   which adds to the rate of psi. */
+/* Integrates the rates of ln A and psi, without their means, to the ripples of ln A and psi within a period. The ripple
+   of ln A changes Om, which adds to the rate of psi. */
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
@@ -220,7 +220,7 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* factor of rate times ripple; for Duffing's equation it is 0.156 */
+    const vm_real second_order = VM_C(0.25); /* error over rate times ripple; for Duffing's equation it is 0.156 */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -249,8 +249,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* Number of times at which errors are estimated on the way to t, also by comparing two integrations: the ends of the
-   last 8 of 11 equal parts of the interval from 0 to t */
+/* The interval from 0 to t has 11 equal parts. Errors are estimated at the ends of the last 8 of them, both here and
+   where oscillators/integration.h compares two integrations. */
 enum { VMI_OSC_CHECKS = 8 };
 
 /* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */

@@ -22,6 +22,7 @@
 #include "../base/scalars.h"
 #include "../base/status.h"
 #include "averaging.h"
+#include "gauss_rule.h"
 #include "integration.h"
 #include "laws.h"
 #include "legendre.h"
@@ -30,101 +31,8 @@
 #include "reduction.h"
 #include "waves.h"
 
-/* -- Gauss' rule of n points on [0, 1] -- */
-
-/* The largest n, and from how many earlier steps a step is extrapolated */
-enum { VMI_NODES = VMI_GAUSS, VMI_HISTORY = 6 };
-
-/* Gauss' rule, and two matrices for polynomials of degree n - 1: polynomial j is 1 at node j, 0 at all other nodes */
-typedef struct VM_TAG(vmi_gauss_rule) {
-    int n; /* number of nodes */
-    vm_real node[VMI_NODES], weight[VMI_NODES];
-    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral of polynomial j from 0 to node i */
-    vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
-} vmi_gauss_rule;
-
-/* Returns Legendre's polynomial P_n(x), and writes its derivative to *slope. */
-VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
-{
-    vm_real before = 0, now = 1;
-    int k;
-    for (k = 0; k < n; k++) {
-        const vm_real next = vmi_legendre_next(k, x, now, before);
-        before = now;
-        now = next;
-    }
-    *slope = (vm_real)n * (x * now - before) / (x * x - 1);
-    return now;
-}
-
-/* Computes nodes and weights: zeros of Legendre's polynomial by Newton's method, from an approximation by cosines. */
-VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
-{
-    const int rounds = 6;
-    int i, j;
-    for (i = 0; i < rule->n; i++) {
-        vm_real x, sine, slope = 1;
-        vmi_sincos(VM_PI * ((vm_real)i + VM_C(0.75)) / ((vm_real)rule->n + VM_C(0.5)), &sine, &x);
-        for (j = 0; j < rounds; j++) {
-            const vm_real value = vmi_legendre_polynomial(rule->n, x, &slope);
-            x -= value / slope;
-        }
-        vmi_legendre_polynomial(rule->n, x, &slope);
-        rule->node[i] = (1 - x) / 2;
-        rule->weight[i] = 1 / ((1 - x * x) * slope * slope);
-    }
-}
-
-/* Adds the part of Legendre's polynomial P_k to both matrices. values, integrals and derivatives are those of P_k at
-   the nodes, with integrals from 0 and derivatives by the variable of the nodes. */
-VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
-                               const vm_real *derivatives)
-{
-    int i, j;
-    for (j = 0; j < rule->n; j++) {
-        const vm_real share = (vm_real)(2 * k + 1) * rule->weight[j] * values[j];
-        for (i = 0; i < rule->n; i++) {
-            rule->integral[i][j] += share * integrals[i];
-            rule->derivative[i][j] += share * derivatives[i];
-        }
-    }
-}
-
-/* Computes the rule of n points, 2 <= n <= VMI_NODES. */
-VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
-{
-    vm_real before[VMI_NODES], now[VMI_NODES], slope_before[VMI_NODES], slope[VMI_NODES];
-    vm_real integrals[VMI_NODES], derivatives[VMI_NODES];
-    int i, j, k;
-    rule->n = n;
-    vmi_gauss_rule_nodes(rule);
-    for (i = 0; i < n; i++) {
-        before[i] = 0;
-        now[i] = 1;
-        slope_before[i] = 0;
-        slope[i] = 0;
-        for (j = 0; j < n; j++) {
-            rule->integral[i][j] = 0;
-            rule->derivative[i][j] = 0;
-        }
-    }
-    for (k = 0; k < n; k++) { /* with x = 2 node - 1: node integrals are half of those over x, derivatives double */
-        for (i = 0; i < n; i++) {
-            const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
-            integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
-            derivatives[i] = 2 * slope[i];
-        }
-        vmi_gauss_rule_add(rule, k, now, integrals, derivatives);
-        for (i = 0; i < n; i++) { /* P'_(k+1) = P'_(k-1) + (2k+1) P_k */
-            const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
-            const vm_real next_slope = slope_before[i] + (vm_real)(2 * k + 1) * now[i];
-            slope_before[i] = slope[i];
-            slope[i] = next_slope;
-            before[i] = now[i];
-            now[i] = next;
-        }
-    }
-}
+/* From how many earlier steps a step is extrapolated */
+enum { VMI_HISTORY = 6 };
 
 /* -- A run -- */
 
@@ -156,7 +64,8 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
-    vmi_step_rates history[2][VMI_HISTORY];         /* rates of earlier whole steps over each part, the latest first */
+    vmi_step_rates history[2][VMI_HISTORY];         /* rates of earlier whole steps over each part */
+    int latest[2];                                  /* index in history of the latest step; earlier ones come after it */
     int known[2];                                   /* number of earlier steps over each part that history holds */
     int status;
     long evals;            /* evaluations of the rates */
@@ -311,8 +220,9 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
         if (sweeps > 2 && !(change < before)) break;
         before = change;
     }
+    if (change * c->contraction > c->sweep_limit && !(change <= rounding)) return VM_NOT_INTEGRATED;
     c->left += change * c->contraction;
-    return change * c->contraction <= c->sweep_limit || change <= rounding ? VM_OK : VM_NOT_INTEGRATED;
+    return VM_OK;
 }
 
 /* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps of the same
@@ -338,7 +248,7 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
         s->rates.t[i] = 0;
     }
     for (k = 0; k < c->known[part]; k++) { /* extrapolation of n values: factors n, -n (n-1)/2, ... */
-        const vmi_step_rates *last = &c->history[part][k];
+        const vmi_step_rates *last = &c->history[part][(c->latest[part] + k) % VMI_HISTORY];
         factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
         for (i = 0; i < c->rule.n; i++) {
             s->rates.ln_A[i] -= factor * last->ln_A[i];
@@ -361,12 +271,12 @@ VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
     c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
-/* Stores the rates of a whole step, from which later steps of the same part are extrapolated. */
+/* Stores the rates of ln A and t over a whole step. vmi_osc_predict extrapolates from them the rates of the next step
+   over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
-    int i;
-    for (i = VMI_HISTORY - 1; i > 0; i--) c->history[part][i] = c->history[part][i - 1];
-    c->history[part][0] = *rates;
+    c->latest[part] = (c->latest[part] + VMI_HISTORY - 1) % VMI_HISTORY;
+    c->history[part][c->latest[part]] = *rates;
     if (c->known[part] < VMI_HISTORY) c->known[part]++;
 }
 
@@ -461,8 +371,9 @@ VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
 }
 
-/* Makes one step. If it would go beyond c->stop, it is shortened to end there. */
-VM_API int vmi_osc_course_step(vmi_osc_course *c)
+/* Makes a step of the part `most`, 0 to 1, of its usual length. If it would go beyond c->stop, it is shortened to end
+   there. */
+VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
     vmi_osc_step s;
@@ -471,7 +382,7 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     s.length = vmi_osc_next_phase(c, &part, &s.sign) - c->psi;
     status = vmi_osc_predict(c, part < 0 ? 0 : part, &s);
     if (status) return status;
-    share = c->longest / VM_FABS(vmi_osc_whole_change(c, &s).t);
+    share = vmi_smaller(c->longest / VM_FABS(vmi_osc_whole_change(c, &s).t), most);
     if (share < 1) {
         s.length *= share;
         part = -1;
@@ -492,6 +403,20 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     vmi_osc_take(c, &s);
     if (part >= 0) vmi_osc_remember(c, part, &s.rates);
     return VM_OK;
+}
+
+/* Makes one step. Where its iteration does not converge, it tries shorter and shorter steps. */
+VM_API int vmi_osc_course_step(vmi_osc_course *c)
+{
+    const vm_real shortest = VM_C(0.01); /* part of the usual length */
+    vm_real most = 1;
+    int status = vmi_osc_course_step_of(c, most);
+    while (status == VM_NOT_INTEGRATED && most > shortest) {
+        most /= 2;
+        c->contraction = VM_C(0.1);
+        status = vmi_osc_course_step_of(c, most);
+    }
+    return status;
 }
 
 /* Starts a course at t = 0 from the amplitude and phase in *start, with n points a step and `parts` parts a half
@@ -521,9 +446,11 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
         from = half * ((vm_real)part / (vm_real)parts - VM_C(0.5));
         if (side < 0) from += half / (vm_real)parts;
         vmi_osc_course_waves(c, from, length, &c->waves[part]);
+    }
+    for (part = 0; part < 2; part++) {
+        c->latest[part] = 0;
         c->known[part] = 0;
     }
-    c->known[1] = 0;
     c->evals = 0;
 }
 
@@ -562,40 +489,62 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
 
 /* Numbers of points a step of the loose and of the strict run, and parts of a half period in both runs */
 typedef struct VM_TAG(vmi_osc_points) {
-    int loose, strict, parts;
+    signed char loose, strict, parts;
 } vmi_osc_points;
 
-VM_API vmi_osc_points vmi_osc_points_of(int loose, int strict, int parts)
+/* The number of pairs of runs that can be tried one after the other */
+enum { VMI_OSC_PAIRS = 6 };
+
+/* Whether the rates are smooth inside a half period, so that one step over it is good. With a force they may have kinks
+   in the middle, where x' = 0, and where alpha > 3 they change quickly there. Then two steps are better that meet in
+   the middle. */
+VM_API int vmi_osc_has_smooth_halves(const vm_osc_problem *o) { return o->alpha <= 3 && !o->force; }
+
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. */
+VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
-    vmi_osc_points points;
-    points.loose = loose;
-    points.strict = strict;
-    points.parts = parts;
-    return points;
+    static const vmi_osc_points smooth[VMI_OSC_PAIRS] = {{4, 6, 1}, {5, 7, 1},  {8, 11, 1},
+                                                         {5, 7, 2}, {8, 11, 2}, {14, 20, 2}};
+    static const vmi_osc_points other[VMI_OSC_PAIRS] = {{4, 6, 2},  {5, 7, 2},   {6, 8, 2},
+                                                        {8, 11, 2}, {10, 14, 2}, {14, 20, 2}};
+    return vmi_osc_has_smooth_halves(o) ? smooth[i] : other[i];
 }
 
-/* The number of pairs of runs that are tried one after the other */
-enum { VMI_OSC_PAIRS = 5 };
-
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1; the last pair is the most accurate. */
-VM_API vmi_osc_points vmi_osc_pair(int i)
+/* The number of the pair that is tried first. It is about the cheapest that reaches the tolerance where mass and
+   stiffness change by 1 % while the phase grows by 1. */
+VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
 {
-    switch (i) {
-    case 0: return vmi_osc_points_of(6, 8, 1);
-    case 1: return vmi_osc_points_of(8, 11, 1);
-    case 2: return vmi_osc_points_of(10, 14, 1);
-    case 3: return vmi_osc_points_of(10, 14, 2);
-    default: return vmi_osc_points_of(14, 20, 2);
+    if (o->force) return tolerance >= VM_C(1e-6) ? 2 : 4;
+    if (tolerance >= VM_C(1e-6)) return 0;
+    if (tolerance >= VM_C(1e-8)) return vmi_osc_has_smooth_halves(o) ? 1 : 0;
+    if (tolerance >= VM_C(1e-9)) return 2;
+    return tolerance >= VM_C(1e-10) ? 3 : 4;
+}
+
+/* The number of the pair that is tried after pair i, whose error is estimated as `error`, larger than the tolerance.
+   Pairs are left out whose error would be too large even if it fell as the tenth power of the number of points. */
+VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_real tolerance)
+{
+    const vmi_osc_points last = vmi_osc_pair(o, i);
+    int next;
+    for (next = i + 1; next < VMI_OSC_PAIRS - 1; next++) {
+        const vmi_osc_points points = vmi_osc_pair(o, next);
+        const vm_real ratio = (vm_real)(last.strict * last.parts) / (vm_real)(points.strict * points.parts);
+        const vm_real power_5 = ratio * ratio * ratio * ratio * ratio;
+        if (error * power_5 * power_5 <= tolerance) break;
     }
+    return next;
 }
 
-/* The number of the pair that is tried first. With a force the rates may have kinks where x' = 0; pairs with two parts
-   a half period end steps near there. */
-VM_API int vmi_osc_first_pair(const vm_osc_plan *plan, vm_real tolerance)
+/* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
+   the loose run. Where alpha < 1, the rates have terms of the power alpha + 2 in the distance from a zero of x. For them
+   the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it falls as n^-8 at least.
+   Kinks from a force or from a law by a function, and the sharp turns of a large alpha, make it fall more slowly. */
+VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
-    if (plan->problem.force) return 3;
-    if (tolerance >= VM_C(1e-8)) return 0;
-    return tolerance >= VM_C(1e-10) ? 1 : 2;
+    const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
+    if (o->force || o->mass.function || o->stiffness.function || o->alpha > 10) return squared * squared;
+    return squared * squared * squared * (o->alpha >= 1 ? squared : 1);
 }
 
 /* Makes one pair of runs from 0 to t. *strict becomes the strict run at t, *error the estimate of its error. */
@@ -603,7 +552,6 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
                                   vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
 {
     const int side = vmi_time_side(t);
-    const vm_real factor = VM_C(0.25); /* estimated error of the strict run over the difference of the two runs */
     const vm_real looser = 16;         /* ratio of their sweep_limits, so that errors of the iteration differ, too */
     vmi_osc_rates now;
     vmi_osc_slow start;
@@ -623,7 +571,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     while (!status && strict->t != t)
         status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
     strict->evals += loose.evals;
-    *error = factor * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
+    *error = vmi_osc_strict_share(&plan->problem, points) * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
     return status;
 }
 
@@ -637,7 +585,6 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
     const vm_real share = 4 * steps; /* the iterations of all steps may take a quarter of the tolerance */
     const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
-    const int first = vmi_osc_first_pair(plan, tolerance);
     vm_osc_motion result;
     vmi_osc_course c;
     vmi_osc_reduced state;
@@ -645,14 +592,15 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vm_real error = VM_INFINITY, sweep_limit = vmi_larger(tolerance / share, VM_EPSILON), sa, ca;
     long evals = 0;
     vm_real longest;
-    int i, status = vmi_osc_law_step(plan, t, &longest);
+    int i = vmi_osc_first_pair(&plan->problem, tolerance), status = vmi_osc_law_step(plan, t, &longest);
     if (status) return status;
     if (!(plan->Om * VM_FABS(t) <= most_half_periods * plan->ripple.pi)) return VM_NOT_INTEGRATED;
-    for (i = first; i < VMI_OSC_PAIRS && !(error <= tolerance); i++) {
-        status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(i), 2 * longest, sweep_limit, &c, &error);
+    while (i < VMI_OSC_PAIRS && !(error <= tolerance)) {
+        status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(&plan->problem, i), 2 * longest, sweep_limit, &c, &error);
         if (status) return status;
         evals += c.evals;
         sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* perhaps the iterations left too much */
+        i = vmi_osc_next_pair(&plan->problem, i, error, tolerance);
     }
     status = vmi_osc_rates_at(&plan->problem, t, -c.side, &now);
     if (status) return status;

@@ -163,8 +163,8 @@ VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm
 VM_API vm_real vm_osc_jacobi_parameter(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
 
 /* Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number. It is valid for
-   x0 = omega0 = 1; in general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. It is computed by (300) with
-   K = Pi_alpha/((alpha+1) k') from (307). */
+   x0 = omega0 = 1; in general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. It is computed by (300), where
+   the quarter period of cn is K = Pi_alpha/((alpha+1) k') by (307). */
 VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 {
     return VM_SQRT(2 / ((alpha + 1) * jacobi_solve_kpK_m1(ateb_pi(alpha) / (alpha + 1))));
@@ -180,11 +180,11 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* The result of vm_osc_approximation_errors: the criterion (268) and the largest errors in a period, pure numbers */
+/* The result of vm_osc_approximation_errors, pure numbers: ratios of velocities (268) and largest errors in a period */
 typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax;          /* largest velocity of the cosine (296) over the exact one (267) */
-    vm_real jacobi_vmax;        /* largest velocity of cn over the exact one; for m > 1/2 cn is fastest near x = 0, with
-                                   Omega_1/(2k), and not at x = 0, with the k' Omega_1 of (306) */
+    vm_real jacobi_vmax;        /* largest velocity of cn over the exact one. At x = 0 cn has the velocity k' Omega_1
+                                   (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
     vm_real jacobi_x, jacobi_v; /* largest errors of cn, relative to x0 and vmax */
 } vm_osc_errors;

@@ -47,7 +47,7 @@ typedef struct VM_TAG(vm_forced) {
     vm_law force;      /* amplitude F of the force, N, of either sign */
     vm_real pi;        /* Pi_alpha; vm_forced_init writes this field and those below */
     vm_real Om1;       /* the constant of the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
-    vm_real G;         /* share of the force that acts on the mean motion */
+    vm_real G;         /* the factor Om1^2 c[0]/2 of F/m in the averaged equations */
     /* Fourier coefficients: ca is the sum of c[j] cos((2j+1) phi), sa the sum of s[j] sin((2j+1) phi). */
     vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS];
 } vm_forced;
@@ -162,8 +162,9 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
 }
 
 /* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
-   The state is y = (A, psi, theta), where x = A ca(psi). The equations neglect nothing, but are singular at A = 0.
-   The argument forced and the statuses are those of vm_forced_rhs. */
+   The state is y = (A, psi, theta): the amplitude A and the Ateb phase psi of x = A ca(psi), and the phase theta of the
+   force. The equations neglect nothing, but are singular at A = 0. The argument forced and the statuses are those of
+   vm_forced_rhs. */
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -184,10 +185,11 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87.
-   The main resonance is nu = w(A). The state is y = (A, delta, theta), where A is the mean amplitude and
-   delta = phi - theta the phase by which the vibration leads the force. Start with vm_forced_to_averaged, and end
-   with vm_forced_from_averaged. The error is of the order of the largest of b, m' and F, up to times of its inverse,
-   and larger away from the resonance. The argument forced and the statuses are those of vm_forced_rhs. */
+   At the main resonance the frequency nu of the force is the natural frequency w(A). The state is y = (A, delta,
+   theta): A is the mean amplitude, theta the phase of the force, and delta the phase by which the vibration leads the
+   force. Start with vm_forced_to_averaged, and end with vm_forced_from_averaged. The error is of the order of the
+   largest of the damping b, the mass rate m' and the force F, up to times of its inverse, and larger away from the
+   resonance. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;

@@ -36,13 +36,13 @@ typedef struct VM_TAG(vmi_osc_tuning) {
     vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
     vm_real ratio;     /* tolerance of the loose run over that of the strict run */
     vm_real factor;    /* estimated error of the strict run over the difference of the two runs */
-    vm_real by_chance; /* least ratio of estimated error to tolerance of the steps; less is taken for chance */
+    vm_real by_chance; /* the estimated error is at least this times the tolerance of the steps */
 } vmi_osc_tuning;
 
-/* How a route integrates */
+/* How a route, which is a method of solution, integrates */
 typedef struct VM_TAG(vmi_osc_method) {
     ode_rhs rhs;  /* the right-hand side: vmi_osc_averaged_rhs or vmi_osc_direct_rhs */
-    int averaged; /* 1 where rhs is averaged, so that an error of averaging is added; else 0 */
+    int averaged; /* 1 where rhs has averaged equations, whose error of averaging is added; else 0 */
     int direct;   /* 1 where the state of rhs is position and velocity, 0 where it is amplitude and phase */
     int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                 const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
@@ -50,10 +50,10 @@ typedef struct VM_TAG(vmi_osc_method) {
     vmi_osc_tuning tuning;                                           /* numbers for this pair */
 } vmi_osc_method;
 
-/* A method with rk45. rk45 does not change the length of its steps while their error stays within a factor of 3.
-   `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves room for errors that
-   are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree
-   well by chance; by_chance allows for this. */
+/* A method of integration with the pair rk45. rk45 does not change the length of its steps while their error stays
+   within a factor of 3. `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves
+   room for errors that are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps,
+   so two runs may agree well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -69,7 +69,8 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
     return method;
 }
 
-/* A method with rk87, which does not change the length of its steps while their error stays within a factor of 7.5 */
+/* A method of integration with the pair rk87, which does not change the length of its steps while their error stays
+   within a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -96,10 +97,10 @@ typedef struct VM_TAG(vmi_osc_run) {
     int route;        /* the method's route, VM_ROUTE_... */
     vmi_osc_wave wave;
     int side;         /* 1 forward, -1 backward in time */
-    int status;       /* status of a law of m or k that stopped the run, else VM_OK */
+    int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, as a part of the interval up to the next stop */
-    vm_real law_step; /* longest step, s, that skips no change of a user's law; it is reduced as `longest` is */
+    vm_real law_step; /* longest step, s, that skips no change of a user's law; a run shrinks it like `longest` */
     long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
@@ -182,9 +183,9 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
     return stop;
 }
 
-/* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than
-   a part of the period or, for a large Pi_alpha, of the 10/Pi_alpha periods in which the velocity reverses, since the
-   pair does not notice the error of a step across that time. */
+/* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than a
+   part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods; then no step is longer
+   than a part of this short time, because the Runge-Kutta pair does not notice the error of a step across it. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */

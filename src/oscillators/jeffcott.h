@@ -1,9 +1,9 @@
 /* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
 
    A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), F_e(rho) the
-   shaft's elastic force at the deflection rho = |z|, and F_e'(rho) is short for F_e(rho)/rho, as in [1]. g is the
-   gyroscopic constant of the remark after (516). r is the share of the reactive force of mass that joins or leaves with
-   the velocity u, and F_z an external force:
+   shaft's elastic force at the deflection rho = |z|, and F_e'(rho) is short for F_e(rho)/rho, as in the dissertation
+   [1]. g is the gyroscopic constant of the remark after (516). r is the share of the reactive force of mass that joins
+   or leaves with the velocity u, and F_z an external force:
        m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
    Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
    nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
@@ -116,8 +116,8 @@ VM_API int vmi_jeffcott_mass_at(const vm_jeffcott *r, vm_real t, vm_real *mass, 
     return vmi_law_at(&r->mass, VM_BAD_MASS, t, mass, rate);
 }
 
-/* F_z + r m' u: the loads without the gyroscopic force and without the part of the reactive force that depends on z'.
-   `rate` is m'. */
+/* F_z + r m' u: the external force and the reactive force r m' (u - z') without its part that depends on z'. `rate` is
+   m'. */
 VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     const vm_complex thrust = vmi_c_scale(r->reactive * rate, r->u);
@@ -125,7 +125,7 @@ VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real ra
     return vmi_c_add(r->force(t, z, v, r->force_ctx), thrust);
 }
 
-/* F_z + r m' u + 2 i g z', where `rate` is m' and v is z' */
+/* F_z + r m' u + 2 i g z': the load of vmi_jeffcott_drive and the gyroscopic force, where `rate` is m' and v is z' */
 VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
@@ -208,7 +208,7 @@ VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_rea
     return vmi_copy_if_finite(VMI_JEFFCOTT_SIZE, found, y);
 }
 
-/* Writes z and v = z' from the whirls in y, where turn = e^(i phi). */
+/* Writes the disc's position z and velocity v = z' from the whirls P and N in y, where turn = e^(i phi). */
 VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
 {
     const vm_complex P = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_P], y[VMI_JEFFCOTT_P + 1]), turn);
@@ -236,7 +236,8 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     return vmi_copy_if_finite(4, joined, motion);
 }
 
-/* Computes the exact rates P' and N' (470)-(473) of the whirls at the fast phase phi:
+/* Writes the exact rates P' and N' (470)-(473) of the whirls to *dP and *dN. At the fast phase phi the disc is at z = P
+   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N. The rates are
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
      m f = F_z + r m' u + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
    The last term has r - 1/2 in place of r, because the change of omega contributes m' z'/2. */
@@ -255,10 +256,10 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
     *dN = vmi_c_times_i(push, vmi_c_times(f, turn));
 }
 
-/* Number of phases of a period that enter a mean value */
+/* The number of phases, evenly spaced in a period, at which the loads are computed for a mean over the period */
 VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
-    const int usual = 32; /* exact means for forces that are polynomials in z and z' of degree <= 15 */
+    const int usual = 32; /* gives exact means of forces that are polynomials of degree <= 15 in z and z' */
     if (r->nodes > 0) return r->nodes;
     return usual;
 }
@@ -287,20 +288,21 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
-   F_z, u, g and F_e'(rho) - F_e'(0) are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass
-   or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and
-   VM_BAD_STIFFNESS where F_e'(0) is not positive. */
+   the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change F_e'(rho) - F_e'(0)
+   of the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
+   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS
+   where F_e'(0) is not positive. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_mean(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs,
-   averaged over the fast phase phi while P and N stay constant. [1] averages over the angles psi1 and psi2 of the two
-   whirls separately, (474)-(477). That is wrong unless the force turns with z, since forward and backward whirl are in
-   1:1 resonance. The error is of the order of the largest perturbation (F_z, u, g, F_e'(rho) - F_e'(0) or m'), up to
-   times of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at
+/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs, averaged
+   over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and psi2 of
+   the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since forward and backward whirl
+   are in 1:1 resonance. The error is of the order of the largest perturbation (F_z, u, g, F_e'(rho) - F_e'(0) or m'),
+   up to times of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at
    `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -312,8 +314,8 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
-/* The frequency of circular whirl W = (g +- S)/m with S^2 = g^2 + m F_e', where + is for forward whirl (sense >= 0);
-   the formula subtracts no nearly equal numbers */
+/* The frequency of circular whirl W = (g +- S)/m with S^2 = g^2 + m F_e', where + is for forward whirl (sense >= 0). g
+   is gyro, m the mass, F_e' the stiffness. The code subtracts no nearly equal numbers. */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);
@@ -338,9 +340,9 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
     return vmi_jeffcott_root(r->gyro, mass, vmi_jeffcott_stiffness(r, A, &slope), sense);
 }
 
-/* The mean load D e^(-i psi), N, averaged over the angle psi of a circle of radius A that turns at the frequency W,
-   with D = F_z + r m' u. Its real part is the mean radial load, its imaginary part the mean tangential load. `rate`
-   is m'. */
+/* The mean load, N, on a disc that moves on a circle of radius A at the frequency W. The load D = F_z + r m' u is taken
+   as D e^(-i angle), where `angle` is the disc's place on the circle, and averaged over one turn that begins at the
+   angle psi. The real part is the mean radial load, the imaginary part the mean tangential load. `rate` is m'. */
 VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
                                          vm_real W)
 {
@@ -384,12 +386,13 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 /* Averaged equations (506), (507) of forward whirl, for rk45 or rk87.
    The nonlinearity may be strong. The motion is nearly circular: z = A e^(i psi), z' = i W z with the frequency W of
    vm_jeffcott_frequency. y = (A, psi) is in m and rad; rotor points to a vm_jeffcott. The error of A is of the order of
-   the largest load (F_z, u or m'), up to times of its inverse. Where F_e' is not constant, the phase accumulates this
-   error: up to these times tests bound the error of psi by 0.015 for loads that turn with z (their angle to z is
-   fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads that do not turn
-   with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor
-   without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
-   positive, and VM_BAD_STIFFNESS if g^2 + m F_e' is not positive. Each call evaluates the force at `nodes` phases. */
+   the largest load (by the force F_z, the velocity u or the mass rate m'), up to times of its inverse. Where F_e' is
+   not constant, the phase accumulates this error: up to these times tests bound the error of psi by 0.015 for loads
+   that turn with z (their angle to z is fixed), but for other loads it is of order 1. The equations do not hold for a
+   linear F_e with loads that do not turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT
+   for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS if g^2 + m F_e' is not positive. Each call
+   evaluates the force at `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -410,7 +413,7 @@ typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
     vm_real mass;    /* mass after the change, kg */
-    vm_real first;   /* g^2 + m F_e'(A) before the change */
+    vm_real first;   /* the factor g^2 + m F_e'(A) of the invariant before the change */
 } vmi_jeffcott_orbit;
 
 /* ln of the invariant over its value before the change, at the radius first_A e^x; NaN where F_e' is not a number or
@@ -477,7 +480,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
     o.r = r;
     o.first_A = first_A;
     o.mass = mass;
-    if (r->gyro == 0) { /* for g = 0, m^(2r-1) replaces m in the invariant */
+    if (r->gyro == 0) { /* for g = 0 the invariant has m^(2r-1) in place of m (509) */
         o.mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
         first_mass = 1;
     }

@@ -30,7 +30,7 @@ typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
    the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
-    vm_real f0, f1, f2;       /* arguments of the constructor, in its order; 0 for tables and functions */
+    vm_real f0, f1, f2;       /* numbers given to the constructor, in its order; 0 for tables and functions */
     int n;                    /* number of points of a table; 0 for the other laws */
     const vm_real *time;      /* n times of a table, s, rising; else null */
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
@@ -40,14 +40,14 @@ struct VM_TAG(vm_law) {
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null if this is no law */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null if f(0), f(t) are enough */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: checking f(0), f(t) is enough */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
 
 /* -- What every kind of law shares -- */
 
-/* The direction of an interval of time of this length: 1 forward, -1 backward */
+/* The direction of an interval of time whose length has a sign: 1 forward, -1 backward */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
 /* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
@@ -137,7 +137,7 @@ VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
     return VM_OK;
 }
 
-/* A law with these numbers, but without the functions of its kind, which the constructors below add */
+/* A law with the numbers f0, f1, f2, but without the functions of its kind, which the constructors below add */
 VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law;
@@ -169,7 +169,7 @@ VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm
     return VM_OK;
 }
 
-/* The exponential form of a linear law: f0 (1 + base t) = f0 exp(base u) */
+/* The exponential form of a linear law: f0 (1 + base t) = f0 exp(base u) with u = ln(1 + base t)/base */
 VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = law->f1 / law->f0;
@@ -210,7 +210,8 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
-/* The exponential form of a quadratic law: f0 (1 + base t)^2 = f0 exp(2 base u), if f is a square within rounding */
+/* The exponential form of a quadratic law that is a square within rounding errors: f0 (1 + base t)^2 = f0 exp(2 base u)
+   with u = ln(1 + base t)/base */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -243,7 +244,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* f and its derivatives; each is f1 times the derivative of the order before */
+/* f and the derivatives of an exponential law; each derivative is f1 times the one before it */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -274,8 +275,8 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* f and its derivatives. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers than masses
-   vmi_law_derivatives changes this status. */
+/* f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers
+   than masses vmi_law_derivatives changes this status. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -288,7 +289,7 @@ VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_
     return VM_OK;
 }
 
-/* The exponential form of a power law: f0 (1 + f1 t)^f2 = f0 exp(f2 f1 u) with base = f1 */
+/* The exponential form of a power law: f0 (1 + f1 t)^f2 = f0 exp(f2 f1 u) with base = f1 and u = ln(1 + f1 t)/f1 */
 VM_API int vmi_law_power_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = law->f1;
@@ -419,7 +420,7 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
     return (t_end - knot) * (vm_real)side > 0 ? knot : t_end;
 }
 
-/* Whether t is a point of a table inside it, where the second derivative may jump */
+/* Whether t is a point of the law's table, but not its first or last, so that the second derivative may jump there */
 VM_API int vmi_law_has_knot(const vm_law *law, vm_real t)
 {
     return law->time && vmi_law_interval(law, t, 1) != vmi_law_interval(law, t, -1);

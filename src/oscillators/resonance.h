@@ -34,12 +34,12 @@ typedef struct VM_TAG(vm_steady_state) {
 
 /* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
-    vm_real A;              /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
-    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can balance. Below 1 the vibration
+    vm_real A;              /* amplitude, m, whose natural frequency w(A) is nu; for alpha = 1 the given amplitude */
+    vm_real drift_ratio;    /* rate of w - nu over the largest rate that the force can balance. Below 1 the vibration
                                may be captured, so that it follows A; above 1 it passes through the resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
-    vm_real amplitude_jump; /* relative change of the amplitude in a quick passage (drift_ratio much larger than 1).
-                               It depends on the phase at the start; this is half of its range */
+    vm_real amplitude_jump; /* largest relative change of the amplitude in a quick passage (drift_ratio much larger
+                               than 1). The change depends on the phase at the start and may have either sign */
 } vm_passage;
 
 /* The quantities that determine the resonance at one time */
@@ -50,7 +50,7 @@ typedef struct VM_TAG(vmi_resonance) {
     vm_real push;         /* force per mass F G/m that acts on the mean motion, with the sign of F */
 } vmi_resonance;
 
-/* The resonance of the oscillator f with the parameters n */
+/* The fields of vmi_resonance for the oscillator f with the parameters n */
 VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_parameters *n)
 {
     vmi_resonance z;
@@ -62,7 +62,8 @@ VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_param
     return z;
 }
 
-/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. It is 0 for a steady vibration. */
+/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. It is 0 for a steady vibration. w = w1
+   A^exponent, nu, p and push are those of vmi_resonance. */
 VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
 {
     const vmi_resonance *z = (const vmi_resonance *)resonance;

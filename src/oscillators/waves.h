@@ -26,12 +26,12 @@
 
 typedef struct VM_TAG(vmi_osc_wave) vmi_osc_wave;
 struct VM_TAG(vmi_osc_wave) {
-    /* writes c and s at the Ateb phase psi */
+    /* writes the waves c of the position and s of the velocity at the Ateb phase psi */
     void (*at)(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s);
     /* estimates the error of the wave, where mean_ca2 is the mean of ca^2; null for ca, which has no error */
     vm_real (*error)(const vmi_osc_wave *w, vm_real mean_ca2);
     vm_real alpha;              /* exponent of the spring */
-    vm_real turn;               /* the wave's own angle is turn psi */
+    vm_real turn;               /* the wave's own angle, the argument of ca, cos or cn, is turn psi */
     vm_real speed;              /* the velocity is x' = -speed vmax(A) s */
     vm_real gain_A, gain_theta; /* factors of the means of the force in the averaged equations */
     vm_real m;                  /* parameter m = k^2 of cn; 0 for the other waves */
@@ -76,15 +76,17 @@ VM_API void vmi_osc_cos_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_re
     vmi_sincos(w->turn * psi, s, c);
 }
 
-/* The estimate is the error of the velocity at x = 0, which is the largest, times a factor that grows with alpha. */
+/* Estimates the error of the wave cos. It is the error of its velocity at x = 0, where it is largest, times a factor
+   that grows with alpha. */
 VM_API vm_real vmi_osc_cos_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     (void)mean_ca2;
     return VM_FABS(w->speed - 1) * (1 + w->alpha / 100);
 }
 
-/* The wave x = A cos(turn psi), whose period is that of ca; pi is Pi_alpha. Its gains are those of (337)-(339), but
-   with alpha + 3 for 5 - alpha, which comes from a wrong sign in (335). */
+/* The wave x = A cos(turn psi), whose period is that of ca; the argument pi is Pi_alpha. gain_A and gain_theta are the
+   factors 4/(alpha + 3) in the averaged equations (337)-(339). The dissertation has 5 - alpha instead of alpha + 3,
+   because of a wrong sign in (335). */
 VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
@@ -107,19 +109,19 @@ VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_rea
     *s = sn * dn;
 }
 
-/* The estimate is the difference between the means of cn^2 and of ca^2, which is 0 where cn is exact, times a factor
-   that is fitted to the largest errors of the wave. */
+/* Estimates the error of the wave cn. It is the difference between the means of cn^2 and of ca^2, which is 0 where cn
+   is exact, times a factor that is fitted to the largest errors of this wave. */
 VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     return VM_FABS(w->mean_c2 - mean_ca2) * (VM_C(2.7) + w->alpha / 2);
 }
 
 /* The wave x = A cn(turn psi | m), whose period and whose velocity at x = 0 are those of A ca(psi); pi is Pi_alpha. The
-   parameter m follows from (307), the gains from (380)-(382). */
+   parameter m follows from (307), the factors gain_A and gain_theta from (380)-(382). */
 VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
-    vm_real C2, C4, C6, bracket; /* the means of cn^2, cn^4, cn^6; 2 <sn^2 dn^2> */
+    vm_real C2, C4, C6, bracket; /* means of cn^2, cn^4, cn^6; twice the mean of sn^2 dn^2 */
     w.at = vmi_osc_cn_at;
     w.error = vmi_osc_cn_error;
     w.m = jacobi_solve_kpK(pi / (alpha + 1));
@@ -142,8 +144,8 @@ VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
     return vmi_smaller(error, 1);
 }
 
-/* Writes the largest differences of c from ca and of speed s from sa over a quarter of the period, at points that are
-   densest near x = 0. */
+/* Writes to *x_error the largest difference of the wave c from ca, and to *v_error that of speed s from sa. They are
+   taken over a quarter of the period, at points that are densest near x = 0. pi is Pi_alpha. */
 VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;

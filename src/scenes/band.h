@@ -1,13 +1,13 @@
 /* scenes/band.h - a band that winds up on a drum or off it
 
-   The drum is a body on an axle (chapter 5.2 of [1]). It is bare at the angle phi = 0, and the body is made with the
-   inertia of the bare drum. The band comes or goes at the radius
+   The drum is a body on an axle (chapter 5.2 of the dissertation). It is bare at the angle phi = 0, and the body is
+   made with the inertia of the bare drum. The band comes or goes at the radius
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (by_layer),
-   and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b
-   its width and rho its density. If the band lies in layers, its rate jumps at each complete turn, and with it the
-   reactive torque. vm_band_at computes the part that is wound up at any angle; vm_effect_band is the mass law of the
-   drum in a scene.
+   and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b its
+   width and rho its density. If the band lies in layers, its rate jumps at each complete turn, and with it the reactive
+   torque. vm_band_at computes the part that is wound up at any angle; vm_effect_band is the mass law of the drum in a
+   scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
@@ -42,10 +42,10 @@ typedef struct VM_TAG(vm_band_now) {
     vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
 } vm_band_now;
 
-/* The part of a band in layers that is wound up at the angle phi. line is density times width times thickness. Mass and
-   inertia are line times the integrals of the radius and of its cube over phi. n is the number of complete layers; over
-   them these integrals are 2 pi times the sums of R + i h and of (R + i h)^3 for i = 0 ... n - 1. The sums of i, i^2
-   and i^3 are sum1, sum2 and sum1^2. */
+/* The part of a band in layers that is wound up at the angle phi. `line` is density times width times thickness. Mass
+   and inertia are line times the integrals of the radius and of its cube over phi. n is the number of complete layers;
+   over them these integrals are 2 pi times the sums of R + i h and of (R + i h)^3 for i = 0 ... n - 1. The sums of i,
+   i^2 and i^3 are sum1, sum2 and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -64,8 +64,8 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-/* A result whose radius is `radius` and whose other numbers are `others`. For a bare drum `others` is 0; for a result
-   that does not exist both arguments are NaN. */
+/* A vm_band_now whose radius is `radius` and whose other numbers are all `others`. For a bare drum `others` is 0; for a
+   band or an angle that is not valid both arguments are NaN. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -117,8 +117,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Applies the law J(phi) of the moment of inertia, which takes the place of the mass on an axle. u is the speed of the
-   band divided by the radius at which it comes, an angular velocity about the axle. */
+/* Gives the drum its moment of inertia J(phi), which takes the place of the mass on an axle, as a mass law does. u is
+   the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);

@@ -19,7 +19,7 @@
 
 /* The part of a scene in which a fault is */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect" or "event"; "scene" if an array of the scene, or nothing, is wrong */
+    const char *kind; /* "body", "effect" or "event"; "scene" for an array of the scene, and if nothing is wrong */
     int index;        /* index of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
@@ -103,8 +103,8 @@ VM_API int vmi_scene_can_jump(int motion, int other)
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Checks a jump. For a part that separates, also checks that the absent body of the scene which it becomes can have the
-   mass, inertia and motion of the part. */
+/* Checks a jump. A part that separates becomes a body of the scene that was absent. The function also checks that this
+   body can have the mass, inertia and motion of the part. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);

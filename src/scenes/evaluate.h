@@ -48,7 +48,7 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
-/* The status that says why a body with this load cannot be accelerated */
+/* The status that says which mass of the load is not positive or not finite, so that the body cannot be accelerated */
 VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
     if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
@@ -71,8 +71,8 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
 }
 
 /* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
-   is the status of the preceding evaluation. If that failed too, its status is kept, because its NaN has caused this
-   failure. */
+   is the status of the preceding evaluation. If the preceding evaluation failed too, its status is kept, because its
+   NaN has caused this failure. */
 VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
 {
     int k;

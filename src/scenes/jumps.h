@@ -68,7 +68,7 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     return VM_OK;
 }
 
-/* Converts the motion of a part, given relative to the body, to inertial axes */
+/* Converts *part from motion relative to *body, in the axes of *body, to motion in inertial axes */
 VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -132,8 +132,8 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* After a jump has moved the mass centre of a growing body to r, updates the position of the mass centre in body
-   axes */
+/* After a jump has moved the mass centre of a growing body to r, updates its position in body axes, which is in the
+   state */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;

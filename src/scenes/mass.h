@@ -31,7 +31,7 @@
 enum { VMI_MASS_U = 0, VMI_MASS_REACTIVE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
 
 /* Adds the reactive force rate (u - reactive v) on each coordinate along which the mass moves, and adds to the budget
-   what the mass brings */
+   the momentum and the energy that the mass brings */
 VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate, const vm_real *u,
                                   vm_real reactive)
 {

@@ -26,13 +26,13 @@ typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
     vm_real gap;   /* s: of all crossings at this instant, the shortest time since the last crossing by the same event;
                       VM_MAX if none */
-    int crowded;   /* number of successive instants whose gap is too short for the precision of the time */
+    int crowded;   /* number of successive instants whose gap the time t cannot resolve with its digits */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more would cause each other without end */
-    VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants with a gap too short for the precision of time */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events, so that no later event is missed */
+    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more are taken for an endless chain */
+    VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants whose gap the time cannot resolve */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a short gap between two events, so that no later event is missed */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
@@ -100,8 +100,8 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
     return status;
 }
 
-/* Calls output if it is due at the time t. *next is the index of the next time of output. Returns VM_STOPPED if output
-   ends the run, else VM_OK. */
+/* Calls the caller's function scene.output if it is due at the time t. *next is the index of the next time of output.
+   Returns VM_STOPPED if output ends the run, else VM_OK. */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
     if (!s->output) return VM_OK;
@@ -147,7 +147,7 @@ VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
     }
 }
 
-/* The status of a scene that reports an error of the integrator */
+/* The status VM_... of a scene for the status ODE_... of its integrator, which has reported an error */
 VM_API int vmi_scene_status_of_ode(int ode_status)
 {
     switch (ode_status) {

@@ -108,7 +108,7 @@ struct VM_TAG(vm_scene_body) {
     int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
     vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
-    vm_real law_offset;     /* kg: added to the value of the mass law, which does not know of jumps and switching */
+    vm_real law_offset;     /* kg: added to the mass law, which does not know of jumps and of being switched */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
@@ -151,7 +151,7 @@ struct VM_TAG(vm_effect) {
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
     int variant; /* which variant of the effect: for example which mass law, or whether a band lies in layers */
     /* fields set once by vm_scene_start, so that evaluations are fast */
-    int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
+    int idle;             /* bits VMI_IDLE_... that say why the effect does not act; 0 while it acts */
     int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
     int other_x, other_v; /* indices in y: position and velocity of the coordinate on which the opposite force acts */
     vm_load *load;        /* load of the body on which the effect acts */
@@ -162,7 +162,7 @@ struct VM_TAG(vm_effect) {
     vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
     vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function given to vm_effect_force */
     vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function given to vm_effect_mass_law */
-    vm_moving_point point;                                          /* NULL, or the moving end of vm_effect_link */
+    vm_moving_point point;                                          /* NULL, or the function for vm_effect_link */
     const vm_stream *stream;                                        /* stream of vm_effect_stream_mass, _force, ... */
     void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function given to vm_effect_varying */
     int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */

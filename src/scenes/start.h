@@ -33,8 +33,8 @@ VM_API int vmi_scene_is_started(const vm_scene *s)
     return 1;
 }
 
-/* The function whose zeros the integrator locates. ctx points to a vm_event of the scene. For an event at a set time
-   the function is 1, so that it has no zeros. */
+/* The function whose zeros the integrator locates to find an event. ctx points to a vm_event of the scene. For an event
+   at a set time the function is 1, so that it has no zeros. */
 VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 {
     const vm_event *e = (const vm_event *)ctx;

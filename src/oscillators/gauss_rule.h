@@ -1,0 +1,110 @@
+/* oscillators/gauss_rule.h - Gauss' rule of n points on [0, 1], and polynomials through values at these points
+
+   The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to it: they give, from the values of a
+   polynomial of degree n - 1 at the n points, its integrals from 0 to each point and its derivatives there. The method
+   of collocation (oscillators/collocation.h) solves differential equations with them.
+       vmi_gauss_rule rule;
+       vmi_gauss_rule_init(&rule, 8);
+   Tests: tests/test_collocation.c. */
+#ifndef VARMASS_OSCILLATORS_GAUSS_RULE_H
+#define VARMASS_OSCILLATORS_GAUSS_RULE_H
+
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "legendre.h"
+
+/* The largest n */
+enum { VMI_NODES = VMI_GAUSS };
+
+/* Gauss' rule, and two matrices for polynomials of degree n - 1: polynomial j is 1 at node j, 0 at all other nodes */
+typedef struct VM_TAG(vmi_gauss_rule) {
+    int n; /* number of nodes */
+    vm_real node[VMI_NODES], weight[VMI_NODES];
+    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral of polynomial j from 0 to node i */
+    vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
+} vmi_gauss_rule;
+
+/* Returns Legendre's polynomial P_n(x), and writes its derivative to *slope. */
+VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
+{
+    vm_real before = 0, now = 1;
+    int k;
+    for (k = 0; k < n; k++) {
+        const vm_real next = vmi_legendre_next(k, x, now, before);
+        before = now;
+        now = next;
+    }
+    *slope = (vm_real)n * (x * now - before) / (x * x - 1);
+    return now;
+}
+
+/* Computes nodes and weights: zeros of Legendre's polynomial by Newton's method, from an approximation by cosines. */
+VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
+{
+    const int rounds = 6;
+    int i, j;
+    for (i = 0; i < rule->n; i++) {
+        vm_real x, sine, slope = 1;
+        vmi_sincos(VM_PI * ((vm_real)i + VM_C(0.75)) / ((vm_real)rule->n + VM_C(0.5)), &sine, &x);
+        for (j = 0; j < rounds; j++) {
+            const vm_real value = vmi_legendre_polynomial(rule->n, x, &slope);
+            x -= value / slope;
+        }
+        vmi_legendre_polynomial(rule->n, x, &slope);
+        rule->node[i] = (1 - x) / 2;
+        rule->weight[i] = 1 / ((1 - x * x) * slope * slope);
+    }
+}
+
+/* Adds the part of Legendre's polynomial P_k to both matrices. values, integrals and derivatives are those of P_k at
+   the nodes, with integrals from 0 and derivatives by the variable of the nodes. */
+VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
+                               const vm_real *derivatives)
+{
+    int i, j;
+    for (j = 0; j < rule->n; j++) {
+        const vm_real share = (vm_real)(2 * k + 1) * rule->weight[j] * values[j];
+        for (i = 0; i < rule->n; i++) {
+            rule->integral[i][j] += share * integrals[i];
+            rule->derivative[i][j] += share * derivatives[i];
+        }
+    }
+}
+
+/* Computes the rule of n points, 2 <= n <= VMI_NODES. */
+VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
+{
+    vm_real before[VMI_NODES], now[VMI_NODES], slope_before[VMI_NODES], slope[VMI_NODES];
+    vm_real integrals[VMI_NODES], derivatives[VMI_NODES];
+    int i, j, k;
+    rule->n = n;
+    vmi_gauss_rule_nodes(rule);
+    for (i = 0; i < n; i++) {
+        before[i] = 0;
+        now[i] = 1;
+        slope_before[i] = 0;
+        slope[i] = 0;
+        for (j = 0; j < n; j++) {
+            rule->integral[i][j] = 0;
+            rule->derivative[i][j] = 0;
+        }
+    }
+    for (k = 0; k < n; k++) { /* with x = 2 node - 1: node integrals are half of those over x, derivatives double */
+        for (i = 0; i < n; i++) {
+            const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
+            integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
+            derivatives[i] = 2 * slope[i];
+        }
+        vmi_gauss_rule_add(rule, k, now, integrals, derivatives);
+        for (i = 0; i < n; i++) { /* P'_(k+1) = P'_(k-1) + (2k+1) P_k */
+            const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
+            const vm_real next_slope = slope_before[i] + (vm_real)(2 * k + 1) * now[i];
+            slope_before[i] = slope[i];
+            slope[i] = next_slope;
+            before[i] = now[i];
+            now[i] = next;
+        }
+    }
+}
+
+#endif
