@@ -121,7 +121,7 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
         return vmi_two_terms(vmi_reduce_pieces(u, K, rate.hi / half_pi.hi, quarters));
     }
     v = rest.hi / rate.hi;
-    if (VMI_MIDDLE(m1) && count > 256) return vmi_two(v, 0); /* v is within 1.5 ulp: enough for the absolute error */
+    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and 1.5 ulp of v are enough outside of the table */
     error = vmi_two_product(v, rate.hi);
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
@@ -130,9 +130,9 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
 #define VMI_TABLE_REACH (VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(11000.0))
 
 /* Returns u minus the nearest multiple j K, for 0 <= u < VMI_TABLE_REACH and a k' = kp for which VMI_IN_PERIOD_TABLE is
-   1. The last bits of *quarters become those of j. K has a relative error below 2^-71 (float 2^-36). Therefore the error
-   of the result is below half an ulp plus 2^-71 u. Where this is too much next to a multiple of K, the result is NaN,
-   and u must be reduced by vmi_reduce_long. For j >= 128 it does not, since there the relative error is free. */
+   1. The last bits of *quarters become those of j. K has a relative error below 2^-71 (float 2^-36), so that the result
+   is within half an ulp plus 2^-71 u (float 2^-36 u). Where this is too much next to a multiple of K, the result is
+   NaN, and u must be reduced by vmi_reduce_long. For j >= 128 it is not NaN, since there only the absolute error counts. */
 VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);
