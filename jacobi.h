@@ -1949,7 +1949,8 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
 /* Returns u minus the nearest multiple j K, for 0 <= u < VMI_TABLE_REACH and a k' = kp for which VMI_IN_PERIOD_TABLE is
    1. The last bits of *quarters become those of j. K has a relative error below 2^-71 (float 2^-36), so that the result
    is within half an ulp plus 2^-71 u (float 2^-36 u). Where this is too much next to a multiple of K, the result is
-   NaN, and u must be reduced by vmi_reduce_long. For j >= 128 it is not NaN, since there only the absolute error counts. */
+   NaN, and u must be reduced by vmi_reduce_long. It is not NaN for j >= 128, since there only the absolute error
+   counts. */
 VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);
