@@ -1,11 +1,11 @@
-# varmass: nothing has to be built to use the headers. Every target that needs more than a C compiler sets it up through
-# the system's package manager where it may, and says so where it may not.
+# varmass: nothing has to be built to use the headers. What a target needs beyond a C compiler is installed by apt-get as
+# root, and for others where INSTALL=1 is set, by sudo. Else the command that would is printed, and what needs it is left out.
 #
 #   make headers  write the four headers from src/                make part PARTS="mechanics/jumps"   build/parts/jumps.h
 #   make parts-table   lines and flash of each chapter taken alone, docs/parts.md
 #   make run      build and run the examples, draw their figures        make bench   time everything (minutes)
 #   make bench-quick   the same, roughly       make bench-count   count instructions       make cost   write docs/cost.md
-#   make test     all tests                                             make lint    strict warnings, gcc and clang
+#   make test     the tests, three minutes       make test-all   the rest       make lint    strict warnings, gcc and clang
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
@@ -38,13 +38,22 @@ TESTS = jacobi ateb rk4 pairs adaptive dense events coincidences bodies jumps ju
     jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
     dissertation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
-SCRIPTS = headers parts errors snippets options avr plans package scene_cost golden sweep errata documents first_steps languages readme fuzz hard_cases sanitize
+# Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
+SCRIPTS = headers readme documents errors parts golden errata install gsl hard_cases
+LONG_SCRIPTS = readme headers golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
+    avr sweep
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum solvable
-TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
+TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%)
+LOGS = $(SCRIPTS:%=build/tests/%.log) $(TESTS:%=build/tests/%.log)
+LONG_LOGS = $(LONG_SCRIPTS:%=build/tests/all/%.log) $(TESTS:%=build/tests/all/%.log) build/tests/all/exhaustive_jacobi.log
+JOBS = $(shell nproc 2>/dev/null || echo 2)
+# A make of its own for the logs named, as many jobs at a time as there are processors unless `make -j N` says otherwise,
+# then their sum. What does not compile leaves no log, which is a failure.
+RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) $(1) || :; sh tests/run.sh sum $(1)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law toronto test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: headers part parts-table law toronto test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -69,16 +78,19 @@ run: $(EXAMPLES:%=build/examples/%)
 	@sh examples/figures.sh build/figures
 	@sh examples/scenes.sh build/figures
 
-test: $(TEST_PROGRAMS) build/tests/exhaustive_jacobi
-	@if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then \
-	    $(COMPILE) tests/test_gsl.c -o build/tests/gsl -lgsl -lgslcblas -lm && gsl=./build/tests/gsl; \
-	else gsl="echo 'GSL: 0 passed, 0 failed, 9 skipped'"; fi; \
-	CC="$(CC)" sh tests/run.sh build/tests/log $(SCRIPTS:%="sh tests/test_%.sh build") \
-	    $(TEST_PROGRAMS) "./build/tests/exhaustive_jacobi 997" "$$gsl"
+# A line a program; all that they print, the tables of worst errors too, is in build/tests/NAME.log
+test:
+	$(call RUN_TESTS,$(LOGS))
 
-lint:
-	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
-	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
+# What make test leaves out, and its programs again: as headers are used, included and compiled with the caller's code, and
+# with fused multiply-adds; logs in build/tests/all
+test-all:
+	$(call RUN_TESTS,$(LONG_LOGS))
+
+lint: build/command
+	@sh tests/install.sh -w "for the warnings of C++" "command -v g++" g++; \
+	sh tests/install.sh -w "for the warnings of clang" "command -v clang++" clang; \
+	sh tests/install.sh -w "for the test that compares with it" "$(GSL_CHECK)" libgsl-dev; sh tests/lint.sh build $(STRICT)
 
 # bench/bench_NAME.c each; those of functions in float too, and as arrays like to be compiled
 BENCHES = $(patsubst bench/bench_%.c,%,$(sort $(wildcard bench/bench_*.c))) jacobi_float ateb_float jacobi_wide ateb_wide
@@ -299,15 +311,57 @@ build/command: FORCE
 	@$(IN_BUILD) && echo '$(COMPILE)' | cmp -s - $@ || echo '$(COMPILE)' >$@
 FORCE:
 
-build/tests/double/%: tests/test_%.c $(TEST_FILES)
-	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
+# The programs of make test. The headers are compiled once for all of them, with external functions; what is left of a
+# program is small (tests/linked.h). Warnings belong to make lint.
+LINKED = -O1 -fno-inline -w -include tests/linked.h
+build/tests/double/headers.o: build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) -DVM_API= -x c -c varmass.h -o $@
+
+build/tests/float/headers.o: build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT -DVM_API= -x c -c varmass.h -o $@
+
+build/tests/double/%: tests/test_%.c build/tests/double/headers.o tests/linked.h $(TEST_FILES)
+	@$(IN_BUILD) && $(COMPILE) $(LINKED) $< build/tests/double/headers.o -o $@ -lm
+
+build/tests/float/%: tests/test_%.c build/tests/float/headers.o tests/linked.h $(TEST_FILES)
+	@$(IN_BUILD) && $(COMPILE) $(LINKED) -DVM_USE_FLOAT $< build/tests/float/headers.o -o $@ -lm
+
+# The programs of make test-all: the headers included as users include them. make lint compiles the objects of the first two.
+build/lint/double/%.o: tests/test_%.c $(TEST_FILES)
+	@$(IN_BUILD) && gcc -std=c99 $(STRICT) -Wstrict-prototypes -Werror -I. -O2 -c $< -o $@
+
+build/lint/float/%.o: tests/test_%.c $(TEST_FILES)
+	@$(IN_BUILD) && gcc -std=c99 $(STRICT) -Wstrict-prototypes -Werror -I. -DVM_USE_FLOAT -O2 -c $< -o $@
+
+.PRECIOUS: build/lint/double/%.o build/lint/float/%.o
+build/tests/all/double_%: build/lint/double/%.o
+	@$(IN_BUILD) && gcc $< -o $@ -lm
+
+build/tests/all/float_%: build/lint/float/%.o
+	@$(IN_BUILD) && gcc $< -o $@ -lm
 
 # the promised bounds hold with fused multiply-adds wherever the compiler likes them
 build/tests/contracted/%: tests/test_%.c $(TEST_FILES)
-	@$(IN_BUILD) && $(CC) -std=c99 -O3 -march=native -ffp-contract=fast $< -o $@ -lm
+	@$(IN_BUILD) && $(CC) -std=c99 -O3 -march=native -ffp-contract=fast -w $< -o $@ -lm
 
-build/tests/float/%: tests/test_%.c $(TEST_FILES)
-	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
+$(TESTS:%=build/tests/%.log): build/tests/%.log: build/tests/double/% build/tests/float/% FORCE
+	@sh tests/run.sh one $@ ./build/tests/double/$* ./build/tests/float/$*
+
+$(TESTS:%=build/tests/all/%.log): build/tests/all/%.log: build/tests/contracted/% build/tests/all/double_% build/tests/all/float_% FORCE
+	@sh tests/run.sh one $@ ./build/tests/contracted/$* ./build/tests/all/double_$* ./build/tests/all/float_$*
+
+$(SCRIPTS:%=build/tests/%.log): build/tests/%.log: tests/test_%.sh FORCE
+	@$(IN_BUILD) && CC="$(CC)" sh tests/run.sh one $@ "sh $< build quick"
+
+$(LONG_SCRIPTS:%=build/tests/all/%.log): build/tests/all/%.log: tests/test_%.sh FORCE
+	@$(IN_BUILD) && CC="$(CC)" sh tests/run.sh one $@ "sh $< build"
+
+# what these read of the programs above
+build/tests/headers.log: build/tests/double/headers.o build/tests/float/headers.o
+build/tests/hard_cases.log: build/tests/double/hard build/tests/float/hard
+
+build/tests/all/exhaustive_jacobi.log: build/tests/exhaustive_jacobi FORCE
+	@$(IN_BUILD) && sh tests/run.sh one $@ "./$< 997"
 
 build/tests/exhaustive_%: tests/exhaustive_%.c tests/exhaustive_double.c tests/exhaustive.h $(TEST_FILES)
 	@$(IN_BUILD) && $(COMPILE) -c tests/exhaustive_double.c -o $@.o && $(COMPILE) $< $@.o -o $@ -lm

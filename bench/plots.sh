@@ -2,7 +2,7 @@
 # Draw the plots of costs from the CSV files of the bench programs, as SVG.
 # usage: plots.sh FOLDER FIGURES, from the top of the project
 folder=$1 figures=$2
-if ! sh tests/install.sh "command -v gnuplot" gnuplot-nox; then
+if ! sh tests/install.sh -w "which draws the figures" "command -v gnuplot" gnuplot-nox; then
     echo "no gnuplot: the CSV files are in $folder, no plots drawn"
     exit 0
 fi

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Draw a figure of each machine and numerical example from the CSV files in the folder named, as SVG beside them.
 folder=$1
-if ! sh tests/install.sh "command -v gnuplot" gnuplot-nox; then
+if ! sh tests/install.sh -w "which draws the figures" "command -v gnuplot" gnuplot-nox; then
     echo "no gnuplot: the curves are in $folder/scenes_*.csv, no figures drawn"
     exit 0
 fi

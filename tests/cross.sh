@@ -29,7 +29,7 @@ target() {
         [ $precision = float ] && flags=-DVM_USE_FLOAT
         rm -f "$out"
         command -v "${compile%% *}" >/dev/null && command -v "${run%% *}" >/dev/null || sh tests/install.sh \
-            "command -v ${compile%% *} && command -v ${run%% *}" $packages >/dev/null 2>&1
+            "command -v ${compile%% *} && command -v ${run%% *}" $packages
         if ! eval "$compile" >"$build/log" 2>&1; then
             skipped=$((skipped + 1))
             echo "skipped: $name, $precision: $(grep -m 1 -i error "$build/log" || tail -n 1 "$build/log")"
@@ -136,7 +136,7 @@ user() { # user NAME PACKAGES COMPILER FLAGS QEMU
     arm "Cortex-M3, newlib" "-mcpu=cortex-m3 -mthumb" "$large" mps2-an385
     arm "Cortex-M4F, newlib" "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16" "$large" mps2-an386
     arm "Cortex-M7, newlib" "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16" "$large" mps2-an500
-    sh tests/install.sh "test -d /usr/lib/picolibc/arm-none-eabi" picolibc-arm-none-eabi >/dev/null 2>&1
+    sh tests/install.sh "test -d /usr/lib/picolibc/arm-none-eabi" picolibc-arm-none-eabi
     arm "Cortex-M4F, picolibc" "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 --specs=picolibc.specs" "$large" mps2-an386
     arm_tests "Cortex-M0 code on an M3" "-mcpu=cortex-m0 -mthumb" mps2-an385 "$few" # the M0's board has too little memory
     arm_tests "Cortex-M3" "-mcpu=cortex-m3 -mthumb" mps2-an385 "$few"
@@ -159,7 +159,7 @@ user() { # user NAME PACKAGES COMPILER FLAGS QEMU
     PATH=$PATH:/usr/lib/wine # where Debian keeps wine64
     windows="x86_64-w64-mingw32-gcc $c99 -O2 \$flags \$source -o \$out.exe -lm"
     wine="env WINEDEBUG=-all WINEPREFIX=$PWD/$build/wine wine64 \$out.exe"
-    sh tests/install.sh "command -v x86_64-w64-mingw32-gcc && command -v wine64" gcc-mingw-w64-x86-64-win32 wine64 >/dev/null 2>&1
+    sh tests/install.sh "command -v x86_64-w64-mingw32-gcc && command -v wine64" gcc-mingw-w64-x86-64-win32 wine64
     target "Windows, mingw" "gcc-mingw-w64-x86-64-win32 wine64" "$both" "command -v wine64 && $windows" "$wine"
     tested "Windows, mingw" "command -v wine64 && $windows" "$wine" "$every" "$every"
     rm -rf "$build/wine" # 700 MB

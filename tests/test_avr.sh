@@ -5,8 +5,7 @@ cc=${CC:-cc} build=$1/avr
 . tests/check.sh
 avr="avr-gcc -mmcu=atmega328p -DF_CPU=16000000UL -Os -Wall -Wextra -Werror"
 
-sh tests/install.sh "command -v avr-gcc && command -v simavr" gcc-avr avr-libc simavr >/dev/null 2>&1 || {
-    echo "no avr-gcc or simavr here"
+sh tests/install.sh -w "for the tables in the flash of an AVR" "command -v avr-gcc && command -v simavr" gcc-avr avr-libc simavr || {
     echo "avr: 0 passed, 0 failed, 15 skipped"
     exit 0
 }

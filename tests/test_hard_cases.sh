@@ -43,14 +43,12 @@ END
 # what does not depend on the compiler: without the measured errors
 lasting() { awk -F' *[|] *' '/^\| / {$5 = $7 = $8 = $10 = ""} {print}' "$1"; }
 same_cases() { lasting "$build/hard-cases.md" >"$build/new" && lasting docs/hard-cases.md | diff - "$build/new"; }
-program() { # program NAME FLAG...
-    name=$1
-    shift
-    $cc -std=c99 -O2 "$@" tests/test_hard.c -o "$build/$name" -lm && "$build/$name" >"$build/$name.txt"
+program() { # program double|float : the program of make test, by its compiler
+    make -s CC="$cc" "build/tests/$1/hard" && "./build/tests/$1/hard" >"$build/$1.txt"
 }
 
 check "the cases in double" program double
-check "the cases in float" program float -DVM_USE_FLOAT
+check "the cases in float" program float
 write >"$build/hard-cases.md"
 [ "$2" = write ] && cp "$build/hard-cases.md" docs/hard-cases.md
 check "docs/hard-cases.md is up to date" same_cases

@@ -1,19 +1,28 @@
 #!/bin/sh
 # What the headers are as files: each compiles alone, both precisions fit into one program, nothing but a few functions
 # of the C library is needed, nothing is writable, the examples run, no function's null pointers are forgotten.
-# usage: CC=compiler test_headers.sh BUILD_FOLDER, from the top of the project
-cc=${CC:-cc} build=$1/headers
+# usage: CC=compiler test_headers.sh BUILD_FOLDER [quick], from the top of the project
+# With "quick", what compiles all functions of varmass.h once more is left out.
+cc=${CC:-cc} folder=$1 build=$1/headers
+[ "$2" = quick ] && build=$1/headers_quick
 . tests/check.sh
 
-imports() { # imports HEADER OPTIONS... : only the libm functions named in allowed, and memory copies of the compiler
-    printf '#include "%s"\n' "$1" >"$build/import.c"
-    shift
-    $cc -std=c99 -O2 "$@" -DVM_API= -I. -c "$build/import.c" -o "$build/import.o" || return 1
-    undefined=$(nm -u "$build/import.o" | awk '{print $2}' | grep -vE '^(sqrt|floor|fabs|copysign)f?$' |
+needs_little() { # needs_little OBJECT : only the libm functions named here, and memory copies of the compiler
+    undefined=$(nm -u "$1" | awk '{print $2}' | grep -vE '^(sqrt|floor|fabs|copysign)f?$' |
         grep -vE '^(memcpy|memset|memmove|_GLOBAL_OFFSET_TABLE_)$')
-    writable=$(nm "$build/import.o" | awk '$2 ~ /^[BbDdC]$/')
+    writable=$(nm "$1" | awk '$2 ~ /^[BbDdC]$/')
     echo "undefined: $undefined; writable: $writable"
     [ -z "$undefined$writable" ]
+}
+imports() { # imports HEADER double|float [OPTION] : an object of all functions, of varmass.h that of make test
+    object=$build/import.o
+    if [ "$1" = varmass ]; then
+        object=$folder/tests/$2/headers.o
+        make -s CC="$cc" "$object" || return 1
+    else
+        $cc -std=c99 -O2 $3 -DVM_API= -x c -c "$1.h" -o "$object" || return 1
+    fi
+    needs_little "$object"
 }
 
 # the example in a header's manual, and one of those in the README
@@ -27,8 +36,8 @@ for header in jacobi ateb integrators; do
     check "$header.h compiles alone" $cc -std=c99 -c "$build/$header/alone.c" -o "$build/$header/alone.o"
 done
 for header in jacobi ateb integrators varmass; do
-    check "$header.h, double: imports and data" imports $header.h
-    check "$header.h, float: imports and data" imports $header.h -DVM_USE_FLOAT
+    check "$header.h, double: imports and data" imports $header double
+    check "$header.h, float: imports and data" imports $header float -DVM_USE_FLOAT
     printf '#include "%s.h"\n' $header >"$build/fast.c"
     check "$header.h refuses -ffast-math" fails $cc -std=c99 -ffast-math -I. -c "$build/fast.c" -o "$build/fast.o"
     check "$header.h: VM_ALLOW_FAST_MATH" $cc -std=c99 -ffast-math -DVM_ALLOW_FAST_MATH -I. -c "$build/fast.c" -o "$build/fast.o"
@@ -53,11 +62,21 @@ single_precision() { # in float nothing is computed in double, for which a Corte
         -c "$build/shared.c" -o "$build/cortex.o" || return 1
     ! arm-none-eabi-nm -u "$build/cortex.o" | grep -E '__aeabi_(d|f2d|i2d|ui2d|l2d|ul2d)|__(add|sub|mul|div)df3'
 }
-if command -v arm-none-eabi-gcc >/dev/null; then check "float on a Cortex-M4F: no double arithmetic" single_precision
-else echo "no arm-none-eabi-gcc here: whether float computes in double on a Cortex-M4F is not checked"
-fi
-check "a shared library of all functions builds without a warning" $cc -std=c99 -O2 -Wall -Wextra -Werror -shared -fPIC -DVM_API= -I. \
-    "$build/shared.c" -o "$build/libvarmass.so" -lm
+has_tables() { # has_tables VALUE : whether the section of the tables is there if VM_READ(x) is VALUE
+    $cc -std=c99 -O2 '-DVM_TABLE=static const __attribute__((section("vm_tables")))' "-DVM_READ(x)=$1" -DVM_API= -I. \
+        -c "$build/shared.c" -o "$build/tables.o" && objdump -h "$build/tables.o" | grep vm_tables
+}
+all_functions() { # what takes long
+    if command -v arm-none-eabi-gcc >/dev/null; then
+        check "float on a Cortex-M4F: no double arithmetic" single_precision
+    else
+        echo "no arm-none-eabi-gcc here: whether float computes in double on a Cortex-M4F is not checked"
+    fi
+    check "a shared library of all functions builds without a warning" $cc -std=c99 -O2 -Wall -Wextra -Werror -shared -fPIC \
+        -DVM_API= -I. "$build/shared.c" -o "$build/libvarmass.so" -lm
+    check "VM_TABLE places the tables" has_tables "(x)"
+    check "every table is read by VM_READ" fails has_tables "((vm_real)1)"
+}
 check "float and double in one program: builds" $cc -std=c99 -O2 tests/mixed_double.c tests/mixed_float.c -o "$build/mixed" -lm
 check "float and double in one program: agrees" "$build/mixed"
 for header in jacobi ateb integrators varmass; do
@@ -84,7 +103,7 @@ hostile_words() {
 }
 hostile_words >"$build/hostile.h"
 survives() { # survives COMPILER... SOURCE: compiles where all hostile words are macros
-    "$@" -include "$build/hostile.h" -I. -o "$build/hostile.o"
+    "$@" -include "$build/hostile.h" -I. -fsyntax-only
 }
 check "the hostile words are found" test "$(grep -c define "$build/hostile.h")" -gt 700
 check "the hostile words are hostile" fails $cc -std=c99 -include "$build/hostile.h" -DVM_NAME=near -x c -c - -o "$build/hostile.o" <<'END'
@@ -93,7 +112,7 @@ END
 for header in jacobi ateb integrators varmass; do
     printf '#include "%s.h"\n' $header >"$build/words.c"
     for options in "-std=c99" "-std=gnu99" "-std=c99 -DVM_USE_FLOAT"; do
-        check "$header.h among hostile words, $options" survives $cc $options -c "$build/words.c"
+        check "$header.h among hostile words, $options" survives $cc $options "$build/words.c"
     done
 done
 if command -v x86_64-w64-mingw32-gcc >/dev/null; then
@@ -103,14 +122,9 @@ if command -v x86_64-w64-mingw32-gcc >/dev/null; then
     done
 fi
 for example in examples/*.c examples/first_steps/*.c examples/wasm/*.c examples/package/consumer/*.c; do
-    check "$example among hostile words" survives $cc -std=c99 -c $example
+    check "$example among hostile words" survives $cc -std=c99 $example
 done
-has_tables() { # has_tables VALUE : whether the section of the tables is there if VM_READ(x) is VALUE
-    $cc -std=c99 -O2 '-DVM_TABLE=static const __attribute__((section("vm_tables")))' "-DVM_READ(x)=$1" -DVM_API= -I. \
-        -c "$build/shared.c" -o "$build/tables.o" && objdump -h "$build/tables.o" | grep vm_tables
-}
-check "VM_TABLE places the tables" has_tables "(x)"
-check "every table is read by VM_READ" fails has_tables "((vm_real)1)"
+[ "$2" = quick ] || all_functions
 inlined() { # the right-hand side of the integrators is in the loop: no call of it is left
     cat >"$build/inlined.c" <<'END'
 #include "integrators.h"

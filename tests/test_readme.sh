@@ -1,11 +1,14 @@
 #!/bin/sh
 # What the documents say exists: names of the glossary, files that are linked, targets; and the README's commands run as
-# they stand, in a copy of the project. usage: CC=compiler test_readme.sh BUILD_FOLDER [all], from the top of the project
-# Without "all", a command that takes minutes is only checked to be there.
-build=$PWD/$1/readme copy=$build/copy
+# they stand, in a copy of the project. usage: CC=compiler test_readme.sh BUILD_FOLDER [quick|all], from the top of the project
+# Without "all", a command that takes minutes is only checked to be there; with "quick", one that takes many seconds, too.
+build=$PWD/$1/readme
+[ "$2" = quick ] && build=${build}_quick
+copy=$build/copy
 . tests/check.sh
 skipped=0
-long='test|lint|bench|measurements|cost|scan|points|exhaustive|data|figures|test-.*|evaluations|coverage|first-steps|scene-sizes|sweep|firmware-table'
+long='test|test-all|lint|bench|measurements|cost|scan|points|exhaustive|data|figures|test-.*|evaluations|coverage|first-steps|scene-sizes|sweep|firmware-table'
+[ "$2" = quick ] && long="$long|run|bench-quick|bench-count|toronto|parts-table|firmware|wasm"
 
 # indented lines and `spans` that begin with a command; a line may go on with && and so on
 commands() {
