@@ -1309,7 +1309,7 @@ VM_API vm_real jacobi_kpK(vm_real m)
    for k' from 0.171875 to 1.5. Each octave of k' has eight pieces, and each piece has its own polynomial
    c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8 kB (float 1 kB).
 
-       if (VMI_IN_PERIOD_TABLE(kp)) K = vmi_period_by_table(m1, m1_lo, kp);
+       vmi_period K = vmi_period_by_table(VM_C(0.5), 0, VM_SQRT(VM_C(0.5))); // K(0.5) = K.head + K.middle + K.low
 
    The table is computed by tests/gen/period_table.py. Tests: tests/test_jacobi.c, tests/scan.c. */
 #ifndef VARMASS_JACOBI_PERIOD_TABLE_H
