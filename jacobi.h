@@ -25,7 +25,7 @@
      jacobi_K, jacobi_E   complete elliptic integrals
      jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
                           jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
-                          examples/jacobi_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
+                          examples/print_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
                           used.
      jacobi_solve_kpK     m from k'K(k^2); jacobi_solve_K returns m from K
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
@@ -2209,7 +2209,7 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
        vm_real sn, cn, dn;
        if (jacobi_plan_init(&p, VM_C(0.3)) == 0) jacobi_plan_sncndn(&p, VM_C(1.2), &sn, &cn, &dn);
 
-   Tests: tests/test_jacobi.c, tests/test_plans.sh. Example: examples/jacobi_plan.c. */
+   Tests: tests/test_jacobi.c, tests/test_plans.sh. Example: examples/print_plan.c. */
 #ifndef VARMASS_JACOBI_PLANS_H
 #define VARMASS_JACOBI_PLANS_H
 

@@ -8,7 +8,7 @@
        vm_real sn, cn, dn;
        if (jacobi_plan_init(&p, VM_C(0.3)) == 0) jacobi_plan_sncndn(&p, VM_C(1.2), &sn, &cn, &dn);
 
-   Tests: tests/test_jacobi.c, tests/test_plans.sh. Example: examples/jacobi_plan.c. */
+   Tests: tests/test_jacobi.c, tests/test_plans.sh. Example: examples/print_plan.c. */
 #ifndef VARMASS_JACOBI_PLANS_H
 #define VARMASS_JACOBI_PLANS_H
 
