@@ -267,6 +267,12 @@
        vm_law_table                   Table of n >= 2 points (time[i], value[i]), joined by monotone cubics
        vm_law_user                    Law by a user's function, which must be smooth
 
+     oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
+       vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
+       vm_osc_closed_at               Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared
+       vm_osc_closed_at_order2        As vm_osc_closed_at, but by order 2 for any order of *c
+       vm_osc_closed_at_order3        As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT
+
      oscillators/plan: the plan of an oscillator: what is computed once and then used at many times t
        vm_osc_plan_init               Plan for many values of one problem's motion
 
@@ -909,99 +915,6 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 }
 
 #endif
-/* base/scalars.h - functions that keep their digits where the plain formula loses them
-
-   The functions compute e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the
-   values of the C library's pow for 0 and infinity.
-
-       vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
-
-   Tests: tests/test_lambert.c, tests/test_drum.c, tests/test_laws.c. */
-#ifndef VARMASS_BASE_SCALARS_H
-#define VARMASS_BASE_SCALARS_H
-
-/* Returns infinity if the condition holds, else 0. */
-VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
-
-/* Returns x^y for x >= 0 within 0.6 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity it has the values of
-   the C library's pow. */
-VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
-{
-    if (x != x || y != y || x < 0) return VM_NAN;
-    if (y == 0 || x == 1) return 1;
-    if (x == 0 || x > VM_MAX) return vmi_infinity_if((y > 0) == (x > 0));
-    if (!VM_IS_FINITE(y)) return vmi_infinity_if((y > 0) == (x > 1));
-    return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
-}
-
-/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
-   for small y it is below 2^-p of the result. The result is infinity where it overflows. */
-VM_API vm_two vmi_expm1(vm_two y)
-{
-    const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
-    const vm_real least = VM_C(-0.6931471805599453094) * (2 * VM_MANT_DIG);
-    vm_real p_lo, p;
-    vm_two sum, power;
-    int k;
-    if (y.hi > largest) return vmi_two(VM_INFINITY, 0);
-    if (y.hi != y.hi) return vmi_two(y.hi, 0);
-    if (!(y.hi > least)) return vmi_two(-1, 0);
-    p = vmi_exp_core(y.hi, y.lo, &k, &p_lo);
-    if (k == 0) return vmi_two(p, p_lo);
-    sum = vmi_fast_two_sum(1, p);
-    power = vmi_fast_two_sum(sum.hi, sum.lo + p_lo);
-    power = vmi_two(vmi_ldexp(power.hi, k), vmi_ldexp(power.lo, k));
-    sum = vmi_two_sum(power.hi, -1);
-    if (!VM_IS_FINITE(power.hi)) return vmi_two(power.hi, 0);
-    return vmi_fast_two_sum(sum.hi, sum.lo + power.lo);
-}
-
-/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is
-   below 2^-(p+7), where p is the number of digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
-   below an ulp of 1. */
-VM_API vm_two vmi_log1p(vm_two x)
-{
-    const vm_two sum = vmi_two_sum(1, x.hi), low = vmi_two_sum(sum.lo, x.lo);
-    const vm_two y = vmi_two_sum(sum.hi, low.hi);
-    const vm_two t = vmi_two_over(vmi_two_sum(y.lo, low.lo), vmi_two(y.hi, 0));
-    return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
-}
-
-/* Returns (e^x - 1)/x, which is 1 at x = 0. */
-VM_API vm_real vmi_exp_ratio(vm_real x)
-{
-    if (x > VM_MAX) return x;
-    if (x == 0) return 1;
-    return vmi_expm1(vmi_two(x, 0)).hi / x;
-}
-
-/* Returns ln(1 + x)/x, which is 1 at x = 0, and NaN for x <= -1 and infinite x. */
-VM_API vm_real vmi_log_ratio(vm_real x)
-{
-    if (!(x > -1) || !VM_IS_FINITE(x)) return VM_NAN;
-    if (x == 0) return 1;
-    return vmi_log1p(vmi_two(x, 0)).hi / x;
-}
-
-/* Returns (x - y)/x^2, where the caller gives x and y = ln(1 + x). For |x| >= 1/4 the result has two words, and its
-   error is that of x and y, amplified by the subtraction. For smaller |x| the result has one word, from the series of
-   ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
-VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
-{
-#if VM_MANT_DIG > 24
-    enum { degree = 9 };
-#else
-    enum { degree = 4 };
-#endif
-    const vm_real u = x.hi / (2 + x.hi);
-    vm_real P = 0;
-    int n;
-    if (!(VM_FABS(x.hi) < VM_C(0.25))) return vmi_two_over(vmi_two_over(vmi_two_plus(x, vmi_minus(y)), x), x);
-    for (n = degree; n >= 0; n--) P = P * (u * u) + 1 / (vm_real)(2 * n + 3);
-    return vmi_two((1 - u) / 2 * (1 - u * (1 - u) * P), 0);
-}
-
-#endif
 /* base/lambert.h - Lambert's function W
 
    w = W(x) solves w e^w = x. The equation has one solution for x >= 0 and two for -1/e <= x < 0: the branch W_0 >= -1
@@ -1085,13 +998,13 @@ VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
 /* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
-   as exact. The error is at most 1 ulp. Returns NaN for x < -1/e and for infinite x, except that the number next to
-   -1/e counts as -1/e and gives -1. */
+   as exact. The error is at most 1 ulp. Returns infinity for infinite x > 0, and NaN for x < -1/e, except that the
+   number next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_real start;
-    if (x == 0 || x != x) return x;
-    if (!VM_IS_FINITE(x)) return VM_NAN;
+    if (x == 0 || x != x || x == VM_INFINITY) return x;
+    if (x == -VM_INFINITY) return VM_NAN;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 0);
     if (x < 1) start = vmi_lambert_pade(x);
     else start = vmi_lambert_winitzki(vmi_log(1 + x).hi);
@@ -1114,12 +1027,13 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
 #define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* if ln|x| is less than this number, W_0(x) rounds to x */
 
 /* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
-   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
+   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns infinity for l = infinity
+   and 0 for l = -infinity. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
     const vm_real direct_from = 40; /* for l >= 40, ln(1 + e^l) rounds to l */
     vm_real start;
-    if (!VM_IS_FINITE(l)) return VM_NAN;
+    if (l != l || l == VM_INFINITY) return l;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
     if (l < 0) start = vmi_lambert_pade(vmi_exp(l, 0));
     else if (l < direct_from) start = vmi_lambert_winitzki(vmi_log(1 + vmi_exp(l, 0)).hi);
@@ -1128,20 +1042,22 @@ VM_API vm_real vm_wright_omega(vm_real l)
 }
 
 /* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1. It also works where e^l itself
-   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns 0 for l = -infinity and NaN for l > -1. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
-    if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
+    if (!(l <= -1)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return -vmi_exp(l, 0);
     if (l > VM_C(-1.375)) return vmi_lambert_near(vmi_two(-1 - l, 0), 0);
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
 /* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1. It also works where e^l itself
-   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns -infinity for l = -infinity and NaN for
+   l > -1. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
-    if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
+    if (!(l <= -1)) return VM_NAN;
+    if (l == -VM_INFINITY) return l;
     if (l < -1 / VM_EPSILON) return vmi_lambert_far(vmi_two(l, 0), l);
     return vmi_lambert_near(vmi_two_sum(-1, -l), 1);
 }
@@ -7136,12 +7052,14 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
 
 /* The mean over a period of |ca|^power, which is B((power+1)/(alpha+1), 1/2)/Pi_alpha, where pi is Pi_alpha and B is
    Euler's beta function. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the recurrence of
-   B. */
-VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi)
+   B. constants is the function that computes Pi. */
+VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi, vmi_ateb_constants_of constants)
 {
     vm_real q = (power + 1) / (alpha + 1), factor = 1;
+    vmi_ateb c;
     for (; q > 1; q -= 1) factor *= (q - 1) / (q - VM_C(0.5));
-    return factor * ateb_pi(1 / q - 1) / pi;
+    constants(&c, 1 / q - 1);
+    return factor * (2 * c.quarter.hi) / pi;
 }
 
 /* -- Approximations by cos and cn, with the exact amplitude and period -- */
@@ -7520,6 +7438,12 @@ VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
     return 1;
 }
 
+/* The integral of dt/(f0 + f1 t) from 0 to t */
+VM_API vm_real vmi_law_linear_inverse_integral(const vm_law *law, vm_real t)
+{
+    return t * vmi_log_ratio(law->f1 / law->f0 * t) / law->f0;
+}
+
 /* Linear law f = f0 + f1 t (346); a constant where f1 = 0. f0 is the value at t = 0, f1 the rate per second, for
    example in kg and kg/s. */
 VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
@@ -7527,7 +7451,7 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
     vm_law law = vmi_law_of(f0, f1, 0);
     law.derivatives = vmi_law_linear_derivatives;
     law.exponential_form = vmi_law_linear_form;
-    law.inverse_integral = vmi_law_exponential_inverse_integral;
+    law.inverse_integral = vmi_law_linear_inverse_integral;
     return law;
 }
 
@@ -7935,16 +7859,19 @@ VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
                            vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
 }
 
-/* Checks the problem's numbers and laws, and writes its mass and stiffness at t = 0. */
-VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real *stiffness)
+/* Checks the problem's numbers, and its laws between 0 and t. Writes its mass and stiffness at t = 0. */
+VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *mass, vm_real *stiffness)
 {
     const vm_real numbers[5] = {o->alpha, o->reactive, o->damping, o->x, o->v};
-    vm_real unused;
-    int status = vmi_osc_check_laws(o, 0);
+    vm_real f[VMI_LAW_ORDERS];
+    int status = vmi_osc_check_laws(o, t);
     if (!vmi_all_finite(5, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (o->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
-    if (!status) status = vmi_law_at(&o->mass, VM_BAD_MASS, 0, mass, &unused);
-    if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, 0, stiffness, &unused);
+    if (status) return status;
+    status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, 0, 1, 0, f);
+    *mass = f[0];
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, 0, 1, 0, f);
+    *stiffness = f[0];
     return status;
 }
 
@@ -8117,6 +8044,24 @@ VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm
     return r;
 }
 
+/* The reduced state of vmi_osc_reduce for alpha >= 0, by shorter and slower code, which vm_osc_closed_init shares with
+   vm_osc_plan_init. omega is sqrt(k/m), and V = v + p x. */
+VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm_real x, vm_real V)
+{
+    const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), as in vm_osc_amplitude_phase */
+    const vm_real B = vmi_pow_checked(VM_FABS(s), 2 / n);
+    vmi_osc_reduced r = {0, 0, 0};
+    vmi_ateb c;
+    r.A = vmi_osc_power_norm(VM_FABS(x), B, n);
+    if (r.A == 0) return r;
+    r.psi = VM_NAN;
+    if (!vmi_ateb_has_phase(alpha)) return r;
+    vmi_ateb_fine_constants(&c, alpha);
+    r.psi = vmi_ateb_phase_by_series(c.quarter, alpha, VM_COPYSIGN(vmi_pow_checked(B / r.A, n / 2), s), x / r.A);
+    r.W = vmi_osc_rate(r.A, omega, alpha);
+    return r;
+}
+
 /* Writes position x and velocity v of a reduced state: the inverse of vmi_osc_reduce. sa and ca are the Ateb functions
    of its phase. */
 VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
@@ -8150,7 +8095,7 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
-       vmi_ripple_init(&r, VM_C(1.5), ateb_pi(VM_C(1.5)));
+       vmi_ripple_init(&r, VM_C(1.5), vmi_ateb_constants);
        vmi_ripple_complete(&r);
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
@@ -8266,7 +8211,7 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
 }
 
 /* Makes all eight polynomials: adds up the power series, with each power w^i replaced by its Chebyshev series. */
-VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
+VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
@@ -8313,48 +8258,68 @@ typedef struct VM_TAG(vmi_ripple_integrals) {
     vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; first and second integral of ca2 */
 } vmi_ripple_integrals;
 
-/* The integrals from the nearest zero of ca to a phase where |ca| = x and sa^2 = y. Those that the law of this order, 2
-   to 5, does not need are 0. */
-VM_API vmi_ripple_integrals vmi_ripple_from_ca_0(const vmi_ripple *r, int order, vm_real x, vm_real y)
+/* A phase between a zero of ca or sa and the joint at sa^2 = 1/2, and what the integrals from this zero need there */
+typedef struct VM_TAG(vmi_ripple_place) {
+    const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
+    vm_real z;        /* variable of the polynomials */
+    vm_real x;        /* |ca| or |sa| */
+    vm_real power2;   /* factor of the integral of ca^2 */
+    vm_real power4;   /* factor of the integral of ca^4 */
+} vmi_ripple_place;
+
+/* The place where |ca| = x and sa^2 = y >= 1/2 */
+VM_API vmi_ripple_place vmi_ripple_near_ca_0(const vmi_ripple *r, vm_real x, vm_real y)
 {
-    const vm_real x2 = x * x, x3 = x2 * x, x4 = x2 * x2, z = 4 * (1 - y) - 1;
-    vmi_ripple_integrals d;
-    d.ca2 = x3 * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_CA2], z);
-    d.ca4 = d.first = d.second = 0;
-    if (order >= 4) d.first = x4 * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_FIRST], z);
-    if (order >= 5) {
-        d.ca4 = x4 * x * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_CA4], z);
-        d.second = x4 * x * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_SECOND], z);
-    }
-    return d;
+    vmi_ripple_place at;
+    at.polynomial = r->near_ca_0;
+    at.z = 4 * (1 - y) - 1;
+    at.x = x;
+    at.power2 = x * x * x;
+    at.power4 = at.power2 * x * x;
+    return at;
 }
 
-/* The integrals from the nearest zero of sa to a phase where |sa| = u and sa^2 = y; order as in vmi_ripple_from_ca_0 */
-VM_API vmi_ripple_integrals vmi_ripple_from_sa_0(const vmi_ripple *r, int order, vm_real u, vm_real y)
+/* The place where |sa| = u and sa^2 = y <= 1/2 */
+VM_API vmi_ripple_place vmi_ripple_near_sa_0(const vmi_ripple *r, vm_real u, vm_real y)
 {
-    const vm_real z = 4 * y - 1;
+    vmi_ripple_place at;
+    at.polynomial = r->near_sa_0;
+    at.z = 4 * y - 1;
+    at.x = u;
+    at.power2 = u;
+    at.power4 = u;
+    return at;
+}
+
+/* The integrals from the zero to the place. Those that the law of this order, 2 to 5, does not need are 0. */
+VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, int order)
+{
+    const vm_real once = at->power2 * at->x;
     vmi_ripple_integrals d;
-    d.ca2 = u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_CA2], z);
+    d.ca2 = at->power2 * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_CA2], at->z);
     d.ca4 = d.first = d.second = 0;
-    if (order >= 4) d.first = y * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_FIRST], z);
+    if (order >= 4) d.first = once * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_FIRST], at->z);
     if (order >= 5) {
-        d.ca4 = u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_CA4], z);
-        d.second = y * u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_SECOND], z);
+        d.ca4 = at->power4 * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_CA4], at->z);
+        d.second = once * at->x * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_SECOND], at->z);
     }
     return d;
 }
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares alpha >= 0, where pi is Pi_alpha, without the polynomials: only C can be computed, not S, S2, S3 and Q. */
-VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
+/* Prepares alpha >= 0 without the polynomials: only C can be computed, not S, S2, S3 and Q. constants is the function
+   that computes Pi_alpha. */
+VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of constants)
 {
+    vmi_ateb c;
+    constants(&c, alpha);
     r->alpha = alpha;
     r->gamma = (alpha - 1) / (alpha + 3);
     r->scale = (alpha + 1) * (alpha + 3) / 4;
-    r->pi = pi;
-    r->mean2 = vmi_osc_mean_ca(2, alpha, pi);
-    r->mean4 = vmi_osc_mean_ca(4, alpha, pi);
+    r->pi = 2 * c.quarter.hi;
+    r->mean2 = vmi_osc_mean_ca(2, alpha, r->pi, constants);
+    r->mean4 = vmi_osc_mean_ca(4, alpha, r->pi, constants);
     r->variance = r->mean4 - r->mean2 * r->mean2;
     r->has_polynomials = 0;
 }
@@ -8364,13 +8329,16 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
 VM_API void vmi_ripple_complete(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
-    const vm_real t = ateb_phase(sa, ca, r->alpha), s = r->pi / 2 - t; /* this phase, from sa = 0 and from ca = 0 */
+    const vm_real t = vmi_ateb_from_sa_0(r->alpha, sa, half), s = vmi_ateb_from_ca_0(r->alpha, ca, half);
+    vmi_ripple_place place;
     vmi_ripple_integrals zero, turn;
     vm_real jump; /* at_sa_0 - at_ca_0 */
     if (r->has_polynomials) return;
     vmi_ripple_make_polynomials(r);
-    zero = vmi_ripple_from_ca_0(r, 5, ca, half);
-    turn = vmi_ripple_from_sa_0(r, 5, sa, half);
+    place = vmi_ripple_near_ca_0(r, ca, half);
+    zero = vmi_ripple_integrals_at(&place, 5);
+    place = vmi_ripple_near_sa_0(r, sa, half);
+    turn = vmi_ripple_integrals_at(&place, 5);
     jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
     r->at_ca_0 = -((turn.second - r->mean2 * t * t * t / 6) + (zero.second - r->mean2 * s * s * s / 6) + jump * t) /
                  (r->pi / 2);
@@ -8383,8 +8351,8 @@ VM_API void vmi_ripple_complete(vmi_ripple *r)
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
-    const vm_real side = from_sa_0 < 0 ? -1 : 1, t = VM_FABS(from_sa_0), s = r->pi / 2 - t;
-    const vm_real constant4 = 2 * m * m - r->mean4;
+    vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: from the zero */
+    vmi_ripple_place place;
     vmi_ripple_integrals d;
     f->sa = sa;
     f->ca = ca;
@@ -8392,18 +8360,16 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
     f->S = f->S2 = f->S3 = f->Q = 0;
     if (order < 3) return;
     if (y > VM_C(0.5)) {
-        d = vmi_ripple_from_ca_0(r, order, VM_FABS(ca), y);
-        f->S = -side * (d.ca2 - m * s);
-        f->S2 = r->at_ca_0 + d.first - m * s * s / 2;
-        f->S3 = -side * (r->at_ca_0 * s + d.second - m * s * s * s / 6);
-        f->Q = -side * (d.ca4 - 2 * m * d.ca2 + constant4 * s);
-    } else {
-        d = vmi_ripple_from_sa_0(r, order, VM_FABS(sa), y);
-        f->S = side * (d.ca2 - m * t);
-        f->S2 = r->at_sa_0 + d.first - m * t * t / 2;
-        f->S3 = side * (r->at_sa_0 * t + d.second - m * t * t * t / 6);
-        f->Q = side * (d.ca4 - 2 * m * d.ca2 + constant4 * t);
-    }
+        place = vmi_ripple_near_ca_0(r, VM_FABS(ca), y);
+        side = -side;
+        way = r->pi / 2 - way;
+        S2_at_0 = r->at_ca_0;
+    } else place = vmi_ripple_near_sa_0(r, VM_FABS(sa), y);
+    d = vmi_ripple_integrals_at(&place, order);
+    f->S = side * (d.ca2 - m * way);
+    f->S2 = S2_at_0 + d.first - m * way * way / 2;
+    f->S3 = side * (S2_at_0 * way + d.second - m * way * way * way / 6);
+    f->Q = side * (d.ca4 - 2 * m * d.ca2 + (2 * m * m - r->mean4) * way);
 }
 
 #endif
@@ -8426,8 +8392,8 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_J;
-       vmi_ripple_init(&r, 1, VM_PI);      // a linear spring
-       vmi_ripple_at(&r, 2, 0, 0, 1, &f);  // phase 0: sa = 0, ca = 1
+       vmi_ripple_init(&r, 1, vmi_ateb_constants); // a linear spring
+       vmi_ripple_at(&r, 2, 0, 0, 1, &f);          // phase 0: sa = 0, ca = 1
        ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action over the action
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
@@ -8473,34 +8439,22 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 /* -- From the mean motion to the motion -- */
 
 /* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
-   phase. */
+   phase. This is minus vmi_expansion_psi at the mean phase, and a product of first-order terms. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
-    const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
-    vm_real sum = 0;
-    if (order >= 3) sum += half * (1 - 2 * g) * E[0] * f->S;
-    if (order >= 4) sum -= half * (1 - 3 * g) * E[1] * f->S2;
-    if (order >= 5) {
-        const vm_real ripple = 2 * (1 - 2 * g) * (1 - 2 * g) * f->C * f->S - (1 - 4 * g) * (2 - 3 * g) * f->Q -
-                               2 * (1 - 4 * g) * (1 - g) * m * f->S;
-        sum += half * (1 - 4 * g) * E[2] * f->S3 + square * E[0] * E[0] * ripple;
-    }
-    return sum;
+    const vm_real product = r->scale * r->scale / 4 * (1 - 2 * r->gamma) * E[0] * E[0] * f->C * f->S;
+    const vm_real sum = -vmi_expansion_psi(r, order, f, E);
+    return order >= 5 ? sum + product : sum;
 }
 
-/* Returns ln(action/mean action) with all terms up to weight order - 1. f holds C, S ... at the mean phase. */
+/* Returns ln(action/mean action) with all terms up to weight order - 1, for an order from 3 to 5. f holds C, S ... at
+   the mean phase. This is minus vmi_expansion_J at the mean phase, and a product of first-order terms. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
-    const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
-    vm_real sum = 0;
-    if (order >= 3) sum -= half * E[0] * f->C;
-    if (order >= 4) sum += half * E[1] * f->S;
-    if (order >= 5) {
-        const vm_real ripple = 8 / (r->alpha + 1) * (1 - 2 * g) * f->sa * f->ca * f->S + (1 - 3 * g) * f->C * f->C -
-                               (2 - 3 * g) * r->variance + 2 * (1 - g) * m * f->C;
-        sum += square * E[0] * E[0] * ripple - half * E[2] * f->S2;
-    }
-    return sum;
+    const vm_real g = r->gamma, square = r->scale * r->scale / 2 * E[0] * E[0];
+    const vm_real product = square * (2 / (r->alpha + 1) * (1 - 2 * g) * f->sa * f->ca * f->S - g * f->C * f->C);
+    const vm_real sum = -vmi_expansion_J(r, order - 1, f, E);
+    return order >= 5 ? sum + product : sum;
 }
 
 /* -- The mean rate of the phase -- */
@@ -8513,6 +8467,453 @@ VM_API vm_real vmi_expansion_first(const vmi_ripple *r) { return (r->alpha + 1) 
 VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 {
     return -r->scale * r->scale / 8 * r->variance * (2 - 3 * r->gamma) * (1 - 3 * r->gamma);
+}
+
+/* -- From state to mean state and back -- */
+
+/* The state with the same constants whose ln J, where J is the action, is larger by ln_J, and whose phase is larger by
+   shift */
+VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_reduced *state, vm_real ln_J,
+                                             vm_real shift)
+{
+    vmi_osc_reduced other;
+    other.A = state->A * vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
+    other.psi = state->psi + shift;
+    other.W = state->W * vmi_exp(r->gamma * ln_J, 0);
+    return other;
+}
+
+/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. sa and ca are the Ateb functions
+   of its phase, and E holds its numbers E_k. Above order 2 the ripple must have its polynomials. */
+VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *state, vm_real sa,
+                                             vm_real ca, const vm_real *E)
+{
+    vmi_ripple_values f;
+    vmi_ripple_at(r, order, state->psi, sa, ca, &f);
+    return vmi_expansion_shifted(r, state, vmi_expansion_J(r, order, &f, E), vmi_expansion_psi(r, order, &f, E));
+}
+
+/* The reduced state that belongs to a mean motion, by the law of this order, 3 to 5; for order 2 both are the same. sa
+   and ca are the Ateb functions of the mean phase, and E holds the numbers E_k of the mean motion. */
+VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *mean, vm_real sa,
+                                               vm_real ca, const vm_real *E)
+{
+    vmi_ripple_values f;
+    vmi_ripple_at(r, order, mean->psi, sa, ca, &f);
+    return vmi_expansion_shifted(r, mean, vmi_expansion_J_back(r, order, &f, E),
+                                 vmi_expansion_psi_back(r, order, &f, E));
+}
+
+/* -- What the law of order five leaves out -- */
+
+/* How large the terms of weight w are in vmi_expansion_J (J[w]) and in vmi_expansion_psi (psi[w]), for w = 2 to 6; psi[6]
+   is only the part with E_4. They are of order epsilon^w, where epsilon is the relative change of mass and stiffness
+   within a radian. */
+typedef struct VM_TAG(vmi_expansion_sizes) {
+    vm_real J[7], psi[7];
+} vmi_expansion_sizes;
+
+/* Fills the sizes of all terms, where e[k] is the absolute value of E_k = G_k/W^(k+2). */
+VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_expansion_sizes *size)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale, square = L * L / 8;
+    vm_real power = L / 4;
+    int w;
+    for (w = 2; w <= 6; w++) {
+        size->J[w] = e[w - 2] * power;
+        power *= d;
+        size->psi[w] = VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power;
+    }
+    size->J[4] += square / 2 * e[0] * e[0];
+    size->J[5] += square * e[0] * e[1] * d;
+    size->J[6] += square * (e[0] * e[2] + e[1] * e[1]) * d * d + square * L / 2 * e[0] * e[0] * e[0];
+    size->psi[4] += VM_C(0.3) * square * e[0] * e[0] * d;
+    size->psi[5] += square * e[0] * e[1] * d * d;
+}
+
+/* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
+   6; product is |E_0 E_2|, cube is |E_0|^3. If product and cube are integrals of these numbers over the phase, the
+   result is a bound of the error of the phase. */
+VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
+    return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
+}
+
+/* How large the terms are that an order leaves out: relative in J, and of the phase */
+typedef struct VM_TAG(vmi_left_out) {
+    vm_real J, psi;
+} vmi_left_out;
+
+/* How large the first terms are that the transformation of this order leaves out at t, where e[k] = |E_k|. Since the
+   terms of the next weight may vanish, those of the weight after it count, too. */
+VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
+{
+    vmi_expansion_sizes size;
+    vmi_left_out now;
+    vmi_expansion_find_sizes(r, e, &size);
+    now.psi = size.psi[order];
+    if (order < 5) now.psi += size.psi[order + 1];
+    now.J = size.J[order] + size.J[order + 1];
+    return now;
+}
+
+/* How large the first terms are that the mean motion of this order leaves out at the start, where e[k] = |E_k| */
+VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int order, const vm_real *e)
+{
+    vmi_expansion_sizes size;
+    vmi_left_out start;
+    vmi_expansion_find_sizes(r, e, &size);
+    start.psi = size.psi[order];
+    start.J = size.J[order + 1];
+    return start;
+}
+
+/* The estimate of the larger of |error of x|/A and |error of v|/vmax that follows from what is left out: `now` at t,
+   `start` at the start and on the way, `third` of the mean rate of the phase (vmi_expansion_third_rate). turns is the
+   phase from 0 to t; errors of ln J at the start grow with it. A factor of 2 fits the errors that
+   tests/test_slow_motion.c finds. */
+VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_left_out start, vm_real turns,
+                                   vm_real third)
+{
+    const vm_real n = r->alpha + 1;
+    const vm_real phase = now.psi + (start.psi + VM_FABS(r->gamma) * turns * start.J + 2 * third);
+    return 4 / n * phase + 4 / (n + 2) * (now.J + start.J);
+}
+
+#endif
+/* oscillators/closed.h - the law of order five as plain data, where all its integrals have closed forms
+
+   A vm_osc_closed predicts the motion of m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 at any time t. It needs no
+   integrator, no table of a law and no pointer, so it may be a constant in the flash of a microcontroller
+   (examples/print_plan.c prints it). Mass and stiffness must be
+     m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
+   with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
+   must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and
+   shorter. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
+       vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
+                               VM_C(0.005), 0,                       NULL,                        NULL};
+       vm_osc_closed motion;
+       vm_real x, v;
+       int status = vm_osc_closed_init(&motion, &sieve, 5, 3); // motion.error holds up to 3 s
+       if (!status) status = vm_osc_closed_at(&motion, 1, &x, &v);
+
+   Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
+     G_0 = p (p - a + base),   delta = p + (p - a + base),   el = 1 + base t,   p(t) = p/el,   A = A(0) exp(-p u),
+     W = W(0) exp(delta u)/el,   E_k = (k+1)! E_0(0) (-delta/W(0))^k exp(-(k+2) delta u),
+   where A and W are the mean amplitude and the mean rate of the phase. Integrals of W, W E_0 and W E_0^2 over t are
+   differences of exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
+#ifndef VARMASS_OSCILLATORS_CLOSED_H
+#define VARMASS_OSCILLATORS_CLOSED_H
+
+/* -- The laws -- */
+
+/* Mass and stiffness as exponentials of the same u; see the top of this file. All are in 1/s. */
+typedef struct VM_TAG(vmi_osc_rates_of_u) {
+    vm_real base, rate_m, rate_k;
+} vmi_osc_rates_of_u;
+
+/* Finds the exponential form of both laws. Returns 0 if there is none in a common u, or if the integral of b/m is not
+   proportional to u. It is so for m = m0 (1 + base t), which includes a constant mass with base = 0. */
+VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u *u)
+{
+    vm_real base_m, base_k;
+    if (!vmi_law_exponential_form(&o->mass, &base_m, &u->rate_m)) return 0;
+    if (!vmi_law_exponential_form(&o->stiffness, &base_k, &u->rate_k)) return 0;
+    if (o->force) return 0;
+    u->base = base_m;
+    if (u->rate_m == 0) u->base = base_k;
+    if (u->rate_m == 0 && u->rate_k == 0) u->base = 0;
+    if (u->rate_m != 0 && u->rate_k != 0 && base_m != base_k) return 0;
+    return o->damping == 0 || u->rate_m == u->base;
+}
+
+/* What the disturbances at t = 0 depend on, in 1/s: p, and delta and rest = p - a + base, so that G_0 = p rest */
+typedef struct VM_TAG(vmi_osc_closed_rates) {
+    vm_real p, rest, delta;
+} vmi_osc_closed_rates;
+
+/* The rates at t = 0, where m0 is the mass, kg. Differences that vanish in exact arithmetic, such as base - a for a
+   linear mass with the full reactive force, vanish here, too. */
+VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, const vmi_osc_rates_of_u *u, vm_real m0)
+{
+    const vm_real decay = o->damping / m0;
+    vmi_osc_closed_rates r;
+    r.p = (u->rate_k + (2 * o->reactive - 1) * u->rate_m + 2 * decay) / (o->alpha + 3);
+    r.rest = r.p + ((u->base - o->reactive * u->rate_m) - decay);
+    r.delta = r.p + r.rest;
+    return r;
+}
+
+/* Writes E_0 ... E_(n-1), n <= VMI_OSC_G, for the rate W of the phase. */
+VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W, int n, vm_real *E)
+{
+    const vm_real step = r->delta / W;
+    int k;
+    E[0] = r->p / W * (r->rest / W);
+    for (k = 1; k < n; k++) E[k] = -(vm_real)(k + 1) * step * E[k - 1];
+}
+
+/* -- The mean motion -- */
+
+/* The mean motion at t = 0, and what is needed to follow it to any t */
+typedef struct VM_TAG(vmi_osc_closed_mean) {
+    vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and W, the rate that the action gives it, 1/s */
+    vm_real base;               /* 1/s; see the top of this file */
+    vmi_osc_closed_rates rates; /* rates at t = 0 */
+    vm_real first, second;      /* what E_0 and E_0^2 add to the rate of the mean phase at t = 0, 1/s */
+} vmi_osc_closed_mean;
+
+/* The mean motion at t; u, el and delta are explained at the top of this file. */
+typedef struct VM_TAG(vmi_osc_closed_now) {
+    vmi_osc_reduced state; /* mean amplitude, m, mean phase, and the rate W that the action gives it, 1/s */
+    vm_real u, el;         /* u is in s */
+    vm_real ln_A;          /* ln(A/A(0)) of the mean amplitude A */
+    vm_real ratio;         /* W/W(0) */
+    vm_real decay;         /* exp(-delta u) */
+    vm_real inverse;       /* the integral of `decay` over u, s */
+    vm_real phase;         /* the integral of W/W(0) from 0 to t, s */
+    vm_real first, second; /* the parts of the mean phase that are proportional to E_0 and to E_0^2 */
+} vmi_osc_closed_now;
+
+/* Prepares the mean motion, whose values at t = 0 are *start. */
+VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduced *start, vm_real base,
+                                     const vmi_osc_closed_rates *rates, const vmi_ripple *r)
+{
+    vm_real E;
+    c->start = *start;
+    c->base = base;
+    c->rates = *rates;
+    c->first = 0;
+    c->second = 0;
+    if (start->W == 0) return; /* a body at rest at x = 0 */
+    vmi_osc_closed_disturbance(rates, start->W, 1, &E);
+    c->first = vmi_expansion_first(r) * start->W * E;
+    c->second = vmi_expansion_second(r) * start->W * E * E;
+}
+
+/* Returns e^x and writes (e^x - 1)/x to *ratio, which is 1 for x = 0, both within 2 ulp. With e^x = 2^k (1 + p), where
+   |p| < 0.42, e^x - 1 is 2^k p + (2^k - 1). */
+VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
+{
+    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* beyond it e^x is infinite or 0 */
+    const vm_real inside = vmi_smaller(vmi_larger(x, -largest), largest);
+    vm_real p_lo, p, scale;
+    int k;
+    p = vmi_exp_core(inside, 0, &k, &p_lo);
+    scale = vmi_ldexp(1, k);
+    *ratio = 1;
+    if (x != 0) *ratio = (scale * p + (scale - 1)) / x;
+    return scale + scale * p;
+}
+
+/* The mean motion at t, where 1 + base t must be positive. The integral of exp(-3 delta u) is that of exp(-delta u)
+   times (1 + decay + decay^2)/3. */
+VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_osc_closed_now *now)
+{
+    const vm_real u = t * vmi_log_ratio(c->base * t);
+    vm_real decay, inverse, ratio;
+    decay = 1 / vmi_exp_and_ratio(c->rates.delta * u, &ratio);
+    now->phase = u * ratio;
+    inverse = now->phase * decay;
+    now->u = u;
+    now->el = 1 + c->base * t;
+    now->decay = decay;
+    now->inverse = inverse;
+    now->first = c->first * inverse;
+    now->second = c->second * inverse * (1 + decay * (1 + decay)) / 3;
+    now->ln_A = -c->rates.p * u;
+    now->state.A = c->start.A * vmi_exp(now->ln_A, 0);
+    now->state.psi = c->start.psi + (c->start.W * now->phase + (now->first + now->second));
+    now->ratio = 1 / (decay * now->el);
+    now->state.W = c->start.W * now->ratio;
+}
+
+/* Writes the first n numbers E_k at the time of *now. */
+VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, int n,
+                                          vm_real *E)
+{
+    vmi_osc_closed_disturbance(&c->rates, c->start.W / now->decay, n, E);
+}
+
+/* A bound of what order five leaves out of the mean phase between 0 and the time of *now (vmi_expansion_third_rate) */
+VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
+{
+    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* as in vmi_osc_closed_mean_at */
+    vm_real E[3], e;
+    vmi_osc_closed_disturbance(&c->rates, c->start.W, 3, E);
+    e = VM_FABS(E[0]);
+    return c->start.W * VM_FABS(now->inverse) * sum / 5 * vmi_expansion_third_rate(r, e * VM_FABS(E[2]), e * e * e);
+}
+
+/* -- The object -- */
+
+/* The motion of one oscillator as plain data. vm_osc_closed_init fills it. Read its fields, but do not change them. */
+typedef struct VM_TAG(vm_osc_closed) {
+    int order;                /* order of the law, 2 to 5 */
+    int beyond;               /* the status for times with 1 + base t <= 0: VM_BAD_MASS or VM_BAD_STIFFNESS */
+    vm_real error;            /* estimate, from t = 0 to t_end of vm_osc_closed_init, of the larger of |error of x|/A
+                                 and |error of v|/vmax, where vmax is the largest velocity at the amplitude A; it is
+                                 infinite where the error is unknown */
+    vmi_osc_closed_mean mean; /* the mean motion */
+    ateb_plan ateb;           /* Ateb functions for alpha */
+    vmi_ripple ripple;        /* functions of the ripple for alpha; order 2 leaves out its polynomials */
+} vm_osc_closed;
+
+/* -- Preparing it -- */
+
+/* What vm_osc_closed_init computes before it writes anything */
+typedef struct VM_TAG(vmi_osc_closed_start) {
+    vmi_osc_rates_of_u laws;
+    vmi_osc_closed_rates rates;
+    vmi_osc_reduced state; /* the reduced state at t = 0 */
+    vm_real E[VMI_OSC_G];  /* its numbers E_k */
+} vmi_osc_closed_start;
+
+/* Checks that the terms of the law of order five are small at the start: (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2
+   with d = (alpha + 1 + pi)/(2 pi), which is more than Pi_alpha/(2 pi). Then no number overflows. */
+VM_API int vmi_osc_closed_is_slow(const vm_real *E, vm_real alpha)
+{
+    const vm_real d = (alpha + 1 + VM_PI) / (2 * VM_PI), L = (alpha + 1) * (alpha + 3) / 4;
+    return L * (VM_FABS(E[0]) + d * d * d * VM_FABS(E[3])) < VM_C(0.5);
+}
+
+/* Checks the problem from t = 0 to t_end, and computes *s. */
+VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_osc_closed_start *s)
+{
+    vm_real m0 = 0, k0 = 0;
+    int status = vmi_osc_check_problem(o, t_end, &m0, &k0);
+    if (status) return status;
+    if (!vmi_osc_find_closed_form(o, &s->laws)) return VM_NO_LAW;
+    s->rates = vmi_osc_closed_rates_of(o, &s->laws, m0);
+    s->state = vmi_osc_reduce_by_series(VM_SQRT(k0 / m0), o->alpha, o->x, o->v + s->rates.p * o->x);
+    if (!VM_IS_FINITE(s->state.A) || !VM_IS_FINITE(s->state.psi) || !VM_IS_FINITE(s->state.W)) return VM_NOT_FINITE;
+    if (s->state.A == 0) return VM_OK;
+    vmi_osc_closed_disturbance(&s->rates, s->state.W, VMI_OSC_G, s->E);
+    return vmi_osc_closed_is_slow(s->E, o->alpha) ? VM_OK : VM_NO_LAW;
+}
+
+/* The estimate of the error at all times from 0 to t_end, where E holds the numbers E_k of the state at t = 0. All of
+   the estimate's terms rise or fall steadily with t, so that the larger values at both ends are bounds. */
+VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_real *E, vm_real t_end)
+{
+    const vmi_ripple *r = &c->ripple;
+    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], turns, error;
+    vmi_osc_closed_now end;
+    int k;
+    vmi_osc_closed_mean_at(&c->mean, t_end, &end);
+    vmi_osc_closed_disturbance_at(&c->mean, &end, VMI_OSC_G, e);
+    for (k = 0; k < VMI_OSC_G; k++) {
+        e0[k] = VM_FABS(E[k]);
+        e[k] = vmi_larger(e0[k], VM_FABS(e[k]));
+    }
+    if (!(r->scale * e[0] < VM_C(0.5))) return VM_INFINITY;
+    turns = VM_FABS(c->mean.start.W * end.phase);
+    error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e),
+                                vmi_expansion_left_out_at_start(r, order, e0), turns,
+                                vmi_osc_closed_third(&c->mean, &end, r)) +
+            4 * VM_EPSILON * (2 + turns);
+    return error < largest_known ? error : VM_INFINITY;
+}
+
+/* Finds the mean motion at t = 0 and the estimate of the error, when the rest of *c is ready. */
+VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_closed_start *s, vm_real t_end)
+{
+    vmi_osc_reduced mean = s->state;
+    vm_real sa, ca;
+    c->order = order;
+    c->error = 0;
+    if (mean.A != 0) {
+        ateb_plan_saca(&c->ateb, mean.psi, &sa, &ca);
+        mean = vmi_expansion_to_mean(&c->ripple, order, &s->state, sa, ca, s->E);
+    }
+    vmi_osc_closed_mean_init(&c->mean, &mean, s->laws.base, &s->rates, &c->ripple);
+    if (mean.A != 0) c->error = vmi_osc_closed_error(c, order, s->E, t_end);
+}
+
+/* Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate. c->error holds
+   for times between 0 and t_end, s, of either sign. The problem is not needed any more afterwards. An error leaves *c
+   untouched; it returns
+     VM_BAD_ARGUMENT for null pointers, another order, and a law that no constructor made,
+     VM_NOT_FINITE for a number that is infinite or NaN,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at 0 or t_end,
+     VM_DOMAIN for alpha < 0,
+     VM_NO_LAW for laws without the closed form at the top of this file, for a force F, and where mass, stiffness or
+       damping changes the motion so fast that the law of order five does not hold; use vm_osc_plan_init then.
+   The time is that of some 100 values; order 2 needs less than half of it. */
+VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, int order, vm_real t_end)
+{
+    vmi_osc_closed_start s;
+    int status;
+    if (!c || !problem || order < 2 || order > 5) return VM_BAD_ARGUMENT;
+    if (VM_IS_FINITE(t_end)) status = vmi_osc_closed_check(problem, t_end, &s);
+    else status = vmi_first_error(VM_NOT_FINITE, vmi_osc_closed_check(problem, 0, &s));
+    if (status) return status;
+    c->beyond = s.laws.rate_m != 0 ? VM_BAD_MASS : VM_BAD_STIFFNESS;
+    ateb_plan_init(&c->ateb, problem->alpha);
+    vmi_ripple_init(&c->ripple, problem->alpha, vmi_ateb_fine_constants);
+    if (order > 2) vmi_ripple_complete(&c->ripple);
+    vmi_osc_closed_begin(c, order, &s, t_end);
+    return VM_OK;
+}
+
+/* -- Using it -- */
+
+/* Checks the arguments of a value by the law of this order. */
+VM_API int vmi_osc_closed_check_call(const vm_osc_closed *c, int order, vm_real t, const vm_real *x, const vm_real *v)
+{
+    if (!c || !x || !v || order > c->order) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    if (!(1 + c->mean.base * t > 0)) return c->beyond;
+    return VM_OK;
+}
+
+/* Writes the motion at t by the law of an order that is at most that of *c. */
+VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, vm_real *x, vm_real *v)
+{
+    const vmi_osc_closed_mean *mean = &c->mean;
+    vmi_osc_closed_now now;
+    vm_real E[VMI_EXPANSION_E] = {0, 0, 0, 0}, sa, ca, result[2] = {0, 0}; /* E_3 is not needed here */
+    int status = vmi_osc_closed_check_call(c, order, t, x, v);
+    if (status) return status;
+    if (mean->start.A != 0) {
+        vmi_osc_closed_mean_at(mean, t, &now);
+        ateb_plan_saca(&c->ateb, now.state.psi, &sa, &ca);
+        if (order > 2) {
+            vmi_osc_closed_disturbance_at(mean, &now, 3, E);
+            now.state = vmi_expansion_from_mean(&c->ripple, order, &now.state, sa, ca, E);
+            ateb_plan_saca(&c->ateb, now.state.psi, &sa, &ca);
+        }
+        vmi_osc_unreduce(&now.state, mean->rates.p / now.el, c->ripple.alpha, sa, ca, &result[0], &result[1]);
+    }
+    if (!VM_IS_FINITE(result[0]) || !VM_IS_FINITE(result[1])) return VM_NOT_FINITE;
+    *x = result[0];
+    *v = result[1];
+    return VM_OK;
+}
+
+/* Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared.
+   c->error estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT
+   for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law
+   is not positive at t. The results have the bits of vm_osc_plan_by_route if *c has order 5. */
+VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
+{
+    int order = 0;
+    if (c) order = c->order;
+    return vmi_osc_closed_motion(c, order, t, x, v);
+}
+
+/* As vm_osc_closed_at, but by order 2 for any order of *c. Alone it links the shortest code: no ripple. */
+VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
+{
+    return vmi_osc_closed_motion(c, 2, t, x, v);
+}
+
+/* As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT. It links shorter code. */
+VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
+{
+    return vmi_osc_closed_motion(c, 3, t, x, v);
 }
 
 #endif
@@ -8537,10 +8938,9 @@ typedef struct VM_TAG(vm_osc_plan) {
     vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
     int start_order;         /* order by which `mean` was found: 5, or 2 without the polynomials of the ripple;
                                 0 where x and v are 0, so that there is no mean motion */
-    vm_real base;            /* 1/s; the closed forms are m = m0 exp(rate_m u), k = k0 exp(rate_k u) with
-                                u = ln(1 + base t)/base, or u = t for base = 0 */
-    vm_real rate_m, rate_k;  /* rates of ln m and ln k by u, 1/s */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
+    vmi_osc_rates_of_u laws; /* where closed is 1, the rates of mass and stiffness (oscillators/closed.h) */
+    vmi_osc_closed_mean closed_mean; /* where closed is 1, what the mean motion at any t needs */
     int has_ateb;            /* 1 where the field ateb is set, else 0 */
     vmi_ripple ripple;       /* functions of the ripple, prepared for alpha */
     ateb_plan ateb;          /* Ateb functions, prepared for alpha */
@@ -8562,76 +8962,69 @@ VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
     return 16 / p->Om;
 }
 
-/* Finds whether both laws are exponentials in the same u (see the field base), so that all integrals along them have
-   closed forms. With damping the integral of b/m must also be proportional to u. That is so for m = m0 (1 + base t),
-   which includes a constant mass with base = 0. */
-VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
-{
-    const vm_osc_problem *o = &p->problem;
-    vm_real base_m, base_k;
-    p->closed = vmi_law_exponential_form(&o->mass, &base_m, &p->rate_m) &&
-                vmi_law_exponential_form(&o->stiffness, &base_k, &p->rate_k) && !o->force;
-    if (!p->closed) return;
-    p->base = base_m;
-    if (p->rate_m == 0) p->base = base_k;
-    if (p->rate_m == 0 && p->rate_k == 0) p->base = 0;
-    if (p->rate_m != 0 && p->rate_k != 0 && base_m != base_k) p->closed = 0;
-    if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
-}
-
 /* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E holds the numbers E_k of the
    state. */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
-    const vmi_ripple *r = &p->ripple;
     const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
-    vmi_osc_reduced mean;
-    vmi_ripple_values f;
-    vm_real sa, ca, ln_J;
+    vm_real sa, ca;
     vmi_osc_wave_at(&w, state->psi, &ca, &sa);
-    vmi_ripple_at(r, order, state->psi, sa, ca, &f);
-    ln_J = vmi_expansion_J(r, order, &f, E);
-    mean.A = state->A * vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
-    mean.W = state->W * vmi_exp(r->gamma * ln_J, 0);
-    mean.psi = state->psi + vmi_expansion_psi(r, order, &f, E);
-    return mean;
+    return vmi_expansion_to_mean(&p->ripple, order, state, sa, ca, E);
+}
+
+/* The function that computes constants of the Ateb functions: accurate for many values, as a vm_osc_closed does, and fast
+   for a single value */
+VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
+{
+    if (for_many) return vmi_ateb_fine_constants;
+    return vmi_ateb_constants;
 }
 
 /* Computes the mean motion at t = 0, by order 5 if the ripple has its polynomials, else by order 2. */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
+    vmi_osc_closed_rates rates = {0, 0, 0};
     vmi_osc_reduced state;
     int status;
     p->start_order = 0;
     if (p->A == 0) return VM_OK;
     status = vmi_osc_slow_at(o, 0, 1, vmi_osc_sampling_time(p), 1 / p->Om, &p->slow);
     if (status) return status;
-    state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
-    vmi_osc_disturbance(&p->slow, state.W, p->E);
+    if (p->closed) {
+        rates = vmi_osc_closed_rates_of(o, &p->laws, p->m0);
+        p->slow.p = rates.p;
+    }
+    if (p->has_ateb)
+        state = vmi_osc_reduce_by_series(VM_SQRT(p->slow.k / p->slow.m), o->alpha, o->x, o->v + p->slow.p * o->x);
+    else state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
+    if (p->closed) vmi_osc_closed_disturbance(&rates, state.W, VMI_OSC_G, p->E);
+    else vmi_osc_disturbance(&p->slow, state.W, p->E);
     p->start_order = 2;
     if (p->ripple.has_polynomials) p->start_order = 5;
     p->mean = vmi_osc_mean_of(p, p->start_order, &state, p->E);
+    if (p->closed) vmi_osc_closed_mean_init(&p->closed_mean, &p->mean, p->laws.base, &rates, &p->ripple);
     return VM_OK;
 }
 
 /* Fills the plan up to the mean motion, which vmi_osc_start adds. It leaves out two parts that are worth their time
-   only for many values: the plan of the Ateb functions and the polynomials of the ripple. */
-VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
+   only for many values: the plan of the Ateb functions and the polynomials of the ripple. for_many is 1 if they are
+   added. */
+VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int for_many)
 {
     const vm_osc_problem *o = &p->problem;
     vm_real omega;
     int status;
     p->problem = *problem;
     p->has_ateb = 0;
-    status = vmi_osc_check_problem(o, &p->m0, &p->k0);
+    status = vmi_osc_check_problem(o, 0, &p->m0, &p->k0);
     if (status) return status;
     omega = VM_SQRT(p->k0 / p->m0);
-    vmi_ripple_init(&p->ripple, o->alpha, ateb_pi(o->alpha));
+    vmi_ripple_init(&p->ripple, o->alpha, vmi_osc_constants_of(for_many));
     vm_osc_amplitude_phase(o->x, o->v, omega, o->alpha, &p->A, &p->psi);
     p->Om = p->A == 0 ? 0 : vmi_osc_rate(p->A, omega, o->alpha);
     if (!VM_IS_FINITE(p->A) || !VM_IS_FINITE(p->psi) || !VM_IS_FINITE(p->Om)) return VM_NOT_FINITE;
-    vmi_osc_find_closed_form(p);
+    p->closed = vmi_osc_find_closed_form(o, &p->laws);
     return VM_OK;
 }
 
@@ -8646,7 +9039,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     vm_osc_plan plan;
     int status;
     if (!p || !problem) return VM_BAD_ARGUMENT;
-    status = vmi_osc_prepare(&plan, problem);
+    status = vmi_osc_prepare(&plan, problem, 1);
     if (status) return status;
     plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
     vmi_ripple_complete(&plan.ripple);
@@ -8874,6 +9267,7 @@ enum { VMI_WALK_ORDERS = 7 };
    A/A0 = exp(ln_A), and the rate of the phase is `ratio` times its value at t = 0. */
 typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
+    vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
     vm_real ln_A, ratio;   /* ln(A/A0), and the phase rate divided by its value at t = 0, both by the adiabatic law */
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
     vm_real phase;         /* the integral of ratio dt from 0 to t, s */
@@ -8908,6 +9302,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
     vmi_osc_mean mean;
     int i;
     mean.now = p->slow;
+    vmi_osc_disturbance(&p->slow, p->mean.W, mean.E);
     mean.ln_A = 0;
     mean.ratio = 1;
     mean.inverse_mass = 0;
@@ -8938,44 +9333,6 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
     state.W = p->mean.W * mean->ratio * vmi_exp(r->gamma * mean->ln_J, 0);
     state.psi = mean->psi;
     return state;
-}
-
-/* -- What the law of order five leaves out -- */
-
-/* How large the terms of weight w, 2 to 6, of vmi_expansion_J are. They are of order epsilon^w, where epsilon is the
-   relative change of mass and stiffness within a radian. e[k] is the absolute value of E_k = G_k/W^(k+2). */
-VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
-{
-    const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
-    vm_real power = 1, more = 0;
-    int i;
-    for (i = 2; i < w; i++) power *= d;
-    if (w == 4) more = L * L / 16 * e[0] * e[0];
-    if (w == 5) more = L * L / 8 * e[0] * e[1] * d;
-    if (w == 6) more = L * L / 8 * (e[0] * e[2] + e[1] * e[1]) * d * d + L * L * L / 16 * e[0] * e[0] * e[0];
-    return L / 4 * e[w - 2] * power + more;
-}
-
-/* How large the terms of weight w, 2 to 5, of vmi_expansion_psi are. They are of order epsilon^w, where epsilon is the
-   relative change of mass and stiffness within a radian. e[k] is the absolute value of E_k = G_k/W^(k+2). */
-VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
-{
-    const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
-    vm_real power = d, more = 0;
-    int i;
-    for (i = 2; i < w; i++) power *= d;
-    if (w == 4) more = VM_C(0.0375) * L * L * e[0] * e[0] * d;
-    if (w == 5) more = L * L / 8 * e[0] * e[1] * d * d;
-    return L / 4 * VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power + more;
-}
-
-/* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
-   6; product is |E_0 E_2|, cube is |E_0|^3. If product and cube are integrals of these numbers over the phase, the
-   result is a bound of the error of the phase. */
-VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
-{
-    const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
-    return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
 }
 
 /* -- A panel -- */
@@ -9103,7 +9460,7 @@ VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_r
         vmi_legendre_derive(panel->E);
         rate *= 2 / phase_length;
     }
-    mean->third += vmi_osc_third_rate(&p->ripple, phase_length * size[0] * size[2], panel->cube);
+    mean->third += vmi_expansion_third_rate(&p->ripple, phase_length * size[0] * size[2], panel->cube);
 }
 
 /* Advances the mean motion over a panel. */
@@ -9164,13 +9521,14 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
                                    vmi_osc_mean *mean)
 {
+    vmi_expansion_sizes size;
     vm_real e[VMI_OSC_G];
     int i, order;
     for (i = 0; i < VMI_OSC_G; i++) e[i] = VM_FABS(before[i] - after[i]);
+    vmi_expansion_find_sizes(&p->ripple, e, &size);
     for (order = 2; order <= 5; order++) {
-        const vm_real J = vmi_osc_size_J(&p->ripple, order + 1, e), psi = vmi_osc_size_psi(&p->ripple, order, e);
-        mean->knots_J[order - 2] += J * J;
-        mean->knots_psi[order - 2] += psi * psi;
+        mean->knots_J[order - 2] += size.J[order + 1] * size.J[order + 1];
+        mean->knots_psi[order - 2] += size.psi[order] * size.psi[order];
     }
 }
 
@@ -9272,35 +9630,31 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 
 /* -- The mean motion at t -- */
 
-/* Computes the mean motion where mass and stiffness are exponentials in u = ln(1 + base t)/base. With el = 1 + base t
-   and D = delta u, then p = p(0)/el, G_k = G_k(0)/el^(k+2), and E_k = E_k(0) exp(-(k+2) D). */
+/* Computes the mean motion where mass and stiffness have the closed forms of oscillators/closed.h. */
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_osc_problem *o = &p->problem;
-    const vm_real u = t * vmi_log_ratio(p->base * t), el = 1 + p->base * t, delta = 2 * p->slow.p - p->slow.a + p->base;
-    const vm_real D = delta * u, decay = vmi_exp(-D, 0), W = p->mean.W, growth = vmi_exp_ratio(D);
-    vm_real E[VMI_OSC_G], ln_Om, e, power;
+    vmi_osc_closed_now now;
+    vm_real power;
     int i;
+    vmi_osc_closed_mean_at(&p->closed_mean, t, &now);
     *mean = vmi_osc_mean_at_0(p);
-    vmi_osc_disturbance(&p->slow, W, E);
-    e = E[0];
-    vmi_osc_adiabatic(p, p->rate_m * u, p->rate_k * u, o->damping * u / p->m0, &mean->ln_A, &ln_Om);
-    mean->ratio = 1 / (decay * el);
-    mean->inverse_mass = u / p->m0;
-    mean->phase = u * growth;
-    mean->first = vmi_expansion_first(&p->ripple) * W * e * u * (growth * decay);
-    mean->second = vmi_expansion_second(&p->ripple) * W * e * e * u * vmi_exp_ratio(-3 * D);
-    mean->psi += W * mean->phase + (mean->first + mean->second);
-    mean->largest = VM_FABS(e) * vmi_larger(1, decay * decay);
-    mean->third = W * VM_FABS(u * vmi_exp_ratio(-5 * D)) *
-                  vmi_osc_third_rate(&p->ripple, VM_FABS(e * E[2]), VM_FABS(e * e * e));
-    mean->now.m = p->m0 * vmi_exp(p->rate_m * u, 0);
-    mean->now.k = p->k0 * vmi_exp(p->rate_k * u, 0);
-    mean->now.a = p->slow.a / el;
-    mean->now.p = p->slow.p / el;
-    power = 1 / el;
+    mean->ln_A = now.ln_A;
+    mean->ratio = now.ratio;
+    mean->inverse_mass = now.u / p->m0;
+    mean->phase = now.phase;
+    mean->first = now.first;
+    mean->second = now.second;
+    mean->psi = now.state.psi;
+    mean->third = vmi_osc_closed_third(&p->closed_mean, &now, &p->ripple);
+    mean->now.m = p->m0 * vmi_exp(p->laws.rate_m * now.u, 0);
+    mean->now.k = p->k0 * vmi_exp(p->laws.rate_k * now.u, 0);
+    mean->now.a = p->slow.a / now.el;
+    mean->now.p = p->slow.p / now.el;
+    vmi_osc_closed_disturbance_at(&p->closed_mean, &now, VMI_OSC_G, mean->E);
+    mean->largest = vmi_larger(mean->largest, VM_FABS(mean->E[0]));
+    power = 1 / now.el;
     for (i = 0; i < VMI_OSC_G; i++) {
-        power /= el;
+        power /= now.el;
         mean->now.G[i] = p->slow.G[i] * power;
     }
 }
@@ -9326,6 +9680,7 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
     else status = vmi_osc_walk_to(p, t, mean);
     if (status) return status;
+    if (!p->closed) vmi_osc_disturbance(&mean->now, vmi_osc_mean_state(p, mean).W, mean->E);
     if (!VM_IS_FINITE(mean->phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio)) return VM_NOT_FINITE;
     return VM_OK;
 }
@@ -9384,41 +9739,26 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return error;
 }
 
-/* Writes how large the first terms are that the transformation of an order leaves out at t, of the phase and of ln
-   J, where the disturbances are e. Since the terms of the next weight may vanish, those of the weight after it
-   count, too. */
-VM_API void vmi_osc_left_out(const vmi_ripple *r, int order, const vm_real *e, vm_real *psi, vm_real *J)
-{
-    *psi = vmi_osc_size_psi(r, order, e);
-    *J = vmi_osc_size_J(r, order, e) + vmi_osc_size_J(r, order + 1, e);
-    if (order < 5) *psi += vmi_osc_size_psi(r, order + 1, e);
-}
-
 /* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that
    are left out: by the transformation of this order at t; and by the mean motion, which is of the order of the
-   start, at the start, at points of tables, and in the mean rate of the phase. Errors of ln J at the start grow
-   with the phase. A factor of 2 in the sum fits the errors that tests/test_slow_motion.c finds. */
+   start, at the start, at points of tables, and in the mean rate of the phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
-    const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
-    const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
     const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
-    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error;
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], error;
+    vmi_left_out start;
     int i;
-    vmi_osc_disturbance(&mean->now, state.W, e);
     for (i = 0; i < VMI_OSC_G; i++) {
         e0[i] = VM_FABS(p->E[i]);
-        e[i] = VM_FABS(e[i]);
+        e[i] = VM_FABS(mean->E[i]);
     }
     if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* the laws are not slow */
-    vmi_osc_left_out(r, order, e, &phase, &amplitude);
-    start_J = vmi_osc_size_J(r, p->start_order + 1, e0);
-    knot_J = VM_SQRT(mean->knots_J[p->start_order - 2]);
-    phase += vmi_osc_size_psi(r, p->start_order, e0) + g * turns * (start_J + knot_J) + 2 * mean->third +
-             VM_SQRT(mean->knots_psi[p->start_order - 2]);
-    amplitude += start_J + knot_J;
-    error = 4 / n * phase + 4 / (n + 2) * amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    start = vmi_expansion_left_out_at_start(r, p->start_order, e0);
+    start.J += VM_SQRT(mean->knots_J[p->start_order - 2]);
+    start.psi += VM_SQRT(mean->knots_psi[p->start_order - 2]);
+    error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e), start, p->Om * VM_FABS(mean->phase), mean->third) +
+            vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
     return error < largest_known ? error : VM_INFINITY;
 }
 
@@ -9461,17 +9801,12 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
     const vmi_ripple *r = &p->ripple;
     const int order = vmi_osc_order_of(route);
     vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
-    vmi_ripple_values f;
     vm_osc_motion result;
-    vm_real E[VMI_OSC_G], sa, ca, ln_J;
-    vmi_osc_disturbance(&mean->now, state.W, E);
+    vm_real sa, ca;
     vmi_osc_wave_at(w, state.psi, &ca, &sa);
     if (order > 2) {
-        vmi_ripple_at(r, order, state.psi, sa, ca, &f);
-        vmi_osc_wave_at(w, state.psi + vmi_expansion_psi_back(r, order, &f, E), &ca, &sa);
-        ln_J = vmi_expansion_J_back(r, order, &f, E);
-        state.A *= vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
-        state.W *= vmi_exp(r->gamma * ln_J, 0);
+        state = vmi_expansion_from_mean(r, order, &state, sa, ca, mean->E);
+        vmi_osc_wave_at(w, state.psi, &ca, &sa);
     }
     vmi_osc_unreduce(&state, mean->now.p, r->alpha, sa, ca, &result.x, &result.v);
     result.amplitude = state.A;
@@ -11145,7 +11480,7 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
 {
     int status;
     if (!problem) return VM_BAD_ARGUMENT;
-    status = vmi_osc_prepare(plan, problem);
+    status = vmi_osc_prepare(plan, problem, 0);
     if (status) return status;
     if (complete) vmi_ripple_complete(&plan->ripple);
     return vmi_osc_start(plan);

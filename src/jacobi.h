@@ -31,7 +31,7 @@
      jacobi_RF            Carlson's symmetric integrals R_F, R_C, R_D, R_J, R_G, of which all others are sums
      jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
                           jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
-                          examples/jacobi_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
+                          examples/print_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
                           used.
      jacobi_solve_kpK     m from k'K(k^2); jacobi_solve_K returns m from K
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
