@@ -32,9 +32,9 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb rk4 pairs adaptive dense events coincidences bodies jumps jumps2 relative inverse \
+TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events coincidences bodies jumps jumps2 relative inverse \
     jump_equations torque_free streams flow flow1 flow2 drum drum_shaft lambert broken_rotor broken_rotor_stability \
-    lagrange lagrange_jump pendulum constant_mass laws averaging slow_motion collocation routes ladder van_der_pol \
+    lagrange lagrange_jump pendulum constant_mass laws averaging slow_motion closed_law collocation routes ladder van_der_pol \
     van_der_pol_law jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
     dissertation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
@@ -127,8 +127,9 @@ exhaustive: $(EXHAUSTIVE)
 points: build/command
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	mkdir -p build/points && python3 tests/gen/jacobi_reference.py 20 build/points $(SEED)
+	python3 tests/gen/elliptic_integrals_reference.py 10 build/points $(SEED)
 	python3 tests/gen/ateb_reference.py 23 $(SEED) build/points/ateb_table.h
-	for flags in "" -DVM_USE_FLOAT "-O3 -march=native -ffp-contract=fast"; do for test in jacobi ateb; do \
+	for flags in "" -DVM_USE_FLOAT "-O3 -march=native -ffp-contract=fast"; do for test in jacobi elliptic_integrals ateb; do \
 	    $(COMPILE) $$flags -DPOINTS tests/test_$$test.c -o build/points/test -lm && ./build/points/test || exit 1; \
 	    done; done
 
@@ -270,6 +271,7 @@ data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	python3 tests/gen/ateb_reference.py
 	python3 tests/gen/jacobi_reference.py
+	python3 tests/gen/elliptic_integrals_reference.py
 	python3 tests/gen/beta_reference.py
 	python3 tests/gen/lambert_reference.py
 	python3 tests/gen/drum_reference.py

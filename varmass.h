@@ -113,7 +113,7 @@
      mechanics/bodies2: momentum and energy of bodies in the plane, and their conversion to bodies in space
        vm_angular_momentum2           Angular momentum of a body of the plane about the point (x, y), N m s
        vm_kinetic_energy2             Kinetic energy of a body of the plane, J
-       vm_body_from_body2             A body of the plane as a lamina of space in the plane z = 0
+       vm_body_from_body2             Converts a body of the plane to a body of space
 
      mechanics/jumps: parts separate from a body or are attached to it, in space
        vm_separate                    Separation of a part from a body
@@ -129,10 +129,10 @@
        vm_separate_all2               Separation of n parts from a body at once, in the plane
        vm_attach_all2                 Attachment of n bodies to a body at once, in the plane
 
-     mechanics/relative: motion relative to a moving body, and jumps given in such motions
-       vm_to_relative                 Motion of a body relative to the frame that moves rigidly with the body `to`
+     mechanics/relative: motion relative to a moving body, and jumps given by relative motions
+       vm_to_relative                 Motion of a body relative to the frame that moves and turns with the body `to`
        vm_to_absolute                 Computes the absolute motion of a body from its motion relative to the body `to`
-       vm_to_relative2                Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`
+       vm_to_relative2                Motion of a body in the plane, relative to the frame that moves and turns with the body `to`
        vm_to_absolute2                Computes the absolute plane motion of a body from its motion relative to the body `to`
        vm_separate_relative           Separation, with motions given relative to the whole
        vm_attach_relative             Attachment, with motions given relative to the first body
@@ -142,7 +142,7 @@
      mechanics/inverse: how a part must leave, so that the rest moves as wanted
        vm_separation_for_rest         How a part must leave, so that the rest moves as wanted
        vm_separation_for_rest2        How a part must leave in the plane, so that the rest moves as wanted
-       vm_separation_for_spin2        Velocity of a part that leaves the rest with a wanted spin, in the plane (Table 3, case 7)
+       vm_separation_for_spin2        Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s)
 
      mechanics/jump_energy: the kinetic energy that a jump adds or takes
        vm_energy_gain                 Energy gained at a separation, J
@@ -174,7 +174,7 @@
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
        vm_lagrange_mass               Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
-       vm_lagrange_momentum           Add to p the generalized momentum of a body's motion
+       vm_lagrange_momentum           Add to p the generalized momentum of a body
        vm_lagrange_impulse            Add to p the generalized impulse (95) of an impulse on a body with the mass centre r
        vm_lagrange_separate           Velocities after a part separates
        vm_lagrange_attach             Velocities after a part is attached
@@ -239,7 +239,7 @@
        vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
 
      mechanics/euler_angles: Euler's angles
-       vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
+       vm_euler_313                   Attitude from Euler's angles
        vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
        vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
        vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
@@ -266,6 +266,12 @@
        vm_law_power                   Power law f = f0 (1 + f1 t)^f2, for 1 + f1 t > 0
        vm_law_table                   Table of n >= 2 points (time[i], value[i]), joined by monotone cubics
        vm_law_user                    Law by a user's function, which must be smooth
+
+     oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
+       vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
+       vm_osc_closed_at               Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared
+       vm_osc_closed_at_order2        As vm_osc_closed_at, but by order 2 for any order of *c
+       vm_osc_closed_at_order3        As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT
 
      oscillators/plan: the plan of an oscillator: what is computed once and then used at many times t
        vm_osc_plan_init               Plan for many values of one problem's motion
@@ -918,99 +924,6 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 }
 
 #endif
-/* base/scalars.h - functions that keep their digits where the plain formula loses them
-
-   The functions compute e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the
-   values of the C library's pow for 0 and infinity.
-
-       vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
-
-   Tests: tests/test_lambert.c, tests/test_drum.c, tests/test_laws.c. */
-#ifndef VARMASS_BASE_SCALARS_H
-#define VARMASS_BASE_SCALARS_H
-
-/* Returns infinity if the condition holds, else 0. */
-VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
-
-/* Returns x^y for x >= 0 within 0.6 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity it has the values of
-   the C library's pow. */
-VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
-{
-    if (x != x || y != y || x < 0) return VM_NAN;
-    if (y == 0 || x == 1) return 1;
-    if (x == 0 || x > VM_MAX) return vmi_infinity_if((y > 0) == (x > 0));
-    if (!VM_IS_FINITE(y)) return vmi_infinity_if((y > 0) == (x > 1));
-    return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
-}
-
-/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
-   for small y it is below 2^-p of the result. The result is infinity where it overflows. */
-VM_API vm_two vmi_expm1(vm_two y)
-{
-    const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
-    const vm_real least = VM_C(-0.6931471805599453094) * (2 * VM_MANT_DIG);
-    vm_real p_lo, p;
-    vm_two sum, power;
-    int k;
-    if (y.hi > largest) return vmi_two(VM_INFINITY, 0);
-    if (y.hi != y.hi) return vmi_two(y.hi, 0);
-    if (!(y.hi > least)) return vmi_two(-1, 0);
-    p = vmi_exp_core(y.hi, y.lo, &k, &p_lo);
-    if (k == 0) return vmi_two(p, p_lo);
-    sum = vmi_fast_two_sum(1, p);
-    power = vmi_fast_two_sum(sum.hi, sum.lo + p_lo);
-    power = vmi_two(vmi_ldexp(power.hi, k), vmi_ldexp(power.lo, k));
-    sum = vmi_two_sum(power.hi, -1);
-    if (!VM_IS_FINITE(power.hi)) return vmi_two(power.hi, 0);
-    return vmi_fast_two_sum(sum.hi, sum.lo + power.lo);
-}
-
-/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is
-   below 2^-(p+7), where p is the number of digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
-   below an ulp of 1. */
-VM_API vm_two vmi_log1p(vm_two x)
-{
-    const vm_two sum = vmi_two_sum(1, x.hi), low = vmi_two_sum(sum.lo, x.lo);
-    const vm_two y = vmi_two_sum(sum.hi, low.hi);
-    const vm_two t = vmi_two_over(vmi_two_sum(y.lo, low.lo), vmi_two(y.hi, 0));
-    return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
-}
-
-/* Returns (e^x - 1)/x, which is 1 at x = 0. */
-VM_API vm_real vmi_exp_ratio(vm_real x)
-{
-    if (x > VM_MAX) return x;
-    if (x == 0) return 1;
-    return vmi_expm1(vmi_two(x, 0)).hi / x;
-}
-
-/* Returns ln(1 + x)/x, which is 1 at x = 0, and NaN for x <= -1 and infinite x. */
-VM_API vm_real vmi_log_ratio(vm_real x)
-{
-    if (!(x > -1) || !VM_IS_FINITE(x)) return VM_NAN;
-    if (x == 0) return 1;
-    return vmi_log1p(vmi_two(x, 0)).hi / x;
-}
-
-/* Returns (x - y)/x^2, where the caller gives x and y = ln(1 + x). For |x| >= 1/4 the result has two words, and its
-   error is that of x and y, amplified by the subtraction. For smaller |x| the result has one word, from the series of
-   ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
-VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
-{
-#if VM_MANT_DIG > 24
-    enum { degree = 9 };
-#else
-    enum { degree = 4 };
-#endif
-    const vm_real u = x.hi / (2 + x.hi);
-    vm_real P = 0;
-    int n;
-    if (!(VM_FABS(x.hi) < VM_C(0.25))) return vmi_two_over(vmi_two_over(vmi_two_plus(x, vmi_minus(y)), x), x);
-    for (n = degree; n >= 0; n--) P = P * (u * u) + 1 / (vm_real)(2 * n + 3);
-    return vmi_two((1 - u) / 2 * (1 - u * (1 - u) * P), 0);
-}
-
-#endif
 /* base/lambert.h - Lambert's function W
 
    w = W(x) solves w e^w = x. The equation has one solution for x >= 0 and two for -1/e <= x < 0: the branch W_0 >= -1
@@ -1094,13 +1007,13 @@ VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
 /* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
-   as exact. The error is at most 1 ulp. Returns NaN for x < -1/e and for infinite x, except that the number next to
-   -1/e counts as -1/e and gives -1. */
+   as exact. The error is at most 1 ulp. Returns infinity for infinite x > 0, and NaN for x < -1/e, except that the
+   number next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_real start;
-    if (x == 0 || x != x) return x;
-    if (!VM_IS_FINITE(x)) return VM_NAN;
+    if (x == 0 || x != x || x == VM_INFINITY) return x;
+    if (x == -VM_INFINITY) return VM_NAN;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 0);
     if (x < 1) start = vmi_lambert_pade(x);
     else start = vmi_lambert_winitzki(vmi_log(1 + x).hi);
@@ -1123,12 +1036,13 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
 #define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* if ln|x| is less than this number, W_0(x) rounds to x */
 
 /* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
-   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
+   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns infinity for l = infinity
+   and 0 for l = -infinity. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
     const vm_real direct_from = 40; /* for l >= 40, ln(1 + e^l) rounds to l */
     vm_real start;
-    if (!VM_IS_FINITE(l)) return VM_NAN;
+    if (l != l || l == VM_INFINITY) return l;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
     if (l < 0) start = vmi_lambert_pade(vmi_exp(l, 0));
     else if (l < direct_from) start = vmi_lambert_winitzki(vmi_log(1 + vmi_exp(l, 0)).hi);
@@ -1137,49 +1051,51 @@ VM_API vm_real vm_wright_omega(vm_real l)
 }
 
 /* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1. It also works where e^l itself
-   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns 0 for l = -infinity and NaN for l > -1. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
-    if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
+    if (!(l <= -1)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return -vmi_exp(l, 0);
     if (l > VM_C(-1.375)) return vmi_lambert_near(vmi_two(-1 - l, 0), 0);
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
 /* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1. It also works where e^l itself
-   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns -infinity for l = -infinity and NaN for
+   l > -1. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
-    if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
+    if (!(l <= -1)) return VM_NAN;
+    if (l == -VM_INFINITY) return l;
     if (l < -1 / VM_EPSILON) return vmi_lambert_far(vmi_two(l, 0), l);
     return vmi_lambert_near(vmi_two_sum(-1, -l), 1);
 }
 
 #endif
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
-   The two types, vm_vec3 and vm_quat, are plain data. A quaternion turns body axes into inertial ones. Its length does
-   not matter, and a quaternion of four zeros stands for the identity.
+   The two types, vm_vec3 and vm_quat, are plain data. A quaternion describes the attitude of a body: it converts
+   components of vectors along body axes into components along inertial axes. Its length does not matter, and a
+   quaternion of four zeros stands for the identity.
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions are internal: sums and products of vectors, norms, rotation matrices, and functions that read three
-   or four numbers of a state as a vector or a quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
-   tests/test_torque_free.c. */
+   The functions are internal and do not check their arguments: sums and products, norms, rotation matrices, functions
+   that read vectors and quaternions from arrays or write them. Tests: tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
-/* A vector by its components */
+/* A vector, given by its components */
 typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
 
-/* An attitude: the quaternion w + x i + y j + z k turns body axes into inertial ones. Its length does not matter. */
+/* An attitude: w + x i + y j + z k converts vectors from body axes to inertial axes. Its length does not matter. */
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
 
-/* A 3 by 3 matrix by its columns. The columns of a rotation matrix are the images of the axes x, y, z. */
+/* A 3 by 3 matrix with the columns x, y, z. For a rotation matrix these are the turned unit vectors. */
 typedef struct VM_TAG(vmi_mat3) {
     vm_vec3 x, y, z;
 } vmi_mat3;
@@ -1198,7 +1114,7 @@ VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - 
 VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
 VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/* The vector a/c, with each component rounded once */
+/* The vector a/c. Each component is rounded only once; multiplication by 1/c would round it twice. */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
 VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
@@ -1208,13 +1124,13 @@ VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 
 VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
 
-/* The sum |x| + |y| + |z| of the sizes of a's components */
+/* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of a. It does not overflow if only its square would overflow. */
+/* The length of a. The result is also right if the square of the length would overflow. */
 VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
-/* The largest of the sizes |x|, |y| and |z| of a's components */
+/* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
 {
     const vm_vec3 b = vmi_abs(a);
@@ -1230,7 +1146,7 @@ VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-/* The product of the transposed matrix m^T and the vector a. For a rotation matrix m it undoes the rotation. */
+/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
@@ -1246,7 +1162,7 @@ VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
     return q;
 }
 
-/* The vector of the components x, y, z of q */
+/* The vector that consists of the components x, y, z of q */
 VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
@@ -1277,7 +1193,7 @@ VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
     return q;
 }
 
-/* Divides q by the size of its largest component, so that the square of its length neither overflows nor
+/* Divides q by the absolute value of its largest component, so that the square of its length neither overflows nor
    underflows. Four zeros become the identity. */
 VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
@@ -1299,7 +1215,7 @@ VM_API vm_quat vmi_unit_quat(vm_quat q)
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of q. `square` is the square of q's length: a normal number, not 0, subnormal or infinite. */
+/* The rotation matrix of q. `square`, the square of q's length, must be neither 0 nor subnormal, infinite or NaN. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -1312,15 +1228,14 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* The rotation matrix of a quaternion of any length. It is exactly the identity for (w, 0, 0, 0) and for four
-   zeros. */
+/* The rotation matrix of q, of any length. It is exactly the identity for (w, 0, 0, 0) and for four zeros. */
 VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
 
-/* Reads three numbers of a state as a vector. vmi_set3 writes a vector to a state. */
+/* Reads a vector from three numbers of a state array. vmi_set3 writes a vector to a state array. */
 VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 
 VM_API void vmi_set3(vm_real *y, vm_vec3 a)
@@ -1330,13 +1245,13 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Reads the four numbers w, x, y, z of a quaternion from a state */
+/* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
    A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
-   tells whether a body can have this tensor, moves it to parallel axes (40), and finds principal moments and axes.
+   tests whether a body can have a given tensor, moves it to parallel axes (40), and finds principal moments and axes.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
        vm_vec3 d = {0.5, 0, 0};              // m
@@ -1347,7 +1262,7 @@ VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y
 #ifndef VARMASS_MECHANICS_INERTIA_H
 #define VARMASS_MECHANICS_INERTIA_H
 
-/* A tensor of inertia, given by its entries, in kg m^2. The products of inertia have the sign of the tensor's entries:
+/* A tensor of inertia, given by its entries, in kg m^2. The products of inertia include the minus sign of the tensor:
    xy = -integral of x y dm. */
 typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
@@ -1377,7 +1292,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T, with the unit matrix E. It is the inertia of a unit mass at d about the origin. */
+/* P(d) = |d|^2 E - d d^T, where E is the unit matrix. It is the inertia about the origin of 1 kg at the point d. */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -1390,7 +1305,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-/* The tensor m^T i m: the entries of the tensor i along new axes, which are the columns of the matrix m */
+/* The tensor m^T i m. It has the entries of the tensor i along new axes, which are the columns of the matrix m. */
 VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
@@ -1404,8 +1319,8 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
     return t;
 }
 
-/* For each entry of the tensor m^T i m, the sum of the absolute values of its terms. The rounding error of the entry is
-   a few eps times this sum. */
+/* Returns, for each entry of the tensor m^T i m, the sum of the absolute values of the entry's terms. The rounding
+   error of an entry is a few eps times its sum. */
 VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -1422,10 +1337,10 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
     return vmi_inertia_along(&a, &b);
 }
 
-/* The sum |xx| + |yy| + |zz|, which is the trace if i is the inertia of a body */
+/* The sum |xx| + |yy| + |zz|. It equals the trace if i is the inertia of a body. */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes it there. */
+/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes a tensor to a state array. */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -1448,17 +1363,17 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* The tolerance, in kg m^2, for the rounding errors of an inertia tensor. `i` is this tensor itself. If its entries are
-   sums, `i` may be the tensor of the sizes of their terms (vmi_inertia_sizes) instead. */
+/* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
+   as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
-/* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). The matrix tr(i)/2 E - i, with the
-   unit matrix E, is the integral of r r^T dm and must have no negative eigenvalue. The function adds slack, which
-   exceeds the rounding errors, to the trace tr(i). Then Gaussian elimination must give positive pivots only. */
+/* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
+   (trace tr, unit matrix E) has no negative eigenvalue. The function adds slack to the trace, so that rounding errors
+   do not matter, and tests whether Gaussian elimination gives positive pivots only. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
-    vm_real x, y, z, yz; /* the pivots x, y, z; yz: minus the entry yz of the matrix after one elimination */
+    vm_real x, y, z, yz; /* x, y, z: the pivots; yz: minus the matrix entry yz after the first elimination */
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -1471,15 +1386,15 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 
 /* Test whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
    null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
-   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points are bodies, too. */
+   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
 /* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
-   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). -mass undoes the shift.
-   Returns NaN for a null pointer, and in every entry that depends on a NaN. */
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass goes back
+   to the mass centre. Returns NaN for a null pointer. A NaN in an argument makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1495,8 +1410,8 @@ typedef struct VM_TAG(vmi_principal) {
 } vmi_principal;
 
 /* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
-   The columns of v are the axes and turn as well. t, c, s are the tangent, cosine and sine of the rotation angle, which
-   is the smaller of the two possible ones. */
+   The columns of v are the axes; they are turned by the same angle. t, c and s are the tangent, cosine and sine of this
+   angle. Of the two angles that are possible, the function uses the smaller one. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -1517,10 +1432,10 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes of the tensor i, found by Jacobi rotations, which converge quadratically */
+/* Principal moments and axes of the tensor i. They are found by Jacobi rotations, which converge quadratically. */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
-    const int most_sweeps = 12; /* quadratic convergence needs fewer sweeps */
+    const int most_sweeps = 12; /* more than enough, because convergence is quadratic */
     vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     vmi_principal result;
     int sweep, p, q;
@@ -1566,11 +1481,11 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A computed sum is only a rounding error if it is smaller than this share of the sum of its terms' sizes. */
+/* A sum that is below this share of the sum of its terms' absolute values counts as nothing but a rounding error. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
-/* Returns 1 if a moment about an axis is smaller than the rounding errors of its tensor, and also if it is negative or
-   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sums of the terms' sizes. */
+/* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN. The
+   entries of the tensor are sums. Those of *sizes are the sums of the absolute values of the same terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
@@ -1597,7 +1512,7 @@ VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
     return changed;
 }
 
-/* The angular velocity for the angular momentum h. Components of h along axes with a zero moment are ignored. */
+/* The angular velocity of a body with the angular momentum h. Axes with a zero moment of inertia are left out. */
 VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
@@ -1607,9 +1522,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     return omega;
 }
 
-/* Solves i omega = h, with inertia i and angular momentum h, for the angular velocity *omega, and refines it once.
-   About an axis with zero moment (of a rod or a point) the angular velocity keeps its value in `before`. The body
-   cannot have angular momentum about it: returns 1 if h has a component larger than noise there, else 0. */
+/* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
+   momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
+   can have angular momentum. Returns 1 if the component of h along such an axis exceeds noise, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -1627,13 +1542,13 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 
 /* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
 
-/* The factors of an inertia tensor L D L^T with a unit triangular matrix L and a diagonal matrix D: the entries xy, xz,
-   yz of L, and the diagonal entries x, y, z of the inverse of D */
+/* The factors of an inertia tensor L D L^T. L is a lower triangular matrix with ones on the diagonal; xy, xz, yz are
+   its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of its inverse. */
 typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
-/* Computes the factors f of the tensor i. Returns 0 if a pivot is not positive or is only a rounding error, else 1. */
+/* Computes the factors f of the tensor i. Returns 0 if an entry of D is <= 0 or only a rounding error, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -1649,7 +1564,7 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* The solution w of i w = h, computed from the factors f of the tensor i */
+/* The angular velocity w for the angular momentum h: the solution of i w = h for the tensor i with the factors f */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -1660,18 +1575,18 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
-/* Returns 1 if a thin body can have the inertia i within rounding errors. For a flat body one moment equals the sum of
-   the other two, except for the rounding errors of all integration steps so far. The tolerance, sqrt(eps) of the trace,
-   allows for about 1/sqrt(eps) such errors. */
+/* Returns 1 if a body, perhaps a thin one, can have the inertia i within a tolerance. One moment of a flat body equals
+   the sum of the other two, but the rounding errors of all steps of an integration add up and disturb this equality.
+   The tolerance is sqrt(eps) times the trace, which is enough for about 1/sqrt(eps) steps. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
     return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 
-/* Returns 1 if a body can have the inertia i. The principal moments of i must be positive. This test is for use in
-   every step of an integration. A cheap criterion is enough for most bodies: tr(i)/2 E - i, with the unit matrix E, is
-   positive definite if each of its diagonal entries is larger than the sum of the absolute products of inertia. */
+/* Returns 1 if a body can have the inertia i, which must have positive principal moments. Every step of an integration
+   calls this test, so a cheap condition comes first: tr(i)/2 E - i (trace tr, unit matrix E) is positive definite if
+   each of its diagonal entries exceeds |xy| + |xz| + |yz|. Most bodies fulfil this. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -1702,9 +1617,9 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 typedef struct VM_TAG(vm_body) {
     vm_real mass;       /* mass > 0, kg */
     vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
-    vm_quat q;          /* attitude: turns body axes into inertial ones; any length; four zeros mean the identity */
+    vm_quat q;          /* attitude: converts vectors from body to inertial axes; any length; all zero: identity */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
-    vm_vec3 v;          /* velocity, defined as momentum/mass, m/s, inertial axes */
+    vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
@@ -1732,16 +1647,16 @@ typedef struct VM_TAG(vm_impulse2) {
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* Balance across an instant: the total momentum, angular momentum and energy of the bodies after it minus those before
-   it. The external impulse and its moment are subtracted, too, so that the changes of momentum and angular momentum are
-   zero, except for rounding errors, if the bodies obey the laws of mechanics. */
+/* The balance across an instant: total momentum, angular momentum and energy of the bodies after the instant minus
+   those before it. The external impulse and its moment are subtracted, too. If the bodies obey the laws of mechanics,
+   the changes of momentum and angular momentum are therefore zero, except for rounding errors. */
 typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
     vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
     vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
-    /* The sum over all bodies of tr(I) |omega| + (|r| + |r - about|) M |v|, with inertia I, mass M and the point
-       `about`, plus a term for the impulse, N m s. It contains |r| M |v|, because the rounding error eps |r| of the
-       position r changes the angular momentum about any point by eps |r| M |v|. */
+    /* The rounding error of angular_momentum is a few eps times this scale, N m s. The scale is the sum over all bodies
+       of tr(I) |omega| + (|r| + |r - about|) M |v| plus a term for the impulse; I is the inertia, tr the trace and M
+       the mass. The term |r| M |v| is there because the position r has the rounding error eps |r|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -1764,15 +1679,15 @@ VM_API vm_vec3 vm_momentum(const vm_body *body)
 }
 
 /* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
-   axes, with the inertia I and the mass M. The body is not checked: NaN in the body gives NaN, and so does a null
-   pointer. */
+   axes, with the inertia I, the mass M and the cross product x. The body is not checked: NaN in the body gives NaN, and
+   so does a null pointer. */
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
 }
 
-/* Kinetic energy of a body (93), (97), J. It is (M v^2 + omega.I omega)/2, with the mass M and the inertia I. The
+/* Kinetic energy of a body (93), (97), J. It is (M v.v + omega.(I omega))/2, with the mass M and the inertia I. The
    body is not checked: NaN in the body gives NaN, and so does a null pointer. */
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
@@ -1782,8 +1697,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- conversion of bodies between the plane and space ---- */
 
-/* Converts a body of the plane to a body of space. Only the entry zz of its inertia is set, because motion in the plane
-   needs no other entry. */
+/* Converts a body of the plane to a body of space, with inertial axes as its body axes. Only the entry zz of its
+   inertia is set, because motion in the plane needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -1795,7 +1710,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body of space to one of the plane, with the given angle. Motion out of the plane is left out. */
+/* Converts a body of space to a body of the plane with the given angle. Motion out of the plane is left out. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -1878,8 +1793,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* Returns VM_OK if all bodies are valid. Else returns the error of a body. If there are several errors, vmi_first_error
-   selects one. Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
+/* Returns VM_OK if all bodies are valid, else the error of a body; of several errors, vmi_first_error selects one.
+   Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -1899,7 +1814,7 @@ VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
     return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
 }
 
-/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the scales. */
+/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
@@ -1912,7 +1827,7 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
-/* Subtracts an impulse and its moment from a balance, and adds their sizes to the scales */
+/* Subtracts an impulse and its moment from a balance. Their absolute values are added to the two scales. */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
     sum->momentum = vmi_sub(sum->momentum, j->linear);
@@ -1928,8 +1843,8 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
-/* Balance of momentum, angular momentum and energy across an instant. *balance has the sums over the n_after bodies
-   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
+/* Balance of momentum, angular momentum and energy across an instant. *balance gets the sums over the n_after bodies
+   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If no momentum is lost, the changes of
    momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
    bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
    bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
@@ -1976,8 +1891,9 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
            2;
 }
 
-/* A body of the plane as a lamina of space in the plane z = 0. Its inertia has xx = yy = zz/2, its quaternion q has
-   length 1, and it moves as *body does. *body is not checked. A null pointer gives NaN. */
+/* Converts a body of the plane to a body of space: a thin plate in the plane z = 0. Its inertia has the
+   entries xx = yy = zz/2, its quaternion q has length 1, and it moves as *body does. *body is not checked. A null
+   pointer gives NaN. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1991,13 +1907,13 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 
 #endif
 /* mechanics/jumps.h - parts separate from a body or are attached to it, in space
-   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, by (13)-(15),
-   (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of parts may
-   separate or be attached at once.
+   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, as given by
+   (13)-(15), (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of
+   parts may separate or be attached at once.
 
        vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
-       int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: how the rest moves on
+       int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: `rest` has the motion after the separation
 
    Jumps in the plane are in jumps2.h, and jumps that are given by relative motions in relative.h. The inverse question
    (how must a part leave?) is in inverse.h, and the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c,
@@ -2006,23 +1922,22 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 #define VARMASS_MECHANICS_JUMPS_H
 
 /* How a jump is computed. A body has the mass M, velocity v, inertia I, angular velocity omega, and its mass centre S
-   is at r. Another body (m, v2, I2, omega2, S2) is attached to it (sign = 1) or separates from it (sign = -1). After
-   this the first body has the mass M1 = M + sign m, v1, I1, omega1, and its mass centre S1 is at r1. Every inertia is
-   about its body's own mass centre. The vector d leads from S to S2, and P(d) = |d|^2 E - d d^T with the unit matrix E.
-   An impulse `linear` with the moment `moment` about S1 may act. Then
+   at r. The other body has m, v2, I2, omega2, S2. It is attached to the first body (sign = 1) or separates from it
+   (sign = -1). After the jump the first body has the mass M1 = M + sign m, v1, I1, omega1, and S1 at r1. Each inertia
+   is about the body's own mass centre. The vector d leads from S to S2. x is the cross product, E the unit matrix, and
+   P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
    A separation is therefore an attachment of negative mass and inertia.
 
-   The equations keep this form in a frame that moves and that turns with any angular velocity Omega, if all omegas and
-   v2 - v are taken relative to this frame: (42) in space. The computation uses a frame in which the terms that cancel
-   are small, so that few digits are lost. This frame moves with the heaviest body, and at a separation it turns with
-   the whole. */
+   These equations also hold in a frame that moves, and turns with any angular velocity Omega, if all omegas and v2 - v
+   are taken relative to the frame (42). The code uses a frame in which terms that cancel are small, so that few digits
+   are lost: it moves with the heaviest body, and at a separation it also turns with the whole. */
 enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters named `sign` */
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q;           /* attitude of the first body; inertias are added along its axes */
+    vm_quat q;           /* attitude of the body that the jump changes; inertias are added along its axes */
     vmi_mat3 turn;       /* the rotation matrix of q */
     vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;
@@ -2030,11 +1945,11 @@ typedef struct VM_TAG(vmi_frame) {
 /* A lump: the mass, motion and inertia of a body, or of several bodies joined, relative to the frame of a jump */
 typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
-    vm_vec3 r, v;       /* position and velocity of the mass centre, less r and v of the frame */
+    vm_vec3 r, v;       /* position and velocity of the mass centre, minus r and v of the frame */
     vm_vec3 h;          /* angular momentum about the mass centre, relative to the frame; inertial axes */
     vm_inertia inertia; /* inertia about the lump's mass centre, along the axes given by the frame's q */
-    vm_inertia sizes;   /* for each entry of inertia, the sum of the sizes of its terms */
-    vm_real noise;      /* the sum of the sizes of the terms of h; the rounding error of h is a few eps of noise */
+    vm_inertia sizes;   /* for each entry of inertia, the sum of the absolute values of its terms */
+    vm_real noise;      /* the sum of the absolute values of the terms of h; the error of h is a few eps times noise */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
@@ -2044,7 +1959,7 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
     vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
-    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes turn is exactly the identity */
+    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes `turn` stays the identity */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
         turn.z = vmi_times_transposed(&own, frame->turn.z);
@@ -2059,8 +1974,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets each entry of *sizes so that the rounding error of the
-   entry of P(d) is a few eps of it. The vector d is a difference of positions of the size `reach`. */
+/* Returns P(d) = |d|^2 E - d d^T, with the unit matrix E, along the frame's axes. d is a difference of positions;
+   `reach` holds the sums of their absolute coordinates. The errors of P(d) are a few eps times *sizes. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -2070,7 +1985,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* d^2 + 2 d reach + reach^2; the next line removes reach^2 */
+    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* (|d| + reach)^2; the next line subtracts reach^2 again */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -2078,8 +1993,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much a->noise grows when b joins a: by b->noise and by the sizes of the terms of (reduced mass) d x slip.
-   d leads from a to b, a difference of positions of the size `reach`; slip is b's velocity relative to a. */
+/* Returns how much a->noise grows when b joins or leaves a with the velocity `slip` relative to a: by b->noise and by
+   the absolute values of the terms of reduced d x slip. vmi_join computes d, `reduced` and `reach`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2094,7 +2009,7 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
-    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* mass share of b; reduced mass */
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of mass; reduced mass */
     const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
     const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
@@ -2116,7 +2031,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     return VM_OK;
 }
 
-/* Adds an impulse to the velocity and the angular momentum of the lump a */
+/* Adds the effect of an impulse to the velocity and the angular momentum of the lump a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
     const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
@@ -2177,8 +2092,8 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
     return status;
 }
 
-/* Finds the principal axes of a lump and changes its moments to moments that a body can have exactly. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two, and VM_OK otherwise. */
+/* Finds the principal axes of a lump, and corrects rounding errors that make its moments of inertia impossible. Returns
+   VM_OK, VM_NOT_FINITE, or VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -2188,8 +2103,8 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity, relative to the frame and in inertial axes, of a lump with principal axes p.
-   `before` is this angular velocity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
+/* Sets *omega to the angular velocity, relative to the frame and along inertial axes, of a lump with principal axes p.
+   `before` is the same quantity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
    moment of inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
@@ -2232,21 +2147,22 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains of the whole. *part is the part with its motion after the
-   separation. *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity
-   (34), and the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space:
-   momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
-   be equal to whole or to part.
+/* Separation of a part from a body: *rest is what remains of the whole. *part must have its motion after the
+   separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular velocity (34) of
+   *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation. The law is exact
+   in three dimensions: momentum and angular momentum of rest and part together are those of the whole plus the impulse.
+   The pointer rest may be equal to whole or to part.
 
-   If the part moves on as before the separation, the rest keeps its motion, even if only little inertia is left. The
-   computation adds only motions relative to the whole. Neither high speed nor a position far from the origin therefore
-   costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia, plus the
-   effect of a change of the positions by eps of their size. A principal moment below this error becomes 0.
+   If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
+   High speed or a position far from the origin costs no digits of omega, because only motions relative to the whole are
+   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
+   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment below this
+   error becomes 0.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
-   balance leaves it angular momentum about an axis without inertia, which it cannot have. Its spin about this axis is
-   then that of the whole. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or
-   that of the rest) is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
+   equations demand angular momentum about an axis without inertia, which *rest cannot have. *rest then turns about it
+   as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of
+   the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
    if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
@@ -2255,16 +2171,16 @@ VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impul
 
 /* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). `body` and `added`
    have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has the
-   attitude of `body`. The statuses are those of vm_separate. With VM_NULL_AXIS the whole is a rod or a point, and the
-   spin about its null axis remains that of `body`. */
+   attitude of `body`. The statuses are those of vm_separate. VM_NULL_AXIS means that the whole is a rod or a point that
+   would need angular momentum about an axis without inertia. The spin about this axis remains that of `body`. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
-   vm_separate give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
-   vm_separate, and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of vm_separate
+   in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_separate,
+   and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
@@ -2272,8 +2188,8 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
 }
 
 /* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors, n calls of
-   vm_attach give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_attach,
-   and VM_BAD_ARGUMENT for n < 0. */
+   vm_attach in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
+   vm_attach, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -2292,7 +2208,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Sets *joined and *centre to inertia and mass centre of body a, at 0, after body b, at d, joins or leaves it */
+/* Body b at d joins body a at 0 or leaves it. Sets *joined to the resulting inertia and *centre to the mass centre. */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -2310,8 +2226,8 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
 }
 
 /* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along one
-   set of axes, each about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The result
-   *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
+   set of axes, and each is about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The
+   result *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
    VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
@@ -2331,16 +2247,16 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 #endif
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
    This is jumps.h for the plane, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
-   The code of jumps.h joins the masses. Only the last step, from angular momentum to angular velocity, differs.
+   Functions of jumps.h join the masses. Only the last step, from angular momentum to angular velocity, differs.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
-       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: how the rest moves on
+       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: `rest` has the motion after the separation
 
    Tests: tests/test_jumps2.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS2_H
 #define VARMASS_MECHANICS_JUMPS2_H
 
-/* An impulse in the plane, written as one in space */
+/* Converts an impulse in the plane to an impulse in space */
 VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 {
     vm_impulse lifted;
@@ -2351,7 +2267,7 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 }
 
 /* Sets the moment of inertia of a lump of the plane to 0 if it is smaller than its rounding errors. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
+   VM_NOT_FINITE if the moment is not finite, VM_BAD_INERTIA if it is clearly negative, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -2360,9 +2276,9 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity of a lump relative to the frame, (44). If the lump has no inertia, *omega becomes
-   `before`, the value before the jump. Returns 1 if a lump without inertia has angular momentum, which is impossible,
-   else 0. */
+/* Sets *omega to the angular velocity of a lump relative to the frame of the jump, (44). For a lump without inertia,
+   *omega becomes `before`, which is this angular velocity before the jump. Returns 1 if a lump without inertia has
+   angular momentum, which is impossible, else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
     if (lump->inertia.zz > 0) {
@@ -2429,15 +2345,15 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part is the part with
-   its motion after the separation. The impulse, if there is one, acts during the separation. Momentum and angular
-   momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or
-   to part. The accuracy is that of vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part must have the
+   motion of the part after the separation. The impulse, if there is one, acts during the separation. Momentum and
+   angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to
+   whole or to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the balance
-   leaves it angular momentum about itself, which it cannot have. Its omega is then that of the whole. The errors are
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the rest) is not positive, and
-   VM_BAD_INERTIA if an inertia (or that of the rest) is negative. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the equations
+   demand angular momentum about this point itself, which a point cannot have. rest->omega is then whole->omega. The
+   errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is
+   not positive, and VM_BAD_INERTIA if an inertia, that of the rest included, is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
@@ -2446,26 +2362,26 @@ VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_im
 
 /* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. `body` and
    `added` have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has
-   the angle of `body`. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
-   position, and omega remains that of `body`. */
+   the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one
+   position, and that the impulse would turn them; omega remains that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
     return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n
-   calls of vm_separate2 give the same result. With n = 0 only the impulse acts on the body. The statuses are those
-   of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
+   of vm_separate2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
+   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding
-   errors, n calls of vm_attach2 give the same result. With n = 0 only the impulse acts on the body. The statuses
-   are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors, n
+   calls of vm_attach2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are
+   those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -2473,29 +2389,29 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 }
 
 #endif
-/* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
-   This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
-   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). Use these laws if only the
-   velocity of a part relative to the whole is known.
+/* mechanics/relative.h - motion relative to a moving body, and jumps given by relative motions
+   This chapter gives the motion of one body as seen from another body, in a frame that moves and turns with it (25),
+   (26), (41), and the equations of a jump between such relative motions, (28)-(31), (42)-(44). Use these equations if
+   you know only the velocity of a part relative to the whole.
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
        part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
        part.v.x = part.v.y = part.omega.x = part.omega.y = part.omega.z = 0;
-       part.v.z = 2;                                     // it leaves at 2 m/s, relative to the whole
+       part.v.z = 2;                                     // the part leaves at 2 m/s, relative to the whole
        if (vm_separate_relative(&whole, &part, NULL, &rest) == VM_OK) vm_to_absolute(&whole, &rest, &rest);
 
    Tests: tests/test_relative.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_RELATIVE_H
 #define VARMASS_MECHANICS_RELATIVE_H
 
-/* Velocity at the point r of the frame that moves rigidly with a body. In (25) it is the dragging velocity. */
+/* Velocity of the frame that moves and turns with a body, at the point r. It is called dragging velocity in (25). */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
 }
 
-/* The motion of b relative to the frame that moves rigidly with the body `to`. Nothing is checked. */
+/* The motion of b relative to the frame that moves and turns with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
@@ -2503,7 +2419,7 @@ VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
     return b;
 }
 
-/* The absolute motion of b, whose motion is given relative to the body `to`. Nothing is checked. */
+/* The absolute motion of b, if the motion of b is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
@@ -2529,13 +2445,13 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
     return VM_OK;
 }
 
-/* Motion of a body relative to the frame that moves rigidly with the body `to`. The body has position r, velocity v and
-   angular velocity omega; `to` has r_S, v_S and Omega. v and omega of *relative become
+/* Motion of a body relative to the frame that moves and turns with the body `to`. The body has the position r, velocity
+   v and angular velocity omega; for `to` these are r_S, v_S and Omega. The function replaces v and omega by
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
-   and all other fields are copied. The vectors remain along the inertial axes, and r remains the position from the
-   inertial origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE if a number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses
-   and inertias are not checked further. */
+   and copies all other fields. The vectors remain along the inertial axes, and r remains the position from the inertial
+   origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a
+   number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses and inertias need
+   only be finite. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -2554,7 +2470,7 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`. vx, vy and omega change
+/* Motion of a body in the plane, relative to the frame that moves and turns with the body `to`. vx, vy and omega change
    as in vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
@@ -2578,8 +2494,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump from motions relative to `body`. In its own frame `body` is at rest, and the equations of a jump have
-   the same form as in an inertial frame. */
+/* Computes a jump from and to motions relative to `body`. In its own frame `body` is at rest, and the equations of a
+   jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2590,7 +2506,7 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Computes a jump in the plane from motions relative to `body`, which is at rest in its own frame */
+/* Computes a jump in the plane from and to motions relative to `body`, which is at rest in its own frame */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2601,36 +2517,36 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
     return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of *rest are
-   relative to the whole. v and omega of *whole are not read. Everything else, the statuses included, is as in
-   vm_separate. */
+/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of the result
+   *rest are relative to the whole, so that v and omega of *whole are not read. In all else, the statuses included, the
+   function is like vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of *whole
-   are relative to `body`. v and omega of *body are not read. Everything else, the statuses included, is as in
-   vm_attach. */
+/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of the
+   result *whole are relative to `body`, so that v and omega of *body are not read. In all else, the statuses included,
+   the function is like vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
     return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of *rest are
-   relative to the whole. vx, vy and omega of *whole are not read. Everything else, the statuses included, is as in
-   vm_separate2. */
+/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of the result *rest
+   are relative to the whole, so that vx, vy and omega of *whole are not read. In all else, the statuses included, the
+   function is like vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole are
-   relative to `body`. vx, vy and omega of *body are not read. Everything else, the statuses included, is as in
-   vm_attach2. */
+/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of the result
+   *whole are relative to `body`, so that vx, vy and omega of *body are not read. In all else, the statuses included,
+   the function is like vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
@@ -2651,7 +2567,7 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 #ifndef VARMASS_MECHANICS_INVERSE_H
 #define VARMASS_MECHANICS_INVERSE_H
 
-/* The velocity v2 with which the part must leave so that the rest gets the velocity v1 = rest_v. By (24) it is
+/* The velocity v2 that the part must have so that the rest gets the velocity v1 = rest_v. By (24) it is
    v2 = v + (linear - M1 (v1 - v))/m, with the velocity v of the whole, the impulse `linear`, the mass M1 of the rest
    and the mass m of the part. */
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
@@ -2662,9 +2578,10 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
     return vmi_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* The angular momentum that the part must have relative to the whole so that the rest turns with rest_omega. It is
-   h - I1 (rest_omega - Omega), where Omega is the angular velocity of the whole and I1 the inertia of the rest. h is
-   the angular momentum that the rest has if the part turns with Omega. */
+/* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with rest_omega.
+   It is h - I1 (rest_omega - Omega). Omega is the angular velocity of the whole, and I1 the inertia of the rest. h is
+   the field of *rest: the angular momentum that the rest would have relative to the whole if the part left with the
+   angular velocity Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
     const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
@@ -2672,7 +2589,7 @@ VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *re
 }
 
 /* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
-   The caller has checked the bodies. Only the velocity of the part may be infinite or NaN. */
+   The caller must have checked the bodies, except for the velocity of the part. Returns an error or VM_OK. */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
@@ -2687,8 +2604,8 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* Gives the part the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part would
-   need angular momentum about an axis with zero moment of inertia. */
+/* Sets part->omega to the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part
+   would need angular momentum about an axis with zero moment of inertia, VM_OK, or an error. */
 VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
     vmi_frame own = *frame; /* the frame of the jump, with the axes of the part */
@@ -2709,9 +2626,9 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 }
 
 /* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving becomes a copy of *part
-   with another motion. Its velocity makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity makes the
-   rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the velocity, or the
-   angular velocity, of *part.
+   with another motion. The velocity of *moving makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity
+   makes the rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the
+   velocity, or the angular velocity, of *part.
      - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, cases 5 and 7; Table 4, case 2).
      - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
      - If both have the values of the whole, the rest moves on as the whole did (Table 3, case 7).
@@ -2744,7 +2661,7 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
 
 /* ---- the plane ---- */
 
-/* Sets vx and vy of *part, in the plane, to the velocity that gives the rest the velocity rest_v */
+/* Sets vx and vy of *part to the velocity that the part must have so that the rest moves at rest_v, in the plane */
 VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
                            vm_body2 *part)
 {
@@ -2773,8 +2690,8 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
 
-/* Gives the part, in the plane, the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if
-   the part is a point but would need angular momentum about itself. */
+/* Sets part->omega, in the plane, to the angular velocity that makes the rest turn with rest_omega. Returns
+   VM_NULL_AXIS if the part is a point but would need angular momentum about itself, else VM_OK. */
 VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
                           vm_body2 *part)
 {
@@ -2790,10 +2707,10 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
 }
 
 /* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving becomes a
-   copy of *part with another motion. Its velocity makes the rest move at (rest_v_or_NULL[0], rest_v_or_NULL[1]), in m/s
-   along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in rad/s. If one of these two
-   pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The statuses are those of
-   vm_separation_for_rest. */
+   copy of *part with another motion. The velocity of *moving makes the rest move at (rest_v_or_NULL[0],
+   rest_v_or_NULL[1]), in m/s along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in
+   rad/s. If one of these two pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The
+   statuses are those of vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)
@@ -2819,11 +2736,12 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of a part that leaves the rest with a wanted spin, in the plane (Table 3, case 7). The rest then turns with
-   rest_omega (rad/s), while the part keeps its own spin. S and S2 are the mass centres of whole and part. The velocity
-   of *moving relative to the whole, v_r, is the smallest that causes this spin. v_r is orthogonal to the line SS2; any
-   velocity along SS2 may be added to it. The velocity in *part is not read. Returns VM_SINGULAR if S and S2 are one
-   point, so that no velocity turns the rest. The other statuses are those of vm_separate2. */
+/* Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s). *moving becomes a copy
+   of *part with the new velocity; the velocity in *part is not read. The part keeps its angular velocity. Let S and S2
+   be the mass centres of whole and part, and v_r the velocity of *moving relative to the turning whole. Only the
+   component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. This is case 7 of
+   Table 3. Returns VM_SINGULAR if S and S2 are one point, so that no velocity turns the rest. The other statuses are
+   those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -2838,16 +2756,16 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     b = *part;
     dx = b.x - whole->x; /* the vector SS2 */
     dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy; /* first v_r = 0: the part moves as the whole does */
+    b.vx = whole->vx - whole->omega * dy; /* at first v_r = 0: the part moves as if it were fixed to the whole */
     b.vy = whole->vy + whole->omega * dx;
     parts = vmi_bodies_in_plane(1, &b);
     status = vmi_check_jump2(whole, &parts, external_or_NULL);
     if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
-    /* The velocity v_r = c k x SS2 must supply the angular momentum h that the spins of part and rest do not account
-       for. v_r supplies m M/M1 SS2 x v_r. M, m, M1 are the masses of whole, part and rest; k is the unit vector along
-       z. */
+    /* h is the angular momentum, relative to the turning whole, that is still missing after the angular velocities of
+       part and rest are set. The velocity v_r = c k x SS2 of the part must supply it: m M/M1 SS2 x v_r = h k. M, m and
+       M1 are the masses of whole, part and rest; k is the unit vector along z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
     b.vx -= c * dy;
@@ -2860,7 +2778,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #endif
 /* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
    Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds, and an
-   attachment takes, the kinetic energy of the motions relative to the whole: (113), (118), Carnot's theorem.
+   attachment takes, the kinetic energy that the bodies have relative to the whole: (113), (118), Carnot's theorem.
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -2870,8 +2788,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #ifndef VARMASS_MECHANICS_JUMP_ENERGY_H
 #define VARMASS_MECHANICS_JUMP_ENERGY_H
 
-/* The sum of the kinetic energies of the n `bodies` and of one_more in their motions relative to `whole`. Returns NaN
-   for a null pointer or n < 0. */
+/* The sum of the kinetic energies that the n `bodies` and `one_more` have in their motions relative to `whole`. Returns
+   NaN for a null pointer or n < 0. */
 VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
@@ -2886,8 +2804,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     return sum + vm_kinetic_energy(&b);
 }
 
-/* Work of an impulse on a body, J: v.linear + omega.moment, with the moment about the mass centre. Returns 0 for a null
-   pointer. */
+/* Work of an impulse on a body, J: v.linear + omega.moment. v and omega are the velocity and angular velocity of the
+   body; the moment of the impulse is taken about its mass centre. Returns 0 for a null pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -2896,18 +2814,18 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
-/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113), (118).
-   It is computed as the kinetic energy of their motions relative to the whole, plus the work of the impulse on the
-   whole. This holds exactly in space. At high speed it keeps digits that the difference of the energies loses. `whole`
-   is the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
+/* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
+   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the impulse on the whole.
+   The two are exactly equal, but the difference of energies loses digits at high speed. `whole` is the body before the
+   separation; `parts` and `rest` are the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
     return vmi_relative_energy(whole, n, parts, rest) + vmi_impulse_work(whole, external_or_NULL);
 }
 
-/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` less that of the whole
-   (Carnot's loss). It is computed as the kinetic energy of their motions relative to the whole, less the work of the
+/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` minus that of the whole
+   (Carnot's loss). It is computed as the kinetic energy of these bodies relative to the whole, minus the work of the
    impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it. Returns
    NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
@@ -3771,8 +3689,8 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #endif
 /* mechanics/generalized_force.h - generalized forces of forces and moments
 
-   This chapter turns a force and a moment into generalized forces (235). Lagrange's equations (mechanics/lagrange.h)
-   need them, and so do jumps (mechanics/lagrange_jump.h), where the "forces" are momenta and impulses.
+   This chapter computes the generalized forces (235) of a force and a moment, for Lagrange's equations (lagrange.h).
+   With momenta and impulses in place of forces and moments it serves jumps, too (lagrange_jump.h).
 
        vm_vec3 weight = {0, 0, VM_C(-9.8)}, no_moment = {0, 0, 0};
        vm_vec3 dr[1] = {{0, 0, 1}}; // dr/dq_0 of the point at which the weight acts
@@ -3783,14 +3701,14 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
-/* Add the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235). dr_or_NULL[i]
+/* Add the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235). dr_or_NULL[i]
    is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
    domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
    These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
 
-   External loads are given by their resultant and their moment about r. A stream with the mass rate M' is given by the
-   force M' u at the point where the mass enters or leaves with the velocity u, and by the moment M' kappa omega2. kappa
-   is the inertia of this mass per unit mass, and omega2 is its angular velocity. */
+   External loads are given by their resultant force and their moment about r. A stream with the mass rate M' (kg/s),
+   the velocity u and the angular velocity omega2 is given by the force M' u at the point where the mass enters or
+   leaves, and by the moment M' kappa omega2. kappa is the inertia of this mass per unit mass. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
@@ -3808,13 +3726,13 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 /* mechanics/lagrange_jump.h - Lagrange's equations across a jump
 
    This chapter computes generalized velocities qdot after a part separates from a system or is attached to it in an
-   instant (96), and after an impact. A mass matrix is an array of n n numbers, row after row. Velocities, momenta and
-   impulses are arrays of n numbers. The matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i and
-   turn[i] = domega/dqdot_i, (87)-(90). Here v is the velocity of the mass centre and omega the angular velocity, both
-   along inertial axes.
+   instant (96), and after an impact. A mass matrix is an array of n*n numbers, row after row. Velocities, momenta and
+   impulses are arrays of n numbers. For rigid bodies, vm_lagrange_mass and vm_lagrange_momentum compute matrices and
+   momenta from dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i, (87)-(90). v is the velocity of the mass centre and
+   omega the angular velocity, both along inertial axes.
 
        vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
-       vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // the part's momenta, and the velocities
+       vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // momenta of the part, velocities of the system
        vm_real work[VM_LAGRANGE_WORK(2)];
        int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
@@ -3825,13 +3743,13 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 
 #include <string.h>
 
-/* Length of the array `work` for n coordinates */
+/* Length of the array `work` for n generalized velocities */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
 /* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
-   dr and turn have n vectors: dr[i] = dv/dqdot_i, turn[i] = domega/dqdot_i, with the velocity v of the body's mass
-   centre and its angular velocity omega. If dr or turn is NULL, its term is 0. If body or matrix is NULL, nothing is
-   done. */
+   dr and turn have n vectors: dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i. v is the velocity of the body's mass
+   centre, and omega the body's angular velocity. If dr or turn is NULL, its term is 0. If body or matrix is NULL,
+   nothing is done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -3853,9 +3771,9 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Add to p the generalized momentum of a body's motion.
-   p has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is
-   NULL, nothing is done. */
+/* Add to p the generalized momentum of a body.
+   It is that of the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those of
+   vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -3864,9 +3782,9 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 }
 
 /* Add to p the generalized impulse (95) of an impulse on a body with the mass centre r.
-   r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. p has
-   n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is NULL,
-   nothing is done. */
+   r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not name the point. p
+   has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is
+   NULL, nothing is done. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -3875,8 +3793,8 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
-/* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: space for a copy of the matrix, then b, which the
-   caller has set, then space for n more numbers. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
+/* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: n*n numbers of space for a copy of the matrix, the n
+   numbers of b, which the caller has set, and n numbers of space. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
 VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
                                    vm_real *work)
 {
@@ -3890,8 +3808,8 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
 }
 
 /* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign*part + impulse, where `before` and `after` are mass
-   matrices. The unknown is the change of qdot. A part of little mass changes qdot little, and the error is small
-   compared with this change. */
+   matrices. The unknown is the change qdot_after - qdot. A part of little mass causes a small change, and the error is
+   small even compared with this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
@@ -3909,14 +3827,15 @@ VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after,
 }
 
 /* Velocities after a part separates: after*qdot_after = before*qdot - part + impulse (96).
-   (96) is d(T2 - T1)/dqdot = impulse, with the kinetic energies T1 before and T2 after the separation. The velocity of
-   the part relative to the body is constant in the derivative. The term of the part is therefore its generalized
-   momentum `part`. `before` and `after` are the mass matrices with and without the part. If part or impulse is NULL,
-   its term is 0. qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot
-   little, and this change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0,
-   VM_NOT_FINITE, VM_SINGULAR if a coordinate, or several together, move no mass or a negative one, and VM_OK otherwise.
-   The matrix counts as singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps
-   after the diagonal has been scaled to 1. */
+   `before` and `after` are the mass matrices with and without the part; `part` is the generalized momentum of the part
+   after the separation. (96) is d(T2 - T1)/dqdot = impulse, where T1 and T2 are the kinetic energies of rest and part
+   together before and after the separation. The velocity of the part relative to the body is held constant in this
+   derivative, so that the part adds the array `part` to dT2/dqdot. If part or impulse is NULL, its term is 0.
+   qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot little, and this
+   change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0, VM_NOT_FINITE, VM_SINGULAR
+   if some change of the coordinates moves no mass or a negative mass, and VM_OK otherwise. The matrix counts as
+   singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps after the diagonal
+   has been scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -3935,9 +3854,10 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
 }
 
 /* Velocities after an impact that changes no mass: matrix*(qdot_after - qdot) = impulse.
-   This function also computes a separation accurately if the part is nearly the whole body. Then `matrix` is the mass
-   matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. The
-   array sizes, the statuses and `work` are those of vm_lagrange_separate, but impulse must not be NULL. */
+   If a part separates that is nearly the whole body, this function is more accurate than vm_lagrange_separate. Then
+   `matrix` is the mass matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion
+   relative to the body. The array sizes, the statuses and `work` are those of vm_lagrange_separate, but impulse must
+   not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {
@@ -3963,9 +3883,9 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
 
 /* How the angle of a pendulum is measured */
 enum {
-    VM_AXES_COS_SIN = 0, /* the rod is along (cos, sin) of the angle, which is measured counterclockwise from x; the
-                            formulas (122), (125), (132) need this choice */
-    VM_AXES_SIN_COS = 1  /* the rod is along (sin, cos) of the angle (123), which is measured clockwise from y */
+    VM_AXES_COS_SIN = 0, /* the rod lies along (cos phi, sin phi), so that its angle phi is counted counterclockwise
+                            from the x axis; the formulas (122), (125), (132) need this choice */
+    VM_AXES_SIN_COS = 1  /* the rod lies along (sin phi, cos phi) (123): phi is counted clockwise from the y axis */
 };
 
 /* A uniform rod that swings about its end O, the origin */
@@ -3977,14 +3897,14 @@ typedef struct VM_TAG(vm_pendulum) {
     int axes;       /* VM_AXES_COS_SIN or VM_AXES_SIN_COS */
 } vm_pendulum;
 
-/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the remaining rod (the rest) and of the
-   part. */
+/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the remaining rod (the field `rest`) and
+   of the part. */
 typedef struct VM_TAG(vm_pendulum_cut) {
     vm_pendulum rest; /* the remaining rod; rest.rate is its angular velocity phi1' after the cut (125) */
     vm_real mass;     /* mass m of the part, kg */
     vm_real x, y;     /* position of the part's mass centre S2 (123), m */
     vm_real vx, vy;   /* velocity of the part's mass centre S2 (121), m/s */
-    vm_real rate;     /* angular velocity of the part: the rod's phi' before the cut plus Omega, rad/s */
+    vm_real rate;     /* angular velocity of the part: phi' of the rod before the cut plus Omega, rad/s */
     vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
     vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
@@ -4005,8 +3925,8 @@ VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
     return VM_OK;
 }
 
-/* Unit vectors of a pendulum: e points from O along the rod, f across the rod in the direction in which the angle
-   grows. */
+/* Unit vectors of a pendulum: e = (ex, ey) points from O along the rod. f = (fx, fy) is orthogonal to e and points in
+   the direction in which the angle grows. */
 VM_API void vmi_pendulum_directions(const vm_pendulum *p, vm_real *ex, vm_real *ey, vm_real *fx, vm_real *fy)
 {
     if (p->axes == VM_AXES_COS_SIN) {
@@ -4028,12 +3948,14 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
 }
 
 /* Motion of a pendulum and of the part that is cut off from it, (119)-(132).
-   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod,
-   positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's mass
-   centre (x, y) relative to the rod, along the axes x, y of the pendulum. The remaining rod then turns with
-     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for VM_AXES_COS_SIN, else s = -1.
-   This is (125), (132) corrected and simplified by hand, so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
-   pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
+   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is the angular velocity of the part relative to the
+   rod, positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's
+   mass centre S2 relative to the rod, along the axes x and y. Let rho = L - l/2 be the distance from O to S2. Let
+   `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows.
+   The angular velocities phi' of the rod before the cut and phi1' of the remaining rod after the cut obey
+     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 rho across).
+   This is (125), (132), corrected, and simplified so that no digits cancel. Returns VM_BAD_ARGUMENT for a null pointer
+   and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
    otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
@@ -4049,7 +3971,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     rho = pendulum->length - part / 2; /* distance from O to the part's mass centre S2 */
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
-    across = ux * fx + uy * fy; /* relative velocity across the rod; rho across is s (x u_y - y u_x) */
+    across = ux * fx + uy * fy; /* component of the relative velocity orthogonal to the rod */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
@@ -4067,7 +3989,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* change of the total momentum by the cut */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* total momentum after the cut minus before it */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
@@ -5169,16 +5091,17 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 
        vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
        vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
-       vm_real rates[4];          // w', x', y', z' of q
+       vm_real rates[4];          // w', x', y', z' of q, the derivatives with respect to time
        vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
 
    Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
 
-/* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
-   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1, but
-   more slowly than the body rotates. Therefore it does not make the equations of a slow rotation stiff. */
+/* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
+   velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
+   length 1, but errors of an integration change its length. The second term lets the length return to 1. It acts more
+   slowly than the body rotates, so that it does not make the equations of a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
@@ -6534,14 +6457,15 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    This chapter has the right-hand side for any system of n generalized coordinates whose kinetic energy T you can write
    down. The masses may depend on time and position (247). You give T, the masses and the generalized forces Q. The
    chapter computes the mass matrix A, the vector b and the derivatives from T. The states are the coordinates q and the
-   momenta pi = dT/dq', so that neither rates of momenta nor rates of masses are needed:
+   momenta pi = dT/dq', so that you need not give time derivatives of momenta or masses:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0,  T0 = T(q' = 0).
 
-   This is (247) corrected. T must use the velocities of the material. With streams of mass, Lagrange's equations are
-     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
+   This is (247) corrected. T must use the velocities of material points. A mass centre also shifts because mass leaves;
+   this motion must not be counted in T. With streams of mass, Lagrange's equations are
+     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum over streams [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
-   unit mass, the inertia kappa. omega is the angular velocity of the body. In dT/dq_i the masses must not vary,
-   although (244)-(247) may be read as if they did.
+   unit mass, the inertia kappa. omega is the angular velocity of the body. "Masses frozen" means that the masses are
+   held constant in the derivative dT/dq_i, although (244)-(247) may be read as if they varied.
 
        #include "varmass.h"
        static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
@@ -6561,7 +6485,7 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
        {
            vm_real q[1] = {0}, rates[1] = {2}, y[2], work[VM_LAGRANGE_RHS_WORK(1, 1)];
            vm_lagrange_system body = {1, 1, masses, energy, NULL, NULL, NULL, work};
-           return vm_lagrange_start(&body, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &body, 2, ...)
+           return vm_lagrange_start(&body, 0, q, rates, y); // y: initial state for rk45_init and vm_lagrange_rhs
        }
 
    Your Q must contain the terms of the streams, too. Example: a pendulum of length l and angle q has a bob that leaks
@@ -6569,24 +6493,24 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
    Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
-   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if T varies noticeably only
-   over changes of q as large as the field `scales`. Tests: tests/test_lagrange.c. */
+   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if a coordinate must change by
+   as much as the field `scales` says before T changes noticeably. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
-/* A mechanical system: the ctx of vm_lagrange_rhs */
+/* A mechanical system: the argument ctx of vm_lagrange_rhs */
 typedef struct VM_TAG(vm_lagrange_system) {
     int n;        /* number of coordinates, > 0 */
     int n_masses; /* number of masses, inertias and other quantities that are held constant in dT/dq, >= 0 */
-    /* Sets the n_masses masses at time t and coordinates q. NULL if n_masses is 0. */
+    /* Sets the n_masses masses at time t and coordinates q. The pointer is NULL if n_masses is 0. */
     void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx);
     /* Returns the kinetic energy T (J), a polynomial of degree 2 in the n rates q'. */
     vm_real (*energy)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx);
-    /* NULL, or a function that adds the n generalized forces to Q, for example by vm_lagrange_add_force. It returns
-       0; another number ends the run. */
+    /* NULL, or a function that adds the n generalized forces to Q, for example with vm_lagrange_add_force. It returns 0
+       to go on; any other number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
     void *ctx;             /* the argument ctx of the three functions above */
-    const vm_real *scales; /* for each coordinate the change over which T varies noticeably; NULL for 1 everywhere */
+    const vm_real *scales; /* for each coordinate, the change after which T differs noticeably; NULL: 1 for all */
     vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
@@ -6596,7 +6520,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
-    vm_real *b;      /* the vector b in T, the factors of the rates q' in its linear terms, n numbers */
+    vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
     vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -6613,8 +6537,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
     return w;
 }
 
-/* The kinetic energy T at the rates x e_i + z e_j, where e_i is the unit vector of coordinate i. If i or j is -1, its
-   term is left out. */
+/* The kinetic energy T at time t, coordinates q and the rates x e_i + z e_j. e_i and e_j are the unit vectors of the
+   coordinates i and j. If i or j is -1, its term is left out. The masses are those in the work array. */
 VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
                                    int j, vm_real z)
 {
@@ -6627,8 +6551,8 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
 }
 
 /* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
-   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j, so that a coordinate with a large energy
-   does not hide the digits of the other one. */
+   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. Both coordinates then have equal
+   energies. Otherwise a coordinate with a large energy would hide the digits of the other one. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6658,8 +6582,9 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Writes the rates q' = A^-1 (pi - b) of the state y into the work array. Returns VM_SINGULAR if A is not positive
-   definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK otherwise. */
+/* Writes the rates q' = A^-1 (pi - b) to the work array. y holds the coordinates q and the momenta pi. Returns
+   VM_SINGULAR if A is not positive definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK
+   otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6673,9 +6598,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
 }
 
 /* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. It is a central
-   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step is h times the scale of q_i. In units of
-   this scale the error is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small
-   for h = 2^-7 in double precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
+   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step h is 2^-7 (double precision, eps = 2^-52)
+   or 2^-3 (single precision, eps = 2^-23) times the scale of q_i. If q_i is measured in units of its scale, the error
+   is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small for these h. */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -6704,11 +6629,11 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 }
 
 /* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi; ctx is a vm_lagrange_system. Returns 0 or
-   an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite,
-   VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive
-   definite if, for example, a mass has become negative; use an event to stop the run before that. The number of calls
-   of system->energy grows with n^2. */
+   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi. `lagrange` points to a vm_lagrange_system.
+   Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not
+   positive definite, VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix
+   is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
+   number of calls of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -6776,21 +6701,22 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
 #endif
 /* mechanics/euler_angles.h - Euler's angles
 
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
-   the line of nodes, and by phi about its own z axis. This chapter computes
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about the z axis, then
+   by theta about its own x axis (the line of nodes), then by phi about its own z axis. This chapter computes
      - the quaternion of three angles,
-     - the axes about which the angles turn the body (Lagrange's equations need them as domega/dq'_i),
-     - the rates psi', theta', phi' of the angles from an angular velocity.
+     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the time derivatives psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
 
    Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning: neighbouring angles differ by 1 rad or more.
+   the number of binary digits of vm_real, a result has no meaning: adjacent numbers differ by 1 rad or more.
    Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
-/* Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles. Infinite angles give NaN. */
+/* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite
+   angles give NaN. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 {
     vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
@@ -6801,11 +6727,11 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 }
 
 /* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i, where q'_i is the rate of
-   angle i. A call with a null pointer does nothing. */
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i if q'_0, q'_1, q'_2 are the
+   rates psi', theta', phi'. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
     if (!axis) return;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6818,7 +6744,7 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
    omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* sine s and cosine c of phi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of phi; sine, cosine: those of theta */
     if (!axis) return;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6827,11 +6753,12 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
     axis[2] = vmi_vec3(0, 0, 1);
 }
 
-/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR if sin(theta) is 0, and VM_OK otherwise. */
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_OK,
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, or VM_SINGULAR if sin(theta) is 0: psi and phi then turn the body
+   about the same axis, so that their rates are not unique. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3]; /* sine s and cosine c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine, result[3]; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);
@@ -7145,12 +7072,14 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
 
 /* The mean over a period of |ca|^power, which is B((power+1)/(alpha+1), 1/2)/Pi_alpha, where pi is Pi_alpha and B is
    Euler's beta function. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the recurrence of
-   B. */
-VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi)
+   B. constants is the function that computes Pi. */
+VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi, vmi_ateb_constants_of constants)
 {
     vm_real q = (power + 1) / (alpha + 1), factor = 1;
+    vmi_ateb c;
     for (; q > 1; q -= 1) factor *= (q - 1) / (q - VM_C(0.5));
-    return factor * ateb_pi(1 / q - 1) / pi;
+    constants(&c, 1 / q - 1);
+    return factor * (2 * c.quarter.hi) / pi;
 }
 
 /* -- Approximations by cos and cn, with the exact amplitude and period -- */
@@ -7529,6 +7458,12 @@ VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
     return 1;
 }
 
+/* The integral of dt/(f0 + f1 t) from 0 to t */
+VM_API vm_real vmi_law_linear_inverse_integral(const vm_law *law, vm_real t)
+{
+    return t * vmi_log_ratio(law->f1 / law->f0 * t) / law->f0;
+}
+
 /* Linear law f = f0 + f1 t (346); a constant where f1 = 0. f0 is the value at t = 0, f1 the rate per second, for
    example in kg and kg/s. */
 VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
@@ -7536,7 +7471,7 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
     vm_law law = vmi_law_of(f0, f1, 0);
     law.derivatives = vmi_law_linear_derivatives;
     law.exponential_form = vmi_law_linear_form;
-    law.inverse_integral = vmi_law_exponential_inverse_integral;
+    law.inverse_integral = vmi_law_linear_inverse_integral;
     return law;
 }
 
@@ -7944,16 +7879,19 @@ VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
                            vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
 }
 
-/* Checks the problem's numbers and laws, and writes its mass and stiffness at t = 0. */
-VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real *stiffness)
+/* Checks the problem's numbers, and its laws between 0 and t. Writes its mass and stiffness at t = 0. */
+VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *mass, vm_real *stiffness)
 {
     const vm_real numbers[5] = {o->alpha, o->reactive, o->damping, o->x, o->v};
-    vm_real unused;
-    int status = vmi_osc_check_laws(o, 0);
+    vm_real f[VMI_LAW_ORDERS];
+    int status = vmi_osc_check_laws(o, t);
     if (!vmi_all_finite(5, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (o->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
-    if (!status) status = vmi_law_at(&o->mass, VM_BAD_MASS, 0, mass, &unused);
-    if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, 0, stiffness, &unused);
+    if (status) return status;
+    status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, 0, 1, 0, f);
+    *mass = f[0];
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, 0, 1, 0, f);
+    *stiffness = f[0];
     return status;
 }
 
@@ -8126,6 +8064,24 @@ VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm
     return r;
 }
 
+/* The reduced state of vmi_osc_reduce for alpha >= 0, by shorter and slower code, which vm_osc_closed_init shares with
+   vm_osc_plan_init. omega is sqrt(k/m), and V = v + p x. */
+VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm_real x, vm_real V)
+{
+    const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), as in vm_osc_amplitude_phase */
+    const vm_real B = vmi_pow_checked(VM_FABS(s), 2 / n);
+    vmi_osc_reduced r = {0, 0, 0};
+    vmi_ateb c;
+    r.A = vmi_osc_power_norm(VM_FABS(x), B, n);
+    if (r.A == 0) return r;
+    r.psi = VM_NAN;
+    if (!vmi_ateb_has_phase(alpha)) return r;
+    vmi_ateb_fine_constants(&c, alpha);
+    r.psi = vmi_ateb_phase_by_series(c.quarter, alpha, VM_COPYSIGN(vmi_pow_checked(B / r.A, n / 2), s), x / r.A);
+    r.W = vmi_osc_rate(r.A, omega, alpha);
+    return r;
+}
+
 /* Writes position x and velocity v of a reduced state: the inverse of vmi_osc_reduce. sa and ca are the Ateb functions
    of its phase. */
 VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
@@ -8159,7 +8115,7 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
-       vmi_ripple_init(&r, VM_C(1.5), ateb_pi(VM_C(1.5)));
+       vmi_ripple_init(&r, VM_C(1.5), vmi_ateb_constants);
        vmi_ripple_complete(&r);
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
@@ -8275,7 +8231,7 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
 }
 
 /* Makes all eight polynomials: adds up the power series, with each power w^i replaced by its Chebyshev series. */
-VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
+VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
@@ -8322,48 +8278,68 @@ typedef struct VM_TAG(vmi_ripple_integrals) {
     vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; first and second integral of ca2 */
 } vmi_ripple_integrals;
 
-/* The integrals from the nearest zero of ca to a phase where |ca| = x and sa^2 = y. Those that the law of this order, 2
-   to 5, does not need are 0. */
-VM_API vmi_ripple_integrals vmi_ripple_from_ca_0(const vmi_ripple *r, int order, vm_real x, vm_real y)
+/* A phase between a zero of ca or sa and the joint at sa^2 = 1/2, and what the integrals from this zero need there */
+typedef struct VM_TAG(vmi_ripple_place) {
+    const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
+    vm_real z;        /* variable of the polynomials */
+    vm_real x;        /* |ca| or |sa| */
+    vm_real power2;   /* factor of the integral of ca^2 */
+    vm_real power4;   /* factor of the integral of ca^4 */
+} vmi_ripple_place;
+
+/* The place where |ca| = x and sa^2 = y >= 1/2 */
+VM_API vmi_ripple_place vmi_ripple_near_ca_0(const vmi_ripple *r, vm_real x, vm_real y)
 {
-    const vm_real x2 = x * x, x3 = x2 * x, x4 = x2 * x2, z = 4 * (1 - y) - 1;
-    vmi_ripple_integrals d;
-    d.ca2 = x3 * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_CA2], z);
-    d.ca4 = d.first = d.second = 0;
-    if (order >= 4) d.first = x4 * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_FIRST], z);
-    if (order >= 5) {
-        d.ca4 = x4 * x * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_CA4], z);
-        d.second = x4 * x * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_SECOND], z);
-    }
-    return d;
+    vmi_ripple_place at;
+    at.polynomial = r->near_ca_0;
+    at.z = 4 * (1 - y) - 1;
+    at.x = x;
+    at.power2 = x * x * x;
+    at.power4 = at.power2 * x * x;
+    return at;
 }
 
-/* The integrals from the nearest zero of sa to a phase where |sa| = u and sa^2 = y; order as in vmi_ripple_from_ca_0 */
-VM_API vmi_ripple_integrals vmi_ripple_from_sa_0(const vmi_ripple *r, int order, vm_real u, vm_real y)
+/* The place where |sa| = u and sa^2 = y <= 1/2 */
+VM_API vmi_ripple_place vmi_ripple_near_sa_0(const vmi_ripple *r, vm_real u, vm_real y)
 {
-    const vm_real z = 4 * y - 1;
+    vmi_ripple_place at;
+    at.polynomial = r->near_sa_0;
+    at.z = 4 * y - 1;
+    at.x = u;
+    at.power2 = u;
+    at.power4 = u;
+    return at;
+}
+
+/* The integrals from the zero to the place. Those that the law of this order, 2 to 5, does not need are 0. */
+VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, int order)
+{
+    const vm_real once = at->power2 * at->x;
     vmi_ripple_integrals d;
-    d.ca2 = u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_CA2], z);
+    d.ca2 = at->power2 * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_CA2], at->z);
     d.ca4 = d.first = d.second = 0;
-    if (order >= 4) d.first = y * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_FIRST], z);
+    if (order >= 4) d.first = once * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_FIRST], at->z);
     if (order >= 5) {
-        d.ca4 = u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_CA4], z);
-        d.second = y * u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_SECOND], z);
+        d.ca4 = at->power4 * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_CA4], at->z);
+        d.second = once * at->x * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_SECOND], at->z);
     }
     return d;
 }
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares alpha >= 0, where pi is Pi_alpha, without the polynomials: only C can be computed, not S, S2, S3 and Q. */
-VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
+/* Prepares alpha >= 0 without the polynomials: only C can be computed, not S, S2, S3 and Q. constants is the function
+   that computes Pi_alpha. */
+VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of constants)
 {
+    vmi_ateb c;
+    constants(&c, alpha);
     r->alpha = alpha;
     r->gamma = (alpha - 1) / (alpha + 3);
     r->scale = (alpha + 1) * (alpha + 3) / 4;
-    r->pi = pi;
-    r->mean2 = vmi_osc_mean_ca(2, alpha, pi);
-    r->mean4 = vmi_osc_mean_ca(4, alpha, pi);
+    r->pi = 2 * c.quarter.hi;
+    r->mean2 = vmi_osc_mean_ca(2, alpha, r->pi, constants);
+    r->mean4 = vmi_osc_mean_ca(4, alpha, r->pi, constants);
     r->variance = r->mean4 - r->mean2 * r->mean2;
     r->has_polynomials = 0;
 }
@@ -8373,13 +8349,16 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
 VM_API void vmi_ripple_complete(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
-    const vm_real t = ateb_phase(sa, ca, r->alpha), s = r->pi / 2 - t; /* this phase, from sa = 0 and from ca = 0 */
+    const vm_real t = vmi_ateb_from_sa_0(r->alpha, sa, half), s = vmi_ateb_from_ca_0(r->alpha, ca, half);
+    vmi_ripple_place place;
     vmi_ripple_integrals zero, turn;
     vm_real jump; /* at_sa_0 - at_ca_0 */
     if (r->has_polynomials) return;
     vmi_ripple_make_polynomials(r);
-    zero = vmi_ripple_from_ca_0(r, 5, ca, half);
-    turn = vmi_ripple_from_sa_0(r, 5, sa, half);
+    place = vmi_ripple_near_ca_0(r, ca, half);
+    zero = vmi_ripple_integrals_at(&place, 5);
+    place = vmi_ripple_near_sa_0(r, sa, half);
+    turn = vmi_ripple_integrals_at(&place, 5);
     jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
     r->at_ca_0 = -((turn.second - r->mean2 * t * t * t / 6) + (zero.second - r->mean2 * s * s * s / 6) + jump * t) /
                  (r->pi / 2);
@@ -8392,8 +8371,8 @@ VM_API void vmi_ripple_complete(vmi_ripple *r)
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
-    const vm_real side = from_sa_0 < 0 ? -1 : 1, t = VM_FABS(from_sa_0), s = r->pi / 2 - t;
-    const vm_real constant4 = 2 * m * m - r->mean4;
+    vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: from the zero */
+    vmi_ripple_place place;
     vmi_ripple_integrals d;
     f->sa = sa;
     f->ca = ca;
@@ -8401,18 +8380,16 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
     f->S = f->S2 = f->S3 = f->Q = 0;
     if (order < 3) return;
     if (y > VM_C(0.5)) {
-        d = vmi_ripple_from_ca_0(r, order, VM_FABS(ca), y);
-        f->S = -side * (d.ca2 - m * s);
-        f->S2 = r->at_ca_0 + d.first - m * s * s / 2;
-        f->S3 = -side * (r->at_ca_0 * s + d.second - m * s * s * s / 6);
-        f->Q = -side * (d.ca4 - 2 * m * d.ca2 + constant4 * s);
-    } else {
-        d = vmi_ripple_from_sa_0(r, order, VM_FABS(sa), y);
-        f->S = side * (d.ca2 - m * t);
-        f->S2 = r->at_sa_0 + d.first - m * t * t / 2;
-        f->S3 = side * (r->at_sa_0 * t + d.second - m * t * t * t / 6);
-        f->Q = side * (d.ca4 - 2 * m * d.ca2 + constant4 * t);
-    }
+        place = vmi_ripple_near_ca_0(r, VM_FABS(ca), y);
+        side = -side;
+        way = r->pi / 2 - way;
+        S2_at_0 = r->at_ca_0;
+    } else place = vmi_ripple_near_sa_0(r, VM_FABS(sa), y);
+    d = vmi_ripple_integrals_at(&place, order);
+    f->S = side * (d.ca2 - m * way);
+    f->S2 = S2_at_0 + d.first - m * way * way / 2;
+    f->S3 = side * (S2_at_0 * way + d.second - m * way * way * way / 6);
+    f->Q = side * (d.ca4 - 2 * m * d.ca2 + (2 * m * m - r->mean4) * way);
 }
 
 #endif
@@ -8435,8 +8412,8 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_J;
-       vmi_ripple_init(&r, 1, VM_PI);      // a linear spring
-       vmi_ripple_at(&r, 2, 0, 0, 1, &f);  // phase 0: sa = 0, ca = 1
+       vmi_ripple_init(&r, 1, vmi_ateb_constants); // a linear spring
+       vmi_ripple_at(&r, 2, 0, 0, 1, &f);          // phase 0: sa = 0, ca = 1
        ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action over the action
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
@@ -8482,34 +8459,22 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 /* -- From the mean motion to the motion -- */
 
 /* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
-   phase. */
+   phase. This is minus vmi_expansion_psi at the mean phase, and a product of first-order terms. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
-    const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
-    vm_real sum = 0;
-    if (order >= 3) sum += half * (1 - 2 * g) * E[0] * f->S;
-    if (order >= 4) sum -= half * (1 - 3 * g) * E[1] * f->S2;
-    if (order >= 5) {
-        const vm_real ripple = 2 * (1 - 2 * g) * (1 - 2 * g) * f->C * f->S - (1 - 4 * g) * (2 - 3 * g) * f->Q -
-                               2 * (1 - 4 * g) * (1 - g) * m * f->S;
-        sum += half * (1 - 4 * g) * E[2] * f->S3 + square * E[0] * E[0] * ripple;
-    }
-    return sum;
+    const vm_real product = r->scale * r->scale / 4 * (1 - 2 * r->gamma) * E[0] * E[0] * f->C * f->S;
+    const vm_real sum = -vmi_expansion_psi(r, order, f, E);
+    return order >= 5 ? sum + product : sum;
 }
 
-/* Returns ln(action/mean action) with all terms up to weight order - 1. f holds C, S ... at the mean phase. */
+/* Returns ln(action/mean action) with all terms up to weight order - 1, for an order from 3 to 5. f holds C, S ... at
+   the mean phase. This is minus vmi_expansion_J at the mean phase, and a product of first-order terms. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
-    const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
-    vm_real sum = 0;
-    if (order >= 3) sum -= half * E[0] * f->C;
-    if (order >= 4) sum += half * E[1] * f->S;
-    if (order >= 5) {
-        const vm_real ripple = 8 / (r->alpha + 1) * (1 - 2 * g) * f->sa * f->ca * f->S + (1 - 3 * g) * f->C * f->C -
-                               (2 - 3 * g) * r->variance + 2 * (1 - g) * m * f->C;
-        sum += square * E[0] * E[0] * ripple - half * E[2] * f->S2;
-    }
-    return sum;
+    const vm_real g = r->gamma, square = r->scale * r->scale / 2 * E[0] * E[0];
+    const vm_real product = square * (2 / (r->alpha + 1) * (1 - 2 * g) * f->sa * f->ca * f->S - g * f->C * f->C);
+    const vm_real sum = -vmi_expansion_J(r, order - 1, f, E);
+    return order >= 5 ? sum + product : sum;
 }
 
 /* -- The mean rate of the phase -- */
@@ -8522,6 +8487,453 @@ VM_API vm_real vmi_expansion_first(const vmi_ripple *r) { return (r->alpha + 1) 
 VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 {
     return -r->scale * r->scale / 8 * r->variance * (2 - 3 * r->gamma) * (1 - 3 * r->gamma);
+}
+
+/* -- From state to mean state and back -- */
+
+/* The state with the same constants whose ln J, where J is the action, is larger by ln_J, and whose phase is larger by
+   shift */
+VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_reduced *state, vm_real ln_J,
+                                             vm_real shift)
+{
+    vmi_osc_reduced other;
+    other.A = state->A * vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
+    other.psi = state->psi + shift;
+    other.W = state->W * vmi_exp(r->gamma * ln_J, 0);
+    return other;
+}
+
+/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. sa and ca are the Ateb functions
+   of its phase, and E holds its numbers E_k. Above order 2 the ripple must have its polynomials. */
+VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *state, vm_real sa,
+                                             vm_real ca, const vm_real *E)
+{
+    vmi_ripple_values f;
+    vmi_ripple_at(r, order, state->psi, sa, ca, &f);
+    return vmi_expansion_shifted(r, state, vmi_expansion_J(r, order, &f, E), vmi_expansion_psi(r, order, &f, E));
+}
+
+/* The reduced state that belongs to a mean motion, by the law of this order, 3 to 5; for order 2 both are the same. sa
+   and ca are the Ateb functions of the mean phase, and E holds the numbers E_k of the mean motion. */
+VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *mean, vm_real sa,
+                                               vm_real ca, const vm_real *E)
+{
+    vmi_ripple_values f;
+    vmi_ripple_at(r, order, mean->psi, sa, ca, &f);
+    return vmi_expansion_shifted(r, mean, vmi_expansion_J_back(r, order, &f, E),
+                                 vmi_expansion_psi_back(r, order, &f, E));
+}
+
+/* -- What the law of order five leaves out -- */
+
+/* How large the terms of weight w are in vmi_expansion_J (J[w]) and in vmi_expansion_psi (psi[w]), for w = 2 to 6; psi[6]
+   is only the part with E_4. They are of order epsilon^w, where epsilon is the relative change of mass and stiffness
+   within a radian. */
+typedef struct VM_TAG(vmi_expansion_sizes) {
+    vm_real J[7], psi[7];
+} vmi_expansion_sizes;
+
+/* Fills the sizes of all terms, where e[k] is the absolute value of E_k = G_k/W^(k+2). */
+VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_expansion_sizes *size)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale, square = L * L / 8;
+    vm_real power = L / 4;
+    int w;
+    for (w = 2; w <= 6; w++) {
+        size->J[w] = e[w - 2] * power;
+        power *= d;
+        size->psi[w] = VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power;
+    }
+    size->J[4] += square / 2 * e[0] * e[0];
+    size->J[5] += square * e[0] * e[1] * d;
+    size->J[6] += square * (e[0] * e[2] + e[1] * e[1]) * d * d + square * L / 2 * e[0] * e[0] * e[0];
+    size->psi[4] += VM_C(0.3) * square * e[0] * e[0] * d;
+    size->psi[5] += square * e[0] * e[1] * d * d;
+}
+
+/* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
+   6; product is |E_0 E_2|, cube is |E_0|^3. If product and cube are integrals of these numbers over the phase, the
+   result is a bound of the error of the phase. */
+VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
+    return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
+}
+
+/* How large the terms are that an order leaves out: relative in J, and of the phase */
+typedef struct VM_TAG(vmi_left_out) {
+    vm_real J, psi;
+} vmi_left_out;
+
+/* How large the first terms are that the transformation of this order leaves out at t, where e[k] = |E_k|. Since the
+   terms of the next weight may vanish, those of the weight after it count, too. */
+VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
+{
+    vmi_expansion_sizes size;
+    vmi_left_out now;
+    vmi_expansion_find_sizes(r, e, &size);
+    now.psi = size.psi[order];
+    if (order < 5) now.psi += size.psi[order + 1];
+    now.J = size.J[order] + size.J[order + 1];
+    return now;
+}
+
+/* How large the first terms are that the mean motion of this order leaves out at the start, where e[k] = |E_k| */
+VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int order, const vm_real *e)
+{
+    vmi_expansion_sizes size;
+    vmi_left_out start;
+    vmi_expansion_find_sizes(r, e, &size);
+    start.psi = size.psi[order];
+    start.J = size.J[order + 1];
+    return start;
+}
+
+/* The estimate of the larger of |error of x|/A and |error of v|/vmax that follows from what is left out: `now` at t,
+   `start` at the start and on the way, `third` of the mean rate of the phase (vmi_expansion_third_rate). turns is the
+   phase from 0 to t; errors of ln J at the start grow with it. A factor of 2 fits the errors that
+   tests/test_slow_motion.c finds. */
+VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_left_out start, vm_real turns,
+                                   vm_real third)
+{
+    const vm_real n = r->alpha + 1;
+    const vm_real phase = now.psi + (start.psi + VM_FABS(r->gamma) * turns * start.J + 2 * third);
+    return 4 / n * phase + 4 / (n + 2) * (now.J + start.J);
+}
+
+#endif
+/* oscillators/closed.h - the law of order five as plain data, where all its integrals have closed forms
+
+   A vm_osc_closed predicts the motion of m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 at any time t. It needs no
+   integrator, no table of a law and no pointer, so it may be a constant in the flash of a microcontroller
+   (examples/print_plan.c prints it). Mass and stiffness must be
+     m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
+   with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
+   must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and
+   shorter. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
+       vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
+                               VM_C(0.005), 0,                       NULL,                        NULL};
+       vm_osc_closed motion;
+       vm_real x, v;
+       int status = vm_osc_closed_init(&motion, &sieve, 5, 3); // motion.error holds up to 3 s
+       if (!status) status = vm_osc_closed_at(&motion, 1, &x, &v);
+
+   Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
+     G_0 = p (p - a + base),   delta = p + (p - a + base),   el = 1 + base t,   p(t) = p/el,   A = A(0) exp(-p u),
+     W = W(0) exp(delta u)/el,   E_k = (k+1)! E_0(0) (-delta/W(0))^k exp(-(k+2) delta u),
+   where A and W are the mean amplitude and the mean rate of the phase. Integrals of W, W E_0 and W E_0^2 over t are
+   differences of exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
+#ifndef VARMASS_OSCILLATORS_CLOSED_H
+#define VARMASS_OSCILLATORS_CLOSED_H
+
+/* -- The laws -- */
+
+/* Mass and stiffness as exponentials of the same u; see the top of this file. All are in 1/s. */
+typedef struct VM_TAG(vmi_osc_rates_of_u) {
+    vm_real base, rate_m, rate_k;
+} vmi_osc_rates_of_u;
+
+/* Finds the exponential form of both laws. Returns 0 if there is none in a common u, or if the integral of b/m is not
+   proportional to u. It is so for m = m0 (1 + base t), which includes a constant mass with base = 0. */
+VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u *u)
+{
+    vm_real base_m, base_k;
+    if (!vmi_law_exponential_form(&o->mass, &base_m, &u->rate_m)) return 0;
+    if (!vmi_law_exponential_form(&o->stiffness, &base_k, &u->rate_k)) return 0;
+    if (o->force) return 0;
+    u->base = base_m;
+    if (u->rate_m == 0) u->base = base_k;
+    if (u->rate_m == 0 && u->rate_k == 0) u->base = 0;
+    if (u->rate_m != 0 && u->rate_k != 0 && base_m != base_k) return 0;
+    return o->damping == 0 || u->rate_m == u->base;
+}
+
+/* What the disturbances at t = 0 depend on, in 1/s: p, and delta and rest = p - a + base, so that G_0 = p rest */
+typedef struct VM_TAG(vmi_osc_closed_rates) {
+    vm_real p, rest, delta;
+} vmi_osc_closed_rates;
+
+/* The rates at t = 0, where m0 is the mass, kg. Differences that vanish in exact arithmetic, such as base - a for a
+   linear mass with the full reactive force, vanish here, too. */
+VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, const vmi_osc_rates_of_u *u, vm_real m0)
+{
+    const vm_real decay = o->damping / m0;
+    vmi_osc_closed_rates r;
+    r.p = (u->rate_k + (2 * o->reactive - 1) * u->rate_m + 2 * decay) / (o->alpha + 3);
+    r.rest = r.p + ((u->base - o->reactive * u->rate_m) - decay);
+    r.delta = r.p + r.rest;
+    return r;
+}
+
+/* Writes E_0 ... E_(n-1), n <= VMI_OSC_G, for the rate W of the phase. */
+VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W, int n, vm_real *E)
+{
+    const vm_real step = r->delta / W;
+    int k;
+    E[0] = r->p / W * (r->rest / W);
+    for (k = 1; k < n; k++) E[k] = -(vm_real)(k + 1) * step * E[k - 1];
+}
+
+/* -- The mean motion -- */
+
+/* The mean motion at t = 0, and what is needed to follow it to any t */
+typedef struct VM_TAG(vmi_osc_closed_mean) {
+    vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and W, the rate that the action gives it, 1/s */
+    vm_real base;               /* 1/s; see the top of this file */
+    vmi_osc_closed_rates rates; /* rates at t = 0 */
+    vm_real first, second;      /* what E_0 and E_0^2 add to the rate of the mean phase at t = 0, 1/s */
+} vmi_osc_closed_mean;
+
+/* The mean motion at t; u, el and delta are explained at the top of this file. */
+typedef struct VM_TAG(vmi_osc_closed_now) {
+    vmi_osc_reduced state; /* mean amplitude, m, mean phase, and the rate W that the action gives it, 1/s */
+    vm_real u, el;         /* u is in s */
+    vm_real ln_A;          /* ln(A/A(0)) of the mean amplitude A */
+    vm_real ratio;         /* W/W(0) */
+    vm_real decay;         /* exp(-delta u) */
+    vm_real inverse;       /* the integral of `decay` over u, s */
+    vm_real phase;         /* the integral of W/W(0) from 0 to t, s */
+    vm_real first, second; /* the parts of the mean phase that are proportional to E_0 and to E_0^2 */
+} vmi_osc_closed_now;
+
+/* Prepares the mean motion, whose values at t = 0 are *start. */
+VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduced *start, vm_real base,
+                                     const vmi_osc_closed_rates *rates, const vmi_ripple *r)
+{
+    vm_real E;
+    c->start = *start;
+    c->base = base;
+    c->rates = *rates;
+    c->first = 0;
+    c->second = 0;
+    if (start->W == 0) return; /* a body at rest at x = 0 */
+    vmi_osc_closed_disturbance(rates, start->W, 1, &E);
+    c->first = vmi_expansion_first(r) * start->W * E;
+    c->second = vmi_expansion_second(r) * start->W * E * E;
+}
+
+/* Returns e^x and writes (e^x - 1)/x to *ratio, which is 1 for x = 0, both within 2 ulp. With e^x = 2^k (1 + p), where
+   |p| < 0.42, e^x - 1 is 2^k p + (2^k - 1). */
+VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
+{
+    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* beyond it e^x is infinite or 0 */
+    const vm_real inside = vmi_smaller(vmi_larger(x, -largest), largest);
+    vm_real p_lo, p, scale;
+    int k;
+    p = vmi_exp_core(inside, 0, &k, &p_lo);
+    scale = vmi_ldexp(1, k);
+    *ratio = 1;
+    if (x != 0) *ratio = (scale * p + (scale - 1)) / x;
+    return scale + scale * p;
+}
+
+/* The mean motion at t, where 1 + base t must be positive. The integral of exp(-3 delta u) is that of exp(-delta u)
+   times (1 + decay + decay^2)/3. */
+VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_osc_closed_now *now)
+{
+    const vm_real u = t * vmi_log_ratio(c->base * t);
+    vm_real decay, inverse, ratio;
+    decay = 1 / vmi_exp_and_ratio(c->rates.delta * u, &ratio);
+    now->phase = u * ratio;
+    inverse = now->phase * decay;
+    now->u = u;
+    now->el = 1 + c->base * t;
+    now->decay = decay;
+    now->inverse = inverse;
+    now->first = c->first * inverse;
+    now->second = c->second * inverse * (1 + decay * (1 + decay)) / 3;
+    now->ln_A = -c->rates.p * u;
+    now->state.A = c->start.A * vmi_exp(now->ln_A, 0);
+    now->state.psi = c->start.psi + (c->start.W * now->phase + (now->first + now->second));
+    now->ratio = 1 / (decay * now->el);
+    now->state.W = c->start.W * now->ratio;
+}
+
+/* Writes the first n numbers E_k at the time of *now. */
+VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, int n,
+                                          vm_real *E)
+{
+    vmi_osc_closed_disturbance(&c->rates, c->start.W / now->decay, n, E);
+}
+
+/* A bound of what order five leaves out of the mean phase between 0 and the time of *now (vmi_expansion_third_rate) */
+VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
+{
+    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* as in vmi_osc_closed_mean_at */
+    vm_real E[3], e;
+    vmi_osc_closed_disturbance(&c->rates, c->start.W, 3, E);
+    e = VM_FABS(E[0]);
+    return c->start.W * VM_FABS(now->inverse) * sum / 5 * vmi_expansion_third_rate(r, e * VM_FABS(E[2]), e * e * e);
+}
+
+/* -- The object -- */
+
+/* The motion of one oscillator as plain data. vm_osc_closed_init fills it. Read its fields, but do not change them. */
+typedef struct VM_TAG(vm_osc_closed) {
+    int order;                /* order of the law, 2 to 5 */
+    int beyond;               /* the status for times with 1 + base t <= 0: VM_BAD_MASS or VM_BAD_STIFFNESS */
+    vm_real error;            /* estimate, from t = 0 to t_end of vm_osc_closed_init, of the larger of |error of x|/A
+                                 and |error of v|/vmax, where vmax is the largest velocity at the amplitude A; it is
+                                 infinite where the error is unknown */
+    vmi_osc_closed_mean mean; /* the mean motion */
+    ateb_plan ateb;           /* Ateb functions for alpha */
+    vmi_ripple ripple;        /* functions of the ripple for alpha; order 2 leaves out its polynomials */
+} vm_osc_closed;
+
+/* -- Preparing it -- */
+
+/* What vm_osc_closed_init computes before it writes anything */
+typedef struct VM_TAG(vmi_osc_closed_start) {
+    vmi_osc_rates_of_u laws;
+    vmi_osc_closed_rates rates;
+    vmi_osc_reduced state; /* the reduced state at t = 0 */
+    vm_real E[VMI_OSC_G];  /* its numbers E_k */
+} vmi_osc_closed_start;
+
+/* Checks that the terms of the law of order five are small at the start: (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2
+   with d = (alpha + 1 + pi)/(2 pi), which is more than Pi_alpha/(2 pi). Then no number overflows. */
+VM_API int vmi_osc_closed_is_slow(const vm_real *E, vm_real alpha)
+{
+    const vm_real d = (alpha + 1 + VM_PI) / (2 * VM_PI), L = (alpha + 1) * (alpha + 3) / 4;
+    return L * (VM_FABS(E[0]) + d * d * d * VM_FABS(E[3])) < VM_C(0.5);
+}
+
+/* Checks the problem from t = 0 to t_end, and computes *s. */
+VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_osc_closed_start *s)
+{
+    vm_real m0 = 0, k0 = 0;
+    int status = vmi_osc_check_problem(o, t_end, &m0, &k0);
+    if (status) return status;
+    if (!vmi_osc_find_closed_form(o, &s->laws)) return VM_NO_LAW;
+    s->rates = vmi_osc_closed_rates_of(o, &s->laws, m0);
+    s->state = vmi_osc_reduce_by_series(VM_SQRT(k0 / m0), o->alpha, o->x, o->v + s->rates.p * o->x);
+    if (!VM_IS_FINITE(s->state.A) || !VM_IS_FINITE(s->state.psi) || !VM_IS_FINITE(s->state.W)) return VM_NOT_FINITE;
+    if (s->state.A == 0) return VM_OK;
+    vmi_osc_closed_disturbance(&s->rates, s->state.W, VMI_OSC_G, s->E);
+    return vmi_osc_closed_is_slow(s->E, o->alpha) ? VM_OK : VM_NO_LAW;
+}
+
+/* The estimate of the error at all times from 0 to t_end, where E holds the numbers E_k of the state at t = 0. All of
+   the estimate's terms rise or fall steadily with t, so that the larger values at both ends are bounds. */
+VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_real *E, vm_real t_end)
+{
+    const vmi_ripple *r = &c->ripple;
+    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], turns, error;
+    vmi_osc_closed_now end;
+    int k;
+    vmi_osc_closed_mean_at(&c->mean, t_end, &end);
+    vmi_osc_closed_disturbance_at(&c->mean, &end, VMI_OSC_G, e);
+    for (k = 0; k < VMI_OSC_G; k++) {
+        e0[k] = VM_FABS(E[k]);
+        e[k] = vmi_larger(e0[k], VM_FABS(e[k]));
+    }
+    if (!(r->scale * e[0] < VM_C(0.5))) return VM_INFINITY;
+    turns = VM_FABS(c->mean.start.W * end.phase);
+    error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e),
+                                vmi_expansion_left_out_at_start(r, order, e0), turns,
+                                vmi_osc_closed_third(&c->mean, &end, r)) +
+            4 * VM_EPSILON * (2 + turns);
+    return error < largest_known ? error : VM_INFINITY;
+}
+
+/* Finds the mean motion at t = 0 and the estimate of the error, when the rest of *c is ready. */
+VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_closed_start *s, vm_real t_end)
+{
+    vmi_osc_reduced mean = s->state;
+    vm_real sa, ca;
+    c->order = order;
+    c->error = 0;
+    if (mean.A != 0) {
+        ateb_plan_saca(&c->ateb, mean.psi, &sa, &ca);
+        mean = vmi_expansion_to_mean(&c->ripple, order, &s->state, sa, ca, s->E);
+    }
+    vmi_osc_closed_mean_init(&c->mean, &mean, s->laws.base, &s->rates, &c->ripple);
+    if (mean.A != 0) c->error = vmi_osc_closed_error(c, order, s->E, t_end);
+}
+
+/* Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate. c->error holds
+   for times between 0 and t_end, s, of either sign. The problem is not needed any more afterwards. An error leaves *c
+   untouched; it returns
+     VM_BAD_ARGUMENT for null pointers, another order, and a law that no constructor made,
+     VM_NOT_FINITE for a number that is infinite or NaN,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at 0 or t_end,
+     VM_DOMAIN for alpha < 0,
+     VM_NO_LAW for laws without the closed form at the top of this file, for a force F, and where mass, stiffness or
+       damping changes the motion so fast that the law of order five does not hold; use vm_osc_plan_init then.
+   The time is that of some 100 values; order 2 needs less than half of it. */
+VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, int order, vm_real t_end)
+{
+    vmi_osc_closed_start s;
+    int status;
+    if (!c || !problem || order < 2 || order > 5) return VM_BAD_ARGUMENT;
+    if (VM_IS_FINITE(t_end)) status = vmi_osc_closed_check(problem, t_end, &s);
+    else status = vmi_first_error(VM_NOT_FINITE, vmi_osc_closed_check(problem, 0, &s));
+    if (status) return status;
+    c->beyond = s.laws.rate_m != 0 ? VM_BAD_MASS : VM_BAD_STIFFNESS;
+    ateb_plan_init(&c->ateb, problem->alpha);
+    vmi_ripple_init(&c->ripple, problem->alpha, vmi_ateb_fine_constants);
+    if (order > 2) vmi_ripple_complete(&c->ripple);
+    vmi_osc_closed_begin(c, order, &s, t_end);
+    return VM_OK;
+}
+
+/* -- Using it -- */
+
+/* Checks the arguments of a value by the law of this order. */
+VM_API int vmi_osc_closed_check_call(const vm_osc_closed *c, int order, vm_real t, const vm_real *x, const vm_real *v)
+{
+    if (!c || !x || !v || order > c->order) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    if (!(1 + c->mean.base * t > 0)) return c->beyond;
+    return VM_OK;
+}
+
+/* Writes the motion at t by the law of an order that is at most that of *c. */
+VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, vm_real *x, vm_real *v)
+{
+    const vmi_osc_closed_mean *mean = &c->mean;
+    vmi_osc_closed_now now;
+    vm_real E[VMI_EXPANSION_E] = {0, 0, 0, 0}, sa, ca, result[2] = {0, 0}; /* E_3 is not needed here */
+    int status = vmi_osc_closed_check_call(c, order, t, x, v);
+    if (status) return status;
+    if (mean->start.A != 0) {
+        vmi_osc_closed_mean_at(mean, t, &now);
+        ateb_plan_saca(&c->ateb, now.state.psi, &sa, &ca);
+        if (order > 2) {
+            vmi_osc_closed_disturbance_at(mean, &now, 3, E);
+            now.state = vmi_expansion_from_mean(&c->ripple, order, &now.state, sa, ca, E);
+            ateb_plan_saca(&c->ateb, now.state.psi, &sa, &ca);
+        }
+        vmi_osc_unreduce(&now.state, mean->rates.p / now.el, c->ripple.alpha, sa, ca, &result[0], &result[1]);
+    }
+    if (!VM_IS_FINITE(result[0]) || !VM_IS_FINITE(result[1])) return VM_NOT_FINITE;
+    *x = result[0];
+    *v = result[1];
+    return VM_OK;
+}
+
+/* Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared.
+   c->error estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT
+   for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law
+   is not positive at t. The results have the bits of vm_osc_plan_by_route if *c has order 5. */
+VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
+{
+    int order = 0;
+    if (c) order = c->order;
+    return vmi_osc_closed_motion(c, order, t, x, v);
+}
+
+/* As vm_osc_closed_at, but by order 2 for any order of *c. Alone it links the shortest code: no ripple. */
+VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
+{
+    return vmi_osc_closed_motion(c, 2, t, x, v);
+}
+
+/* As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT. It links shorter code. */
+VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
+{
+    return vmi_osc_closed_motion(c, 3, t, x, v);
 }
 
 #endif
@@ -8546,10 +8958,9 @@ typedef struct VM_TAG(vm_osc_plan) {
     vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
     int start_order;         /* order by which `mean` was found: 5, or 2 without the polynomials of the ripple;
                                 0 where x and v are 0, so that there is no mean motion */
-    vm_real base;            /* 1/s; the closed forms are m = m0 exp(rate_m u), k = k0 exp(rate_k u) with
-                                u = ln(1 + base t)/base, or u = t for base = 0 */
-    vm_real rate_m, rate_k;  /* rates of ln m and ln k by u, 1/s */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
+    vmi_osc_rates_of_u laws; /* where closed is 1, the rates of mass and stiffness (oscillators/closed.h) */
+    vmi_osc_closed_mean closed_mean; /* where closed is 1, what the mean motion at any t needs */
     int has_ateb;            /* 1 where the field ateb is set, else 0 */
     vmi_ripple ripple;       /* functions of the ripple, prepared for alpha */
     ateb_plan ateb;          /* Ateb functions, prepared for alpha */
@@ -8571,76 +8982,69 @@ VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
     return 16 / p->Om;
 }
 
-/* Finds whether both laws are exponentials in the same u (see the field base), so that all integrals along them have
-   closed forms. With damping the integral of b/m must also be proportional to u. That is so for m = m0 (1 + base t),
-   which includes a constant mass with base = 0. */
-VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
-{
-    const vm_osc_problem *o = &p->problem;
-    vm_real base_m, base_k;
-    p->closed = vmi_law_exponential_form(&o->mass, &base_m, &p->rate_m) &&
-                vmi_law_exponential_form(&o->stiffness, &base_k, &p->rate_k) && !o->force;
-    if (!p->closed) return;
-    p->base = base_m;
-    if (p->rate_m == 0) p->base = base_k;
-    if (p->rate_m == 0 && p->rate_k == 0) p->base = 0;
-    if (p->rate_m != 0 && p->rate_k != 0 && base_m != base_k) p->closed = 0;
-    if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
-}
-
 /* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E holds the numbers E_k of the
    state. */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
-    const vmi_ripple *r = &p->ripple;
     const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
-    vmi_osc_reduced mean;
-    vmi_ripple_values f;
-    vm_real sa, ca, ln_J;
+    vm_real sa, ca;
     vmi_osc_wave_at(&w, state->psi, &ca, &sa);
-    vmi_ripple_at(r, order, state->psi, sa, ca, &f);
-    ln_J = vmi_expansion_J(r, order, &f, E);
-    mean.A = state->A * vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
-    mean.W = state->W * vmi_exp(r->gamma * ln_J, 0);
-    mean.psi = state->psi + vmi_expansion_psi(r, order, &f, E);
-    return mean;
+    return vmi_expansion_to_mean(&p->ripple, order, state, sa, ca, E);
+}
+
+/* The function that computes constants of the Ateb functions: accurate for many values, as a vm_osc_closed does, and fast
+   for a single value */
+VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
+{
+    if (for_many) return vmi_ateb_fine_constants;
+    return vmi_ateb_constants;
 }
 
 /* Computes the mean motion at t = 0, by order 5 if the ripple has its polynomials, else by order 2. */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
+    vmi_osc_closed_rates rates = {0, 0, 0};
     vmi_osc_reduced state;
     int status;
     p->start_order = 0;
     if (p->A == 0) return VM_OK;
     status = vmi_osc_slow_at(o, 0, 1, vmi_osc_sampling_time(p), 1 / p->Om, &p->slow);
     if (status) return status;
-    state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
-    vmi_osc_disturbance(&p->slow, state.W, p->E);
+    if (p->closed) {
+        rates = vmi_osc_closed_rates_of(o, &p->laws, p->m0);
+        p->slow.p = rates.p;
+    }
+    if (p->has_ateb)
+        state = vmi_osc_reduce_by_series(VM_SQRT(p->slow.k / p->slow.m), o->alpha, o->x, o->v + p->slow.p * o->x);
+    else state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
+    if (p->closed) vmi_osc_closed_disturbance(&rates, state.W, VMI_OSC_G, p->E);
+    else vmi_osc_disturbance(&p->slow, state.W, p->E);
     p->start_order = 2;
     if (p->ripple.has_polynomials) p->start_order = 5;
     p->mean = vmi_osc_mean_of(p, p->start_order, &state, p->E);
+    if (p->closed) vmi_osc_closed_mean_init(&p->closed_mean, &p->mean, p->laws.base, &rates, &p->ripple);
     return VM_OK;
 }
 
 /* Fills the plan up to the mean motion, which vmi_osc_start adds. It leaves out two parts that are worth their time
-   only for many values: the plan of the Ateb functions and the polynomials of the ripple. */
-VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
+   only for many values: the plan of the Ateb functions and the polynomials of the ripple. for_many is 1 if they are
+   added. */
+VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int for_many)
 {
     const vm_osc_problem *o = &p->problem;
     vm_real omega;
     int status;
     p->problem = *problem;
     p->has_ateb = 0;
-    status = vmi_osc_check_problem(o, &p->m0, &p->k0);
+    status = vmi_osc_check_problem(o, 0, &p->m0, &p->k0);
     if (status) return status;
     omega = VM_SQRT(p->k0 / p->m0);
-    vmi_ripple_init(&p->ripple, o->alpha, ateb_pi(o->alpha));
+    vmi_ripple_init(&p->ripple, o->alpha, vmi_osc_constants_of(for_many));
     vm_osc_amplitude_phase(o->x, o->v, omega, o->alpha, &p->A, &p->psi);
     p->Om = p->A == 0 ? 0 : vmi_osc_rate(p->A, omega, o->alpha);
     if (!VM_IS_FINITE(p->A) || !VM_IS_FINITE(p->psi) || !VM_IS_FINITE(p->Om)) return VM_NOT_FINITE;
-    vmi_osc_find_closed_form(p);
+    p->closed = vmi_osc_find_closed_form(o, &p->laws);
     return VM_OK;
 }
 
@@ -8655,7 +9059,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     vm_osc_plan plan;
     int status;
     if (!p || !problem) return VM_BAD_ARGUMENT;
-    status = vmi_osc_prepare(&plan, problem);
+    status = vmi_osc_prepare(&plan, problem, 1);
     if (status) return status;
     plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
     vmi_ripple_complete(&plan.ripple);
@@ -8883,6 +9287,7 @@ enum { VMI_WALK_ORDERS = 7 };
    A/A0 = exp(ln_A), and the rate of the phase is `ratio` times its value at t = 0. */
 typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
+    vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
     vm_real ln_A, ratio;   /* ln(A/A0), and the phase rate divided by its value at t = 0, both by the adiabatic law */
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
     vm_real phase;         /* the integral of ratio dt from 0 to t, s */
@@ -8917,6 +9322,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
     vmi_osc_mean mean;
     int i;
     mean.now = p->slow;
+    vmi_osc_disturbance(&p->slow, p->mean.W, mean.E);
     mean.ln_A = 0;
     mean.ratio = 1;
     mean.inverse_mass = 0;
@@ -8947,44 +9353,6 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
     state.W = p->mean.W * mean->ratio * vmi_exp(r->gamma * mean->ln_J, 0);
     state.psi = mean->psi;
     return state;
-}
-
-/* -- What the law of order five leaves out -- */
-
-/* How large the terms of weight w, 2 to 6, of vmi_expansion_J are. They are of order epsilon^w, where epsilon is the
-   relative change of mass and stiffness within a radian. e[k] is the absolute value of E_k = G_k/W^(k+2). */
-VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
-{
-    const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
-    vm_real power = 1, more = 0;
-    int i;
-    for (i = 2; i < w; i++) power *= d;
-    if (w == 4) more = L * L / 16 * e[0] * e[0];
-    if (w == 5) more = L * L / 8 * e[0] * e[1] * d;
-    if (w == 6) more = L * L / 8 * (e[0] * e[2] + e[1] * e[1]) * d * d + L * L * L / 16 * e[0] * e[0] * e[0];
-    return L / 4 * e[w - 2] * power + more;
-}
-
-/* How large the terms of weight w, 2 to 5, of vmi_expansion_psi are. They are of order epsilon^w, where epsilon is the
-   relative change of mass and stiffness within a radian. e[k] is the absolute value of E_k = G_k/W^(k+2). */
-VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
-{
-    const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
-    vm_real power = d, more = 0;
-    int i;
-    for (i = 2; i < w; i++) power *= d;
-    if (w == 4) more = VM_C(0.0375) * L * L * e[0] * e[0] * d;
-    if (w == 5) more = L * L / 8 * e[0] * e[1] * d * d;
-    return L / 4 * VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power + more;
-}
-
-/* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
-   6; product is |E_0 E_2|, cube is |E_0|^3. If product and cube are integrals of these numbers over the phase, the
-   result is a bound of the error of the phase. */
-VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
-{
-    const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
-    return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
 }
 
 /* -- A panel -- */
@@ -9112,7 +9480,7 @@ VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_r
         vmi_legendre_derive(panel->E);
         rate *= 2 / phase_length;
     }
-    mean->third += vmi_osc_third_rate(&p->ripple, phase_length * size[0] * size[2], panel->cube);
+    mean->third += vmi_expansion_third_rate(&p->ripple, phase_length * size[0] * size[2], panel->cube);
 }
 
 /* Advances the mean motion over a panel. */
@@ -9173,13 +9541,14 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
                                    vmi_osc_mean *mean)
 {
+    vmi_expansion_sizes size;
     vm_real e[VMI_OSC_G];
     int i, order;
     for (i = 0; i < VMI_OSC_G; i++) e[i] = VM_FABS(before[i] - after[i]);
+    vmi_expansion_find_sizes(&p->ripple, e, &size);
     for (order = 2; order <= 5; order++) {
-        const vm_real J = vmi_osc_size_J(&p->ripple, order + 1, e), psi = vmi_osc_size_psi(&p->ripple, order, e);
-        mean->knots_J[order - 2] += J * J;
-        mean->knots_psi[order - 2] += psi * psi;
+        mean->knots_J[order - 2] += size.J[order + 1] * size.J[order + 1];
+        mean->knots_psi[order - 2] += size.psi[order] * size.psi[order];
     }
 }
 
@@ -9281,35 +9650,31 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 
 /* -- The mean motion at t -- */
 
-/* Computes the mean motion where mass and stiffness are exponentials in u = ln(1 + base t)/base. With el = 1 + base t
-   and D = delta u, then p = p(0)/el, G_k = G_k(0)/el^(k+2), and E_k = E_k(0) exp(-(k+2) D). */
+/* Computes the mean motion where mass and stiffness have the closed forms of oscillators/closed.h. */
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_osc_problem *o = &p->problem;
-    const vm_real u = t * vmi_log_ratio(p->base * t), el = 1 + p->base * t, delta = 2 * p->slow.p - p->slow.a + p->base;
-    const vm_real D = delta * u, decay = vmi_exp(-D, 0), W = p->mean.W, growth = vmi_exp_ratio(D);
-    vm_real E[VMI_OSC_G], ln_Om, e, power;
+    vmi_osc_closed_now now;
+    vm_real power;
     int i;
+    vmi_osc_closed_mean_at(&p->closed_mean, t, &now);
     *mean = vmi_osc_mean_at_0(p);
-    vmi_osc_disturbance(&p->slow, W, E);
-    e = E[0];
-    vmi_osc_adiabatic(p, p->rate_m * u, p->rate_k * u, o->damping * u / p->m0, &mean->ln_A, &ln_Om);
-    mean->ratio = 1 / (decay * el);
-    mean->inverse_mass = u / p->m0;
-    mean->phase = u * growth;
-    mean->first = vmi_expansion_first(&p->ripple) * W * e * u * (growth * decay);
-    mean->second = vmi_expansion_second(&p->ripple) * W * e * e * u * vmi_exp_ratio(-3 * D);
-    mean->psi += W * mean->phase + (mean->first + mean->second);
-    mean->largest = VM_FABS(e) * vmi_larger(1, decay * decay);
-    mean->third = W * VM_FABS(u * vmi_exp_ratio(-5 * D)) *
-                  vmi_osc_third_rate(&p->ripple, VM_FABS(e * E[2]), VM_FABS(e * e * e));
-    mean->now.m = p->m0 * vmi_exp(p->rate_m * u, 0);
-    mean->now.k = p->k0 * vmi_exp(p->rate_k * u, 0);
-    mean->now.a = p->slow.a / el;
-    mean->now.p = p->slow.p / el;
-    power = 1 / el;
+    mean->ln_A = now.ln_A;
+    mean->ratio = now.ratio;
+    mean->inverse_mass = now.u / p->m0;
+    mean->phase = now.phase;
+    mean->first = now.first;
+    mean->second = now.second;
+    mean->psi = now.state.psi;
+    mean->third = vmi_osc_closed_third(&p->closed_mean, &now, &p->ripple);
+    mean->now.m = p->m0 * vmi_exp(p->laws.rate_m * now.u, 0);
+    mean->now.k = p->k0 * vmi_exp(p->laws.rate_k * now.u, 0);
+    mean->now.a = p->slow.a / now.el;
+    mean->now.p = p->slow.p / now.el;
+    vmi_osc_closed_disturbance_at(&p->closed_mean, &now, VMI_OSC_G, mean->E);
+    mean->largest = vmi_larger(mean->largest, VM_FABS(mean->E[0]));
+    power = 1 / now.el;
     for (i = 0; i < VMI_OSC_G; i++) {
-        power /= el;
+        power /= now.el;
         mean->now.G[i] = p->slow.G[i] * power;
     }
 }
@@ -9335,6 +9700,7 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
     else status = vmi_osc_walk_to(p, t, mean);
     if (status) return status;
+    if (!p->closed) vmi_osc_disturbance(&mean->now, vmi_osc_mean_state(p, mean).W, mean->E);
     if (!VM_IS_FINITE(mean->phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio)) return VM_NOT_FINITE;
     return VM_OK;
 }
@@ -9393,41 +9759,26 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return error;
 }
 
-/* Writes how large the first terms are that the transformation of an order leaves out at t, of the phase and of ln
-   J, where the disturbances are e. Since the terms of the next weight may vanish, those of the weight after it
-   count, too. */
-VM_API void vmi_osc_left_out(const vmi_ripple *r, int order, const vm_real *e, vm_real *psi, vm_real *J)
-{
-    *psi = vmi_osc_size_psi(r, order, e);
-    *J = vmi_osc_size_J(r, order, e) + vmi_osc_size_J(r, order + 1, e);
-    if (order < 5) *psi += vmi_osc_size_psi(r, order + 1, e);
-}
-
 /* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that
    are left out: by the transformation of this order at t; and by the mean motion, which is of the order of the
-   start, at the start, at points of tables, and in the mean rate of the phase. Errors of ln J at the start grow
-   with the phase. A factor of 2 in the sum fits the errors that tests/test_slow_motion.c finds. */
+   start, at the start, at points of tables, and in the mean rate of the phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
-    const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
-    const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
     const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
-    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error;
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], error;
+    vmi_left_out start;
     int i;
-    vmi_osc_disturbance(&mean->now, state.W, e);
     for (i = 0; i < VMI_OSC_G; i++) {
         e0[i] = VM_FABS(p->E[i]);
-        e[i] = VM_FABS(e[i]);
+        e[i] = VM_FABS(mean->E[i]);
     }
     if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* the laws are not slow */
-    vmi_osc_left_out(r, order, e, &phase, &amplitude);
-    start_J = vmi_osc_size_J(r, p->start_order + 1, e0);
-    knot_J = VM_SQRT(mean->knots_J[p->start_order - 2]);
-    phase += vmi_osc_size_psi(r, p->start_order, e0) + g * turns * (start_J + knot_J) + 2 * mean->third +
-             VM_SQRT(mean->knots_psi[p->start_order - 2]);
-    amplitude += start_J + knot_J;
-    error = 4 / n * phase + 4 / (n + 2) * amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    start = vmi_expansion_left_out_at_start(r, p->start_order, e0);
+    start.J += VM_SQRT(mean->knots_J[p->start_order - 2]);
+    start.psi += VM_SQRT(mean->knots_psi[p->start_order - 2]);
+    error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e), start, p->Om * VM_FABS(mean->phase), mean->third) +
+            vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
     return error < largest_known ? error : VM_INFINITY;
 }
 
@@ -9470,17 +9821,12 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
     const vmi_ripple *r = &p->ripple;
     const int order = vmi_osc_order_of(route);
     vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
-    vmi_ripple_values f;
     vm_osc_motion result;
-    vm_real E[VMI_OSC_G], sa, ca, ln_J;
-    vmi_osc_disturbance(&mean->now, state.W, E);
+    vm_real sa, ca;
     vmi_osc_wave_at(w, state.psi, &ca, &sa);
     if (order > 2) {
-        vmi_ripple_at(r, order, state.psi, sa, ca, &f);
-        vmi_osc_wave_at(w, state.psi + vmi_expansion_psi_back(r, order, &f, E), &ca, &sa);
-        ln_J = vmi_expansion_J_back(r, order, &f, E);
-        state.A *= vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
-        state.W *= vmi_exp(r->gamma * ln_J, 0);
+        state = vmi_expansion_from_mean(r, order, &state, sa, ca, mean->E);
+        vmi_osc_wave_at(w, state.psi, &ca, &sa);
     }
     vmi_osc_unreduce(&state, mean->now.p, r->alpha, sa, ca, &result.x, &result.v);
     result.amplitude = state.A;
@@ -11154,7 +11500,7 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
 {
     int status;
     if (!problem) return VM_BAD_ARGUMENT;
-    status = vmi_osc_prepare(plan, problem);
+    status = vmi_osc_prepare(plan, problem, 0);
     if (status) return status;
     if (complete) vmi_ripple_complete(&plan->ripple);
     return vmi_osc_start(plan);

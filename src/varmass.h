@@ -132,6 +132,7 @@
 #include "oscillators/reduction.h"
 #include "oscillators/ripple.h"
 #include "oscillators/expansion.h"
+#include "oscillators/closed.h"
 #include "oscillators/plan.h"
 #include "oscillators/walk.h"
 #include "oscillators/mean_motion.h"

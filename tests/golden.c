@@ -137,6 +137,7 @@ static vm_vec3 vector(vm_real size)
 /* ---- sections ---- */
 
 #include "golden/jacobi.h"
+#include "golden/elliptic.h"
 #include "golden/ateb.h"
 #include "golden/integrators.h"
 #include "golden/jumps.h"
@@ -194,6 +195,7 @@ int main(void)
 #else
     RUN(kernels);
     RUN(jacobi);
+    RUN(elliptic);
     RUN(ateb);
     RUN(beta);
     RUN(integrators);

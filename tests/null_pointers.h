@@ -293,12 +293,14 @@ static void null_oscillators(void)
     const vm_law law = vm_law_linear(1, 0);
     vm_osc_problem o;
     vm_osc_plan p;
+    static vm_osc_closed c;
     memset(&o, 0, sizeof o);
     o.mass = law;
     o.stiffness = vm_law_linear(4, 0);
     o.x = 1;
     o.alpha = 1;
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+    CHECK(vm_osc_closed_init(&c, &o, 5, 1) == VM_OK);
     NOTHING(2, vm_osc_exact(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
     NOTHING(2, vm_osc_trig(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
     NOTHING(2, vm_osc_jacobi(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
@@ -308,6 +310,10 @@ static void null_oscillators(void)
     STATUS(2, vm_law_inverse_integral(IN(0, vm_law, &law), 1, X(1, vm_real)));
     NUMBER(1, vm_adiabaticity(IN(0, vm_osc_problem, &o), 0, 1));
     STATUS(2, vm_osc_plan_init(IO(0, vm_osc_plan, &p), IN(1, vm_osc_problem, &o)));
+    STATUS(2, vm_osc_closed_init(IO(0, vm_osc_closed, &c), IN(1, vm_osc_problem, &o), 5, 1));
+    STATUS(3, vm_osc_closed_at(IN(0, vm_osc_closed, &c), 1, X(1, vm_real), X(2, vm_real)));
+    STATUS(3, vm_osc_closed_at_order2(IN(0, vm_osc_closed, &c), 1, X(1, vm_real), X(2, vm_real)));
+    STATUS(3, vm_osc_closed_at_order3(IN(0, vm_osc_closed, &c), 1, X(1, vm_real), X(2, vm_real)));
     STATUS(2, vm_osc_plan_by_route(IN(0, vm_osc_plan, &p), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_osc_plan_within(IN(0, vm_osc_plan, &p), 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));

@@ -98,6 +98,20 @@ static inline vm_vdp_plan a_vdp_plan(void)
     return plan;
 }
 
+static inline vm_osc_closed a_closed_law(void)
+{
+    vm_osc_problem problem;
+    vm_osc_closed law;
+    memset(&problem, 0, sizeof problem);
+    memset(&law, 0, sizeof law);
+    problem.alpha = 3;
+    problem.mass = vm_law_linear(2, R(0.01));
+    problem.stiffness = vm_law_linear(3, 0);
+    problem.x = 1;
+    vm_osc_closed_init(&law, &problem, 5, 1);
+    return law;
+}
+
 static vm_power_force soft_force = {3, 1};
 
 /* ---- Callbacks ---- */
