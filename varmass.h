@@ -114,7 +114,7 @@
      mechanics/bodies2: momentum and energy of bodies in the plane, and their conversion to bodies in space
        vm_angular_momentum2           Angular momentum of a body of the plane about the point (x, y), N m s
        vm_kinetic_energy2             Kinetic energy of a body of the plane, J
-       vm_body_from_body2             A body of the plane as a lamina of space in the plane z = 0
+       vm_body_from_body2             Converts a body of the plane to a body of space
 
      mechanics/jumps: parts separate from a body or are attached to it, in space
        vm_separate                    Separation of a part from a body
@@ -130,10 +130,10 @@
        vm_separate_all2               Separation of n parts from a body at once, in the plane
        vm_attach_all2                 Attachment of n bodies to a body at once, in the plane
 
-     mechanics/relative: motion relative to a moving body, and jumps given in such motions
-       vm_to_relative                 Motion of a body relative to the frame that moves rigidly with the body `to`
+     mechanics/relative: motion relative to a moving body, and jumps given by relative motions
+       vm_to_relative                 Motion of a body relative to the frame that moves and turns with the body `to`
        vm_to_absolute                 Computes the absolute motion of a body from its motion relative to the body `to`
-       vm_to_relative2                Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`
+       vm_to_relative2                Motion of a body in the plane, relative to the frame that moves and turns with the body `to`
        vm_to_absolute2                Computes the absolute plane motion of a body from its motion relative to the body `to`
        vm_separate_relative           Separation, with motions given relative to the whole
        vm_attach_relative             Attachment, with motions given relative to the first body
@@ -143,7 +143,7 @@
      mechanics/inverse: how a part must leave, so that the rest moves as wanted
        vm_separation_for_rest         How a part must leave, so that the rest moves as wanted
        vm_separation_for_rest2        How a part must leave in the plane, so that the rest moves as wanted
-       vm_separation_for_spin2        Velocity of a part that leaves the rest with a wanted spin, in the plane (Table 3, case 7)
+       vm_separation_for_spin2        Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s)
 
      mechanics/jump_energy: the kinetic energy that a jump adds or takes
        vm_energy_gain                 Energy gained at a separation, J
@@ -175,7 +175,7 @@
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
        vm_lagrange_mass               Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
-       vm_lagrange_momentum           Add to p the generalized momentum of a body's motion
+       vm_lagrange_momentum           Add to p the generalized momentum of a body
        vm_lagrange_impulse            Add to p the generalized impulse (95) of an impulse on a body with the mass centre r
        vm_lagrange_separate           Velocities after a part separates
        vm_lagrange_attach             Velocities after a part is attached
@@ -240,7 +240,7 @@
        vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
 
      mechanics/euler_angles: Euler's angles
-       vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
+       vm_euler_313                   Attitude from Euler's angles
        vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
        vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
        vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
@@ -322,6 +322,15 @@
        vm_vdp_limit_cycle             Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s)
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
        vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
+
+     oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator along any slow law of its mass
+       vm_vdp_plan_init               Plan for many values of the motion of a Van der Pol oscillator
+
+     oscillators/van_der_pol_routes: the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
+       vm_vdp_plan_by_route           Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan
+       vm_vdp_plan_within             Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan
+       vm_vdp_within                  Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, for a single t
+       vm_vdp_cycle_of                Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon
 
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
        vm_jeffcott_power              Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
@@ -1021,13 +1030,13 @@ VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
 /* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
-   as exact. The error is at most 1 ulp. Returns NaN for x < -1/e and for infinite x, except that the number next to
-   -1/e counts as -1/e and gives -1. */
+   as exact. The error is at most 1 ulp. Returns infinity for infinite x > 0, and NaN for x < -1/e, except that the
+   number next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_real start;
-    if (x == 0 || x != x) return x;
-    if (!VM_IS_FINITE(x)) return VM_NAN;
+    if (x == 0 || x != x || x == VM_INFINITY) return x;
+    if (x == -VM_INFINITY) return VM_NAN;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 0);
     if (x < 1) start = vmi_lambert_pade(x);
     else start = vmi_lambert_winitzki(vmi_log(1 + x).hi);
@@ -1050,12 +1059,13 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
 #define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* if ln|x| is less than this number, W_0(x) rounds to x */
 
 /* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
-   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
+   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns infinity for l = infinity
+   and 0 for l = -infinity. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
     const vm_real direct_from = 40; /* for l >= 40, ln(1 + e^l) rounds to l */
     vm_real start;
-    if (!VM_IS_FINITE(l)) return VM_NAN;
+    if (l != l || l == VM_INFINITY) return l;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
     if (l < 0) start = vmi_lambert_pade(vmi_exp(l, 0));
     else if (l < direct_from) start = vmi_lambert_winitzki(vmi_log(1 + vmi_exp(l, 0)).hi);
@@ -1064,49 +1074,51 @@ VM_API vm_real vm_wright_omega(vm_real l)
 }
 
 /* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1. It also works where e^l itself
-   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns 0 for l = -infinity and NaN for l > -1. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
-    if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
+    if (!(l <= -1)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return -vmi_exp(l, 0);
     if (l > VM_C(-1.375)) return vmi_lambert_near(vmi_two(-1 - l, 0), 0);
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
 /* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1. It also works where e^l itself
-   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns -infinity for l = -infinity and NaN for
+   l > -1. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
-    if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
+    if (!(l <= -1)) return VM_NAN;
+    if (l == -VM_INFINITY) return l;
     if (l < -1 / VM_EPSILON) return vmi_lambert_far(vmi_two(l, 0), l);
     return vmi_lambert_near(vmi_two_sum(-1, -l), 1);
 }
 
 #endif
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
-   The two types, vm_vec3 and vm_quat, are plain data. A quaternion turns body axes into inertial ones. Its length does
-   not matter, and a quaternion of four zeros stands for the identity.
+   The two types, vm_vec3 and vm_quat, are plain data. A quaternion describes the attitude of a body: it converts
+   components of vectors along body axes into components along inertial axes. Its length does not matter, and a
+   quaternion of four zeros stands for the identity.
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions are internal: sums and products of vectors, norms, rotation matrices, and functions that read three
-   or four numbers of a state as a vector or a quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
-   tests/test_torque_free.c. */
+   The functions are internal and do not check their arguments: sums and products, norms, rotation matrices, functions
+   that read vectors and quaternions from arrays or write them. Tests: tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
-/* A vector by its components */
+/* A vector, given by its components */
 typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
 
-/* An attitude: the quaternion w + x i + y j + z k turns body axes into inertial ones. Its length does not matter. */
+/* An attitude: w + x i + y j + z k converts vectors from body axes to inertial axes. Its length does not matter. */
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
 
-/* A 3 by 3 matrix by its columns. The columns of a rotation matrix are the images of the axes x, y, z. */
+/* A 3 by 3 matrix with the columns x, y, z. For a rotation matrix these are the turned unit vectors. */
 typedef struct VM_TAG(vmi_mat3) {
     vm_vec3 x, y, z;
 } vmi_mat3;
@@ -1125,7 +1137,7 @@ VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - 
 VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
 VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/* The vector a/c, with each component rounded once */
+/* The vector a/c. Each component is rounded only once; multiplication by 1/c would round it twice. */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
 VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
@@ -1135,13 +1147,13 @@ VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 
 VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
 
-/* The sum |x| + |y| + |z| of the sizes of a's components */
+/* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of a. It does not overflow if only its square would overflow. */
+/* The length of a. The result is also right if the square of the length would overflow. */
 VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
-/* The largest of the sizes |x|, |y| and |z| of a's components */
+/* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
 {
     const vm_vec3 b = vmi_abs(a);
@@ -1157,7 +1169,7 @@ VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-/* The product of the transposed matrix m^T and the vector a. For a rotation matrix m it undoes the rotation. */
+/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
@@ -1173,7 +1185,7 @@ VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
     return q;
 }
 
-/* The vector of the components x, y, z of q */
+/* The vector that consists of the components x, y, z of q */
 VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
@@ -1204,7 +1216,7 @@ VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
     return q;
 }
 
-/* Divides q by the size of its largest component, so that the square of its length neither overflows nor
+/* Divides q by the absolute value of its largest component, so that the square of its length neither overflows nor
    underflows. Four zeros become the identity. */
 VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
@@ -1226,7 +1238,7 @@ VM_API vm_quat vmi_unit_quat(vm_quat q)
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of q. `square` is the square of q's length: a normal number, not 0, subnormal or infinite. */
+/* The rotation matrix of q. `square`, the square of q's length, must be neither 0 nor subnormal, infinite or NaN. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -1239,15 +1251,14 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* The rotation matrix of a quaternion of any length. It is exactly the identity for (w, 0, 0, 0) and for four
-   zeros. */
+/* The rotation matrix of q, of any length. It is exactly the identity for (w, 0, 0, 0) and for four zeros. */
 VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
 
-/* Reads three numbers of a state as a vector. vmi_set3 writes a vector to a state. */
+/* Reads a vector from three numbers of a state array. vmi_set3 writes a vector to a state array. */
 VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 
 VM_API void vmi_set3(vm_real *y, vm_vec3 a)
@@ -1257,13 +1268,13 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Reads the four numbers w, x, y, z of a quaternion from a state */
+/* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
    A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
-   tells whether a body can have this tensor, moves it to parallel axes (40), and finds principal moments and axes.
+   tests whether a body can have a given tensor, moves it to parallel axes (40), and finds principal moments and axes.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
        vm_vec3 d = {0.5, 0, 0};              // m
@@ -1274,7 +1285,7 @@ VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y
 #ifndef VARMASS_MECHANICS_INERTIA_H
 #define VARMASS_MECHANICS_INERTIA_H
 
-/* A tensor of inertia, given by its entries, in kg m^2. The products of inertia have the sign of the tensor's entries:
+/* A tensor of inertia, given by its entries, in kg m^2. The products of inertia include the minus sign of the tensor:
    xy = -integral of x y dm. */
 typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
@@ -1304,7 +1315,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T, with the unit matrix E. It is the inertia of a unit mass at d about the origin. */
+/* P(d) = |d|^2 E - d d^T, where E is the unit matrix. It is the inertia about the origin of 1 kg at the point d. */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -1317,7 +1328,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-/* The tensor m^T i m: the entries of the tensor i along new axes, which are the columns of the matrix m */
+/* The tensor m^T i m. It has the entries of the tensor i along new axes, which are the columns of the matrix m. */
 VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
@@ -1331,8 +1342,8 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
     return t;
 }
 
-/* For each entry of the tensor m^T i m, the sum of the absolute values of its terms. The rounding error of the entry is
-   a few eps times this sum. */
+/* Returns, for each entry of the tensor m^T i m, the sum of the absolute values of the entry's terms. The rounding
+   error of an entry is a few eps times its sum. */
 VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -1349,10 +1360,10 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
     return vmi_inertia_along(&a, &b);
 }
 
-/* The sum |xx| + |yy| + |zz|, which is the trace if i is the inertia of a body */
+/* The sum |xx| + |yy| + |zz|. It equals the trace if i is the inertia of a body. */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes it there. */
+/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes a tensor to a state array. */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -1375,17 +1386,17 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* The tolerance, in kg m^2, for the rounding errors of an inertia tensor. `i` is this tensor itself. If its entries are
-   sums, `i` may be the tensor of the sizes of their terms (vmi_inertia_sizes) instead. */
+/* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
+   as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
-/* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). The matrix tr(i)/2 E - i, with the
-   unit matrix E, is the integral of r r^T dm and must have no negative eigenvalue. The function adds slack, which
-   exceeds the rounding errors, to the trace tr(i). Then Gaussian elimination must give positive pivots only. */
+/* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
+   (trace tr, unit matrix E) has no negative eigenvalue. The function adds slack to the trace, so that rounding errors
+   do not matter, and tests whether Gaussian elimination gives positive pivots only. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
-    vm_real x, y, z, yz; /* the pivots x, y, z; yz: minus the entry yz of the matrix after one elimination */
+    vm_real x, y, z, yz; /* x, y, z: the pivots; yz: minus the matrix entry yz after the first elimination */
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -1398,15 +1409,15 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 
 /* Test whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
    null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
-   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points are bodies, too. */
+   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
 /* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
-   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). -mass undoes the shift.
-   Returns NaN for a null pointer, and in every entry that depends on a NaN. */
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass goes back
+   to the mass centre. Returns NaN for a null pointer. A NaN in an argument makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1422,8 +1433,8 @@ typedef struct VM_TAG(vmi_principal) {
 } vmi_principal;
 
 /* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
-   The columns of v are the axes and turn as well. t, c, s are the tangent, cosine and sine of the rotation angle, which
-   is the smaller of the two possible ones. */
+   The columns of v are the axes; they are turned by the same angle. t, c and s are the tangent, cosine and sine of this
+   angle. Of the two angles that are possible, the function uses the smaller one. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -1444,10 +1455,10 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes of the tensor i, found by Jacobi rotations, which converge quadratically */
+/* Principal moments and axes of the tensor i. They are found by Jacobi rotations, which converge quadratically. */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
-    const int most_sweeps = 12; /* quadratic convergence needs fewer sweeps */
+    const int most_sweeps = 12; /* more than enough, because convergence is quadratic */
     vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     vmi_principal result;
     int sweep, p, q;
@@ -1493,11 +1504,11 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A computed sum is only a rounding error if it is smaller than this share of the sum of its terms' sizes. */
+/* A sum that is below this share of the sum of its terms' absolute values counts as nothing but a rounding error. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
-/* Returns 1 if a moment about an axis is smaller than the rounding errors of its tensor, and also if it is negative or
-   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sums of the terms' sizes. */
+/* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN. The
+   entries of the tensor are sums. Those of *sizes are the sums of the absolute values of the same terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
@@ -1524,7 +1535,7 @@ VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
     return changed;
 }
 
-/* The angular velocity for the angular momentum h. Components of h along axes with a zero moment are ignored. */
+/* The angular velocity of a body with the angular momentum h. Axes with a zero moment of inertia are left out. */
 VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
@@ -1534,9 +1545,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     return omega;
 }
 
-/* Solves i omega = h, with inertia i and angular momentum h, for the angular velocity *omega, and refines it once.
-   About an axis with zero moment (of a rod or a point) the angular velocity keeps its value in `before`. The body
-   cannot have angular momentum about it: returns 1 if h has a component larger than noise there, else 0. */
+/* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
+   momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
+   can have angular momentum. Returns 1 if the component of h along such an axis exceeds noise, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -1554,13 +1565,13 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 
 /* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
 
-/* The factors of an inertia tensor L D L^T with a unit triangular matrix L and a diagonal matrix D: the entries xy, xz,
-   yz of L, and the diagonal entries x, y, z of the inverse of D */
+/* The factors of an inertia tensor L D L^T. L is a lower triangular matrix with ones on the diagonal; xy, xz, yz are
+   its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of its inverse. */
 typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
-/* Computes the factors f of the tensor i. Returns 0 if a pivot is not positive or is only a rounding error, else 1. */
+/* Computes the factors f of the tensor i. Returns 0 if an entry of D is <= 0 or only a rounding error, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -1576,7 +1587,7 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* The solution w of i w = h, computed from the factors f of the tensor i */
+/* The angular velocity w for the angular momentum h: the solution of i w = h for the tensor i with the factors f */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -1587,18 +1598,18 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
-/* Returns 1 if a thin body can have the inertia i within rounding errors. For a flat body one moment equals the sum of
-   the other two, except for the rounding errors of all integration steps so far. The tolerance, sqrt(eps) of the trace,
-   allows for about 1/sqrt(eps) such errors. */
+/* Returns 1 if a body, perhaps a thin one, can have the inertia i within a tolerance. One moment of a flat body equals
+   the sum of the other two, but the rounding errors of all steps of an integration add up and disturb this equality.
+   The tolerance is sqrt(eps) times the trace, which is enough for about 1/sqrt(eps) steps. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
     return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 
-/* Returns 1 if a body can have the inertia i. The principal moments of i must be positive. This test is for use in
-   every step of an integration. A cheap criterion is enough for most bodies: tr(i)/2 E - i, with the unit matrix E, is
-   positive definite if each of its diagonal entries is larger than the sum of the absolute products of inertia. */
+/* Returns 1 if a body can have the inertia i, which must have positive principal moments. Every step of an integration
+   calls this test, so a cheap condition comes first: tr(i)/2 E - i (trace tr, unit matrix E) is positive definite if
+   each of its diagonal entries exceeds |xy| + |xz| + |yz|. Most bodies fulfil this. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -1629,9 +1640,9 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 typedef struct VM_TAG(vm_body) {
     vm_real mass;       /* mass > 0, kg */
     vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
-    vm_quat q;          /* attitude: turns body axes into inertial ones; any length; four zeros mean the identity */
+    vm_quat q;          /* attitude: converts vectors from body to inertial axes; any length; all zero: identity */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
-    vm_vec3 v;          /* velocity, defined as momentum/mass, m/s, inertial axes */
+    vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
@@ -1659,16 +1670,16 @@ typedef struct VM_TAG(vm_impulse2) {
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* Balance across an instant: the total momentum, angular momentum and energy of the bodies after it minus those before
-   it. The external impulse and its moment are subtracted, too, so that the changes of momentum and angular momentum are
-   zero, except for rounding errors, if the bodies obey the laws of mechanics. */
+/* The balance across an instant: total momentum, angular momentum and energy of the bodies after the instant minus
+   those before it. The external impulse and its moment are subtracted, too. If the bodies obey the laws of mechanics,
+   the changes of momentum and angular momentum are therefore zero, except for rounding errors. */
 typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
     vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
     vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
-    /* The sum over all bodies of tr(I) |omega| + (|r| + |r - about|) M |v|, with inertia I, mass M and the point
-       `about`, plus a term for the impulse, N m s. It contains |r| M |v|, because the rounding error eps |r| of the
-       position r changes the angular momentum about any point by eps |r| M |v|. */
+    /* The rounding error of angular_momentum is a few eps times this scale, N m s. The scale is the sum over all bodies
+       of tr(I) |omega| + (|r| + |r - about|) M |v| plus a term for the impulse; I is the inertia, tr the trace and M
+       the mass. The term |r| M |v| is there because the position r has the rounding error eps |r|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -1691,15 +1702,15 @@ VM_API vm_vec3 vm_momentum(const vm_body *body)
 }
 
 /* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
-   axes, with the inertia I and the mass M. The body is not checked: NaN in the body gives NaN, and so does a null
-   pointer. */
+   axes, with the inertia I, the mass M and the cross product x. The body is not checked: NaN in the body gives NaN, and
+   so does a null pointer. */
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
 }
 
-/* Kinetic energy of a body (93), (97), J. It is (M v^2 + omega.I omega)/2, with the mass M and the inertia I. The
+/* Kinetic energy of a body (93), (97), J. It is (M v.v + omega.(I omega))/2, with the mass M and the inertia I. The
    body is not checked: NaN in the body gives NaN, and so does a null pointer. */
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
@@ -1709,8 +1720,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- conversion of bodies between the plane and space ---- */
 
-/* Converts a body of the plane to a body of space. Only the entry zz of its inertia is set, because motion in the plane
-   needs no other entry. */
+/* Converts a body of the plane to a body of space, with inertial axes as its body axes. Only the entry zz of its
+   inertia is set, because motion in the plane needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -1722,7 +1733,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body of space to one of the plane, with the given angle. Motion out of the plane is left out. */
+/* Converts a body of space to a body of the plane with the given angle. Motion out of the plane is left out. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -1805,8 +1816,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* Returns VM_OK if all bodies are valid. Else returns the error of a body. If there are several errors, vmi_first_error
-   selects one. Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
+/* Returns VM_OK if all bodies are valid, else the error of a body; of several errors, vmi_first_error selects one.
+   Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -1826,7 +1837,7 @@ VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
     return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
 }
 
-/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the scales. */
+/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
@@ -1839,7 +1850,7 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
-/* Subtracts an impulse and its moment from a balance, and adds their sizes to the scales */
+/* Subtracts an impulse and its moment from a balance. Their absolute values are added to the two scales. */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
     sum->momentum = vmi_sub(sum->momentum, j->linear);
@@ -1855,8 +1866,8 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
-/* Balance of momentum, angular momentum and energy across an instant. *balance has the sums over the n_after bodies
-   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
+/* Balance of momentum, angular momentum and energy across an instant. *balance gets the sums over the n_after bodies
+   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If no momentum is lost, the changes of
    momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
    bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
    bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
@@ -1903,8 +1914,9 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
            2;
 }
 
-/* A body of the plane as a lamina of space in the plane z = 0. Its inertia has xx = yy = zz/2, its quaternion q has
-   length 1, and it moves as *body does. *body is not checked. A null pointer gives NaN. */
+/* Converts a body of the plane to a body of space: a thin plate in the plane z = 0. Its inertia has the
+   entries xx = yy = zz/2, its quaternion q has length 1, and it moves as *body does. *body is not checked. A null
+   pointer gives NaN. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1918,13 +1930,13 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 
 #endif
 /* mechanics/jumps.h - parts separate from a body or are attached to it, in space
-   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, by (13)-(15),
-   (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of parts may
-   separate or be attached at once.
+   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, as given by
+   (13)-(15), (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of
+   parts may separate or be attached at once.
 
        vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
-       int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: how the rest moves on
+       int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: `rest` has the motion after the separation
 
    Jumps in the plane are in jumps2.h, and jumps that are given by relative motions in relative.h. The inverse question
    (how must a part leave?) is in inverse.h, and the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c,
@@ -1933,23 +1945,22 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 #define VARMASS_MECHANICS_JUMPS_H
 
 /* How a jump is computed. A body has the mass M, velocity v, inertia I, angular velocity omega, and its mass centre S
-   is at r. Another body (m, v2, I2, omega2, S2) is attached to it (sign = 1) or separates from it (sign = -1). After
-   this the first body has the mass M1 = M + sign m, v1, I1, omega1, and its mass centre S1 is at r1. Every inertia is
-   about its body's own mass centre. The vector d leads from S to S2, and P(d) = |d|^2 E - d d^T with the unit matrix E.
-   An impulse `linear` with the moment `moment` about S1 may act. Then
+   at r. The other body has m, v2, I2, omega2, S2. It is attached to the first body (sign = 1) or separates from it
+   (sign = -1). After the jump the first body has the mass M1 = M + sign m, v1, I1, omega1, and S1 at r1. Each inertia
+   is about the body's own mass centre. The vector d leads from S to S2. x is the cross product, E the unit matrix, and
+   P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
    A separation is therefore an attachment of negative mass and inertia.
 
-   The equations keep this form in a frame that moves and that turns with any angular velocity Omega, if all omegas and
-   v2 - v are taken relative to this frame: (42) in space. The computation uses a frame in which the terms that cancel
-   are small, so that few digits are lost. This frame moves with the heaviest body, and at a separation it turns with
-   the whole. */
+   These equations also hold in a frame that moves, and turns with any angular velocity Omega, if all omegas and v2 - v
+   are taken relative to the frame (42). The code uses a frame in which terms that cancel are small, so that few digits
+   are lost: it moves with the heaviest body, and at a separation it also turns with the whole. */
 enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters named `sign` */
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q;           /* attitude of the first body; inertias are added along its axes */
+    vm_quat q;           /* attitude of the body that the jump changes; inertias are added along its axes */
     vmi_mat3 turn;       /* the rotation matrix of q */
     vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;
@@ -1957,11 +1968,11 @@ typedef struct VM_TAG(vmi_frame) {
 /* A lump: the mass, motion and inertia of a body, or of several bodies joined, relative to the frame of a jump */
 typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
-    vm_vec3 r, v;       /* position and velocity of the mass centre, less r and v of the frame */
+    vm_vec3 r, v;       /* position and velocity of the mass centre, minus r and v of the frame */
     vm_vec3 h;          /* angular momentum about the mass centre, relative to the frame; inertial axes */
     vm_inertia inertia; /* inertia about the lump's mass centre, along the axes given by the frame's q */
-    vm_inertia sizes;   /* for each entry of inertia, the sum of the sizes of its terms */
-    vm_real noise;      /* the sum of the sizes of the terms of h; the rounding error of h is a few eps of noise */
+    vm_inertia sizes;   /* for each entry of inertia, the sum of the absolute values of its terms */
+    vm_real noise;      /* the sum of the absolute values of the terms of h; the error of h is a few eps times noise */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
@@ -1971,7 +1982,7 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
     vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
-    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes turn is exactly the identity */
+    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes `turn` stays the identity */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
         turn.z = vmi_times_transposed(&own, frame->turn.z);
@@ -1986,8 +1997,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets each entry of *sizes so that the rounding error of the
-   entry of P(d) is a few eps of it. The vector d is a difference of positions of the size `reach`. */
+/* Returns P(d) = |d|^2 E - d d^T, with the unit matrix E, along the frame's axes. d is a difference of positions;
+   `reach` holds the sums of their absolute coordinates. The errors of P(d) are a few eps times *sizes. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -1997,7 +2008,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* d^2 + 2 d reach + reach^2; the next line removes reach^2 */
+    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* (|d| + reach)^2; the next line subtracts reach^2 again */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -2005,8 +2016,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much a->noise grows when b joins a: by b->noise and by the sizes of the terms of (reduced mass) d x slip.
-   d leads from a to b, a difference of positions of the size `reach`; slip is b's velocity relative to a. */
+/* Returns how much a->noise grows when b joins or leaves a with the velocity `slip` relative to a: by b->noise and by
+   the absolute values of the terms of reduced d x slip. vmi_join computes d, `reduced` and `reach`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2021,7 +2032,7 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
-    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* mass share of b; reduced mass */
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of mass; reduced mass */
     const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
     const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
@@ -2043,7 +2054,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     return VM_OK;
 }
 
-/* Adds an impulse to the velocity and the angular momentum of the lump a */
+/* Adds the effect of an impulse to the velocity and the angular momentum of the lump a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
     const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
@@ -2104,8 +2115,8 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
     return status;
 }
 
-/* Finds the principal axes of a lump and changes its moments to moments that a body can have exactly. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two, and VM_OK otherwise. */
+/* Finds the principal axes of a lump, and corrects rounding errors that make its moments of inertia impossible. Returns
+   VM_OK, VM_NOT_FINITE, or VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -2115,8 +2126,8 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity, relative to the frame and in inertial axes, of a lump with principal axes p.
-   `before` is this angular velocity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
+/* Sets *omega to the angular velocity, relative to the frame and along inertial axes, of a lump with principal axes p.
+   `before` is the same quantity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
    moment of inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
@@ -2159,21 +2170,22 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains of the whole. *part is the part with its motion after the
-   separation. *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity
-   (34), and the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space:
-   momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
-   be equal to whole or to part.
+/* Separation of a part from a body: *rest is what remains of the whole. *part must have its motion after the
+   separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular velocity (34) of
+   *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation. The law is exact
+   in three dimensions: momentum and angular momentum of rest and part together are those of the whole plus the impulse.
+   The pointer rest may be equal to whole or to part.
 
-   If the part moves on as before the separation, the rest keeps its motion, even if only little inertia is left. The
-   computation adds only motions relative to the whole. Neither high speed nor a position far from the origin therefore
-   costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia, plus the
-   effect of a change of the positions by eps of their size. A principal moment below this error becomes 0.
+   If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
+   High speed or a position far from the origin costs no digits of omega, because only motions relative to the whole are
+   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
+   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment below this
+   error becomes 0.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
-   balance leaves it angular momentum about an axis without inertia, which it cannot have. Its spin about this axis is
-   then that of the whole. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or
-   that of the rest) is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
+   equations demand angular momentum about an axis without inertia, which *rest cannot have. *rest then turns about it
+   as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of
+   the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
    if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
@@ -2182,16 +2194,16 @@ VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impul
 
 /* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). `body` and `added`
    have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has the
-   attitude of `body`. The statuses are those of vm_separate. With VM_NULL_AXIS the whole is a rod or a point, and the
-   spin about its null axis remains that of `body`. */
+   attitude of `body`. The statuses are those of vm_separate. VM_NULL_AXIS means that the whole is a rod or a point that
+   would need angular momentum about an axis without inertia. The spin about this axis remains that of `body`. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
-   vm_separate give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
-   vm_separate, and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of vm_separate
+   in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_separate,
+   and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
@@ -2199,8 +2211,8 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
 }
 
 /* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors, n calls of
-   vm_attach give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_attach,
-   and VM_BAD_ARGUMENT for n < 0. */
+   vm_attach in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
+   vm_attach, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -2219,7 +2231,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Sets *joined and *centre to inertia and mass centre of body a, at 0, after body b, at d, joins or leaves it */
+/* Body b at d joins body a at 0 or leaves it. Sets *joined to the resulting inertia and *centre to the mass centre. */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -2237,8 +2249,8 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
 }
 
 /* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along one
-   set of axes, each about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The result
-   *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
+   set of axes, and each is about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The
+   result *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
    VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
@@ -2258,16 +2270,16 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 #endif
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
    This is jumps.h for the plane, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
-   The code of jumps.h joins the masses. Only the last step, from angular momentum to angular velocity, differs.
+   Functions of jumps.h join the masses. Only the last step, from angular momentum to angular velocity, differs.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
-       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: how the rest moves on
+       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: `rest` has the motion after the separation
 
    Tests: tests/test_jumps2.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS2_H
 #define VARMASS_MECHANICS_JUMPS2_H
 
-/* An impulse in the plane, written as one in space */
+/* Converts an impulse in the plane to an impulse in space */
 VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 {
     vm_impulse lifted;
@@ -2278,7 +2290,7 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 }
 
 /* Sets the moment of inertia of a lump of the plane to 0 if it is smaller than its rounding errors. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
+   VM_NOT_FINITE if the moment is not finite, VM_BAD_INERTIA if it is clearly negative, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -2287,9 +2299,9 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity of a lump relative to the frame, (44). If the lump has no inertia, *omega becomes
-   `before`, the value before the jump. Returns 1 if a lump without inertia has angular momentum, which is impossible,
-   else 0. */
+/* Sets *omega to the angular velocity of a lump relative to the frame of the jump, (44). For a lump without inertia,
+   *omega becomes `before`, which is this angular velocity before the jump. Returns 1 if a lump without inertia has
+   angular momentum, which is impossible, else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
     if (lump->inertia.zz > 0) {
@@ -2356,15 +2368,15 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part is the part with
-   its motion after the separation. The impulse, if there is one, acts during the separation. Momentum and angular
-   momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or
-   to part. The accuracy is that of vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part must have the
+   motion of the part after the separation. The impulse, if there is one, acts during the separation. Momentum and
+   angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to
+   whole or to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the balance
-   leaves it angular momentum about itself, which it cannot have. Its omega is then that of the whole. The errors are
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the rest) is not positive, and
-   VM_BAD_INERTIA if an inertia (or that of the rest) is negative. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the equations
+   demand angular momentum about this point itself, which a point cannot have. rest->omega is then whole->omega. The
+   errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is
+   not positive, and VM_BAD_INERTIA if an inertia, that of the rest included, is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
@@ -2373,26 +2385,26 @@ VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_im
 
 /* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. `body` and
    `added` have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has
-   the angle of `body`. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
-   position, and omega remains that of `body`. */
+   the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one
+   position, and that the impulse would turn them; omega remains that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
     return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n
-   calls of vm_separate2 give the same result. With n = 0 only the impulse acts on the body. The statuses are those
-   of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
+   of vm_separate2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
+   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding
-   errors, n calls of vm_attach2 give the same result. With n = 0 only the impulse acts on the body. The statuses
-   are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors, n
+   calls of vm_attach2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are
+   those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -2400,29 +2412,29 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 }
 
 #endif
-/* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
-   This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
-   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). Use these laws if only the
-   velocity of a part relative to the whole is known.
+/* mechanics/relative.h - motion relative to a moving body, and jumps given by relative motions
+   This chapter gives the motion of one body as seen from another body, in a frame that moves and turns with it (25),
+   (26), (41), and the equations of a jump between such relative motions, (28)-(31), (42)-(44). Use these equations if
+   you know only the velocity of a part relative to the whole.
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
        part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
        part.v.x = part.v.y = part.omega.x = part.omega.y = part.omega.z = 0;
-       part.v.z = 2;                                     // it leaves at 2 m/s, relative to the whole
+       part.v.z = 2;                                     // the part leaves at 2 m/s, relative to the whole
        if (vm_separate_relative(&whole, &part, NULL, &rest) == VM_OK) vm_to_absolute(&whole, &rest, &rest);
 
    Tests: tests/test_relative.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_RELATIVE_H
 #define VARMASS_MECHANICS_RELATIVE_H
 
-/* Velocity at the point r of the frame that moves rigidly with a body. In (25) it is the dragging velocity. */
+/* Velocity of the frame that moves and turns with a body, at the point r. It is called dragging velocity in (25). */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
 }
 
-/* The motion of b relative to the frame that moves rigidly with the body `to`. Nothing is checked. */
+/* The motion of b relative to the frame that moves and turns with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
@@ -2430,7 +2442,7 @@ VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
     return b;
 }
 
-/* The absolute motion of b, whose motion is given relative to the body `to`. Nothing is checked. */
+/* The absolute motion of b, if the motion of b is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
@@ -2456,13 +2468,13 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
     return VM_OK;
 }
 
-/* Motion of a body relative to the frame that moves rigidly with the body `to`. The body has position r, velocity v and
-   angular velocity omega; `to` has r_S, v_S and Omega. v and omega of *relative become
+/* Motion of a body relative to the frame that moves and turns with the body `to`. The body has the position r, velocity
+   v and angular velocity omega; for `to` these are r_S, v_S and Omega. The function replaces v and omega by
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
-   and all other fields are copied. The vectors remain along the inertial axes, and r remains the position from the
-   inertial origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE if a number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses
-   and inertias are not checked further. */
+   and copies all other fields. The vectors remain along the inertial axes, and r remains the position from the inertial
+   origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a
+   number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses and inertias need
+   only be finite. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -2481,7 +2493,7 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`. vx, vy and omega change
+/* Motion of a body in the plane, relative to the frame that moves and turns with the body `to`. vx, vy and omega change
    as in vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
@@ -2505,8 +2517,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump from motions relative to `body`. In its own frame `body` is at rest, and the equations of a jump have
-   the same form as in an inertial frame. */
+/* Computes a jump from and to motions relative to `body`. In its own frame `body` is at rest, and the equations of a
+   jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2517,7 +2529,7 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Computes a jump in the plane from motions relative to `body`, which is at rest in its own frame */
+/* Computes a jump in the plane from and to motions relative to `body`, which is at rest in its own frame */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2528,36 +2540,36 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
     return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of *rest are
-   relative to the whole. v and omega of *whole are not read. Everything else, the statuses included, is as in
-   vm_separate. */
+/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of the result
+   *rest are relative to the whole, so that v and omega of *whole are not read. In all else, the statuses included, the
+   function is like vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of *whole
-   are relative to `body`. v and omega of *body are not read. Everything else, the statuses included, is as in
-   vm_attach. */
+/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of the
+   result *whole are relative to `body`, so that v and omega of *body are not read. In all else, the statuses included,
+   the function is like vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
     return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of *rest are
-   relative to the whole. vx, vy and omega of *whole are not read. Everything else, the statuses included, is as in
-   vm_separate2. */
+/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of the result *rest
+   are relative to the whole, so that vx, vy and omega of *whole are not read. In all else, the statuses included, the
+   function is like vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole are
-   relative to `body`. vx, vy and omega of *body are not read. Everything else, the statuses included, is as in
-   vm_attach2. */
+/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of the result
+   *whole are relative to `body`, so that vx, vy and omega of *body are not read. In all else, the statuses included,
+   the function is like vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
@@ -2578,7 +2590,7 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 #ifndef VARMASS_MECHANICS_INVERSE_H
 #define VARMASS_MECHANICS_INVERSE_H
 
-/* The velocity v2 with which the part must leave so that the rest gets the velocity v1 = rest_v. By (24) it is
+/* The velocity v2 that the part must have so that the rest gets the velocity v1 = rest_v. By (24) it is
    v2 = v + (linear - M1 (v1 - v))/m, with the velocity v of the whole, the impulse `linear`, the mass M1 of the rest
    and the mass m of the part. */
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
@@ -2589,9 +2601,10 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
     return vmi_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* The angular momentum that the part must have relative to the whole so that the rest turns with rest_omega. It is
-   h - I1 (rest_omega - Omega), where Omega is the angular velocity of the whole and I1 the inertia of the rest. h is
-   the angular momentum that the rest has if the part turns with Omega. */
+/* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with rest_omega.
+   It is h - I1 (rest_omega - Omega). Omega is the angular velocity of the whole, and I1 the inertia of the rest. h is
+   the field of *rest: the angular momentum that the rest would have relative to the whole if the part left with the
+   angular velocity Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
     const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
@@ -2599,7 +2612,7 @@ VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *re
 }
 
 /* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
-   The caller has checked the bodies. Only the velocity of the part may be infinite or NaN. */
+   The caller must have checked the bodies, except for the velocity of the part. Returns an error or VM_OK. */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
@@ -2614,8 +2627,8 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* Gives the part the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part would
-   need angular momentum about an axis with zero moment of inertia. */
+/* Sets part->omega to the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part
+   would need angular momentum about an axis with zero moment of inertia, VM_OK, or an error. */
 VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
     vmi_frame own = *frame; /* the frame of the jump, with the axes of the part */
@@ -2636,9 +2649,9 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 }
 
 /* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving becomes a copy of *part
-   with another motion. Its velocity makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity makes the
-   rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the velocity, or the
-   angular velocity, of *part.
+   with another motion. The velocity of *moving makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity
+   makes the rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the
+   velocity, or the angular velocity, of *part.
      - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, cases 5 and 7; Table 4, case 2).
      - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
      - If both have the values of the whole, the rest moves on as the whole did (Table 3, case 7).
@@ -2671,7 +2684,7 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
 
 /* ---- the plane ---- */
 
-/* Sets vx and vy of *part, in the plane, to the velocity that gives the rest the velocity rest_v */
+/* Sets vx and vy of *part to the velocity that the part must have so that the rest moves at rest_v, in the plane */
 VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
                            vm_body2 *part)
 {
@@ -2700,8 +2713,8 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
 
-/* Gives the part, in the plane, the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if
-   the part is a point but would need angular momentum about itself. */
+/* Sets part->omega, in the plane, to the angular velocity that makes the rest turn with rest_omega. Returns
+   VM_NULL_AXIS if the part is a point but would need angular momentum about itself, else VM_OK. */
 VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
                           vm_body2 *part)
 {
@@ -2717,10 +2730,10 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
 }
 
 /* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving becomes a
-   copy of *part with another motion. Its velocity makes the rest move at (rest_v_or_NULL[0], rest_v_or_NULL[1]), in m/s
-   along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in rad/s. If one of these two
-   pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The statuses are those of
-   vm_separation_for_rest. */
+   copy of *part with another motion. The velocity of *moving makes the rest move at (rest_v_or_NULL[0],
+   rest_v_or_NULL[1]), in m/s along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in
+   rad/s. If one of these two pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The
+   statuses are those of vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)
@@ -2746,11 +2759,12 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of a part that leaves the rest with a wanted spin, in the plane (Table 3, case 7). The rest then turns with
-   rest_omega (rad/s), while the part keeps its own spin. S and S2 are the mass centres of whole and part. The velocity
-   of *moving relative to the whole, v_r, is the smallest that causes this spin. v_r is orthogonal to the line SS2; any
-   velocity along SS2 may be added to it. The velocity in *part is not read. Returns VM_SINGULAR if S and S2 are one
-   point, so that no velocity turns the rest. The other statuses are those of vm_separate2. */
+/* Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s). *moving becomes a copy
+   of *part with the new velocity; the velocity in *part is not read. The part keeps its angular velocity. Let S and S2
+   be the mass centres of whole and part, and v_r the velocity of *moving relative to the turning whole. Only the
+   component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. This is case 7 of
+   Table 3. Returns VM_SINGULAR if S and S2 are one point, so that no velocity turns the rest. The other statuses are
+   those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -2765,16 +2779,16 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     b = *part;
     dx = b.x - whole->x; /* the vector SS2 */
     dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy; /* first v_r = 0: the part moves as the whole does */
+    b.vx = whole->vx - whole->omega * dy; /* at first v_r = 0: the part moves as if it were fixed to the whole */
     b.vy = whole->vy + whole->omega * dx;
     parts = vmi_bodies_in_plane(1, &b);
     status = vmi_check_jump2(whole, &parts, external_or_NULL);
     if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
-    /* The velocity v_r = c k x SS2 must supply the angular momentum h that the spins of part and rest do not account
-       for. v_r supplies m M/M1 SS2 x v_r. M, m, M1 are the masses of whole, part and rest; k is the unit vector along
-       z. */
+    /* h is the angular momentum, relative to the turning whole, that is still missing after the angular velocities of
+       part and rest are set. The velocity v_r = c k x SS2 of the part must supply it: m M/M1 SS2 x v_r = h k. M, m and
+       M1 are the masses of whole, part and rest; k is the unit vector along z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
     b.vx -= c * dy;
@@ -2787,7 +2801,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #endif
 /* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
    Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds, and an
-   attachment takes, the kinetic energy of the motions relative to the whole: (113), (118), Carnot's theorem.
+   attachment takes, the kinetic energy that the bodies have relative to the whole: (113), (118), Carnot's theorem.
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -2797,8 +2811,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #ifndef VARMASS_MECHANICS_JUMP_ENERGY_H
 #define VARMASS_MECHANICS_JUMP_ENERGY_H
 
-/* The sum of the kinetic energies of the n `bodies` and of one_more in their motions relative to `whole`. Returns NaN
-   for a null pointer or n < 0. */
+/* The sum of the kinetic energies that the n `bodies` and `one_more` have in their motions relative to `whole`. Returns
+   NaN for a null pointer or n < 0. */
 VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
@@ -2813,8 +2827,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     return sum + vm_kinetic_energy(&b);
 }
 
-/* Work of an impulse on a body, J: v.linear + omega.moment, with the moment about the mass centre. Returns 0 for a null
-   pointer. */
+/* Work of an impulse on a body, J: v.linear + omega.moment. v and omega are the velocity and angular velocity of the
+   body; the moment of the impulse is taken about its mass centre. Returns 0 for a null pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -2823,18 +2837,18 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
-/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113), (118).
-   It is computed as the kinetic energy of their motions relative to the whole, plus the work of the impulse on the
-   whole. This holds exactly in space. At high speed it keeps digits that the difference of the energies loses. `whole`
-   is the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
+/* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
+   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the impulse on the whole.
+   The two are exactly equal, but the difference of energies loses digits at high speed. `whole` is the body before the
+   separation; `parts` and `rest` are the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
     return vmi_relative_energy(whole, n, parts, rest) + vmi_impulse_work(whole, external_or_NULL);
 }
 
-/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` less that of the whole
-   (Carnot's loss). It is computed as the kinetic energy of their motions relative to the whole, less the work of the
+/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` minus that of the whole
+   (Carnot's loss). It is computed as the kinetic energy of these bodies relative to the whole, minus the work of the
    impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it. Returns
    NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
@@ -3698,8 +3712,8 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #endif
 /* mechanics/generalized_force.h - generalized forces of forces and moments
 
-   This chapter turns a force and a moment into generalized forces (235). Lagrange's equations (mechanics/lagrange.h)
-   need them, and so do jumps (mechanics/lagrange_jump.h), where the "forces" are momenta and impulses.
+   This chapter computes the generalized forces (235) of a force and a moment, for Lagrange's equations (lagrange.h).
+   With momenta and impulses in place of forces and moments it serves jumps, too (lagrange_jump.h).
 
        vm_vec3 weight = {0, 0, VM_C(-9.8)}, no_moment = {0, 0, 0};
        vm_vec3 dr[1] = {{0, 0, 1}}; // dr/dq_0 of the point at which the weight acts
@@ -3710,14 +3724,14 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
-/* Add the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235). dr_or_NULL[i]
+/* Add the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235). dr_or_NULL[i]
    is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
    domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
    These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
 
-   External loads are given by their resultant and their moment about r. A stream with the mass rate M' is given by the
-   force M' u at the point where the mass enters or leaves with the velocity u, and by the moment M' kappa omega2. kappa
-   is the inertia of this mass per unit mass, and omega2 is its angular velocity. */
+   External loads are given by their resultant force and their moment about r. A stream with the mass rate M' (kg/s),
+   the velocity u and the angular velocity omega2 is given by the force M' u at the point where the mass enters or
+   leaves, and by the moment M' kappa omega2. kappa is the inertia of this mass per unit mass. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
@@ -3735,13 +3749,13 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 /* mechanics/lagrange_jump.h - Lagrange's equations across a jump
 
    This chapter computes generalized velocities qdot after a part separates from a system or is attached to it in an
-   instant (96), and after an impact. A mass matrix is an array of n n numbers, row after row. Velocities, momenta and
-   impulses are arrays of n numbers. The matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i and
-   turn[i] = domega/dqdot_i, (87)-(90). Here v is the velocity of the mass centre and omega the angular velocity, both
-   along inertial axes.
+   instant (96), and after an impact. A mass matrix is an array of n*n numbers, row after row. Velocities, momenta and
+   impulses are arrays of n numbers. For rigid bodies, vm_lagrange_mass and vm_lagrange_momentum compute matrices and
+   momenta from dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i, (87)-(90). v is the velocity of the mass centre and
+   omega the angular velocity, both along inertial axes.
 
        vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
-       vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // the part's momenta, and the velocities
+       vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // momenta of the part, velocities of the system
        vm_real work[VM_LAGRANGE_WORK(2)];
        int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
@@ -3752,13 +3766,13 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 
 #include <string.h>
 
-/* Length of the array `work` for n coordinates */
+/* Length of the array `work` for n generalized velocities */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
 /* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
-   dr and turn have n vectors: dr[i] = dv/dqdot_i, turn[i] = domega/dqdot_i, with the velocity v of the body's mass
-   centre and its angular velocity omega. If dr or turn is NULL, its term is 0. If body or matrix is NULL, nothing is
-   done. */
+   dr and turn have n vectors: dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i. v is the velocity of the body's mass
+   centre, and omega the body's angular velocity. If dr or turn is NULL, its term is 0. If body or matrix is NULL,
+   nothing is done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -3780,9 +3794,9 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Add to p the generalized momentum of a body's motion.
-   p has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is
-   NULL, nothing is done. */
+/* Add to p the generalized momentum of a body.
+   It is that of the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those of
+   vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -3791,9 +3805,9 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 }
 
 /* Add to p the generalized impulse (95) of an impulse on a body with the mass centre r.
-   r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. p has
-   n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is NULL,
-   nothing is done. */
+   r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not name the point. p
+   has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is
+   NULL, nothing is done. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -3802,8 +3816,8 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
-/* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: space for a copy of the matrix, then b, which the
-   caller has set, then space for n more numbers. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
+/* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: n*n numbers of space for a copy of the matrix, the n
+   numbers of b, which the caller has set, and n numbers of space. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
 VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
                                    vm_real *work)
 {
@@ -3817,8 +3831,8 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
 }
 
 /* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign*part + impulse, where `before` and `after` are mass
-   matrices. The unknown is the change of qdot. A part of little mass changes qdot little, and the error is small
-   compared with this change. */
+   matrices. The unknown is the change qdot_after - qdot. A part of little mass causes a small change, and the error is
+   small even compared with this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
@@ -3836,14 +3850,15 @@ VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after,
 }
 
 /* Velocities after a part separates: after*qdot_after = before*qdot - part + impulse (96).
-   (96) is d(T2 - T1)/dqdot = impulse, with the kinetic energies T1 before and T2 after the separation. The velocity of
-   the part relative to the body is constant in the derivative. The term of the part is therefore its generalized
-   momentum `part`. `before` and `after` are the mass matrices with and without the part. If part or impulse is NULL,
-   its term is 0. qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot
-   little, and this change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0,
-   VM_NOT_FINITE, VM_SINGULAR if a coordinate, or several together, move no mass or a negative one, and VM_OK otherwise.
-   The matrix counts as singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps
-   after the diagonal has been scaled to 1. */
+   `before` and `after` are the mass matrices with and without the part; `part` is the generalized momentum of the part
+   after the separation. (96) is d(T2 - T1)/dqdot = impulse, where T1 and T2 are the kinetic energies of rest and part
+   together before and after the separation. The velocity of the part relative to the body is held constant in this
+   derivative, so that the part adds the array `part` to dT2/dqdot. If part or impulse is NULL, its term is 0.
+   qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot little, and this
+   change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0, VM_NOT_FINITE, VM_SINGULAR
+   if some change of the coordinates moves no mass or a negative mass, and VM_OK otherwise. The matrix counts as
+   singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps after the diagonal
+   has been scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -3862,9 +3877,10 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
 }
 
 /* Velocities after an impact that changes no mass: matrix*(qdot_after - qdot) = impulse.
-   This function also computes a separation accurately if the part is nearly the whole body. Then `matrix` is the mass
-   matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. The
-   array sizes, the statuses and `work` are those of vm_lagrange_separate, but impulse must not be NULL. */
+   If a part separates that is nearly the whole body, this function is more accurate than vm_lagrange_separate. Then
+   `matrix` is the mass matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion
+   relative to the body. The array sizes, the statuses and `work` are those of vm_lagrange_separate, but impulse must
+   not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {
@@ -3890,9 +3906,9 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
 
 /* How the angle of a pendulum is measured */
 enum {
-    VM_AXES_COS_SIN = 0, /* the rod is along (cos, sin) of the angle, which is measured counterclockwise from x; the
-                            formulas (122), (125), (132) need this choice */
-    VM_AXES_SIN_COS = 1  /* the rod is along (sin, cos) of the angle (123), which is measured clockwise from y */
+    VM_AXES_COS_SIN = 0, /* the rod lies along (cos phi, sin phi), so that its angle phi is counted counterclockwise
+                            from the x axis; the formulas (122), (125), (132) need this choice */
+    VM_AXES_SIN_COS = 1  /* the rod lies along (sin phi, cos phi) (123): phi is counted clockwise from the y axis */
 };
 
 /* A uniform rod that swings about its end O, the origin */
@@ -3904,14 +3920,14 @@ typedef struct VM_TAG(vm_pendulum) {
     int axes;       /* VM_AXES_COS_SIN or VM_AXES_SIN_COS */
 } vm_pendulum;
 
-/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the remaining rod (the rest) and of the
-   part. */
+/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the remaining rod (the field `rest`) and
+   of the part. */
 typedef struct VM_TAG(vm_pendulum_cut) {
     vm_pendulum rest; /* the remaining rod; rest.rate is its angular velocity phi1' after the cut (125) */
     vm_real mass;     /* mass m of the part, kg */
     vm_real x, y;     /* position of the part's mass centre S2 (123), m */
     vm_real vx, vy;   /* velocity of the part's mass centre S2 (121), m/s */
-    vm_real rate;     /* angular velocity of the part: the rod's phi' before the cut plus Omega, rad/s */
+    vm_real rate;     /* angular velocity of the part: phi' of the rod before the cut plus Omega, rad/s */
     vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
     vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
@@ -3932,8 +3948,8 @@ VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
     return VM_OK;
 }
 
-/* Unit vectors of a pendulum: e points from O along the rod, f across the rod in the direction in which the angle
-   grows. */
+/* Unit vectors of a pendulum: e = (ex, ey) points from O along the rod. f = (fx, fy) is orthogonal to e and points in
+   the direction in which the angle grows. */
 VM_API void vmi_pendulum_directions(const vm_pendulum *p, vm_real *ex, vm_real *ey, vm_real *fx, vm_real *fy)
 {
     if (p->axes == VM_AXES_COS_SIN) {
@@ -3955,12 +3971,14 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
 }
 
 /* Motion of a pendulum and of the part that is cut off from it, (119)-(132).
-   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod,
-   positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's mass
-   centre (x, y) relative to the rod, along the axes x, y of the pendulum. The remaining rod then turns with
-     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for VM_AXES_COS_SIN, else s = -1.
-   This is (125), (132) corrected and simplified by hand, so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
-   pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
+   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is the angular velocity of the part relative to the
+   rod, positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's
+   mass centre S2 relative to the rod, along the axes x and y. Let rho = L - l/2 be the distance from O to S2. Let
+   `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows.
+   The angular velocities phi' of the rod before the cut and phi1' of the remaining rod after the cut obey
+     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 rho across).
+   This is (125), (132), corrected, and simplified so that no digits cancel. Returns VM_BAD_ARGUMENT for a null pointer
+   and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
    otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
@@ -3976,7 +3994,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     rho = pendulum->length - part / 2; /* distance from O to the part's mass centre S2 */
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
-    across = ux * fx + uy * fy; /* relative velocity across the rod; rho across is s (x u_y - y u_x) */
+    across = ux * fx + uy * fy; /* component of the relative velocity orthogonal to the rod */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
@@ -3994,7 +4012,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* change of the total momentum by the cut */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* total momentum after the cut minus before it */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
@@ -5096,16 +5114,17 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 
        vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
        vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
-       vm_real rates[4];          // w', x', y', z' of q
+       vm_real rates[4];          // w', x', y', z' of q, the derivatives with respect to time
        vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
 
    Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
 
-/* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
-   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1, but
-   more slowly than the body rotates. Therefore it does not make the equations of a slow rotation stiff. */
+/* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
+   velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
+   length 1, but errors of an integration change its length. The second term lets the length return to 1. It acts more
+   slowly than the body rotates, so that it does not make the equations of a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
@@ -6461,14 +6480,15 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    This chapter has the right-hand side for any system of n generalized coordinates whose kinetic energy T you can write
    down. The masses may depend on time and position (247). You give T, the masses and the generalized forces Q. The
    chapter computes the mass matrix A, the vector b and the derivatives from T. The states are the coordinates q and the
-   momenta pi = dT/dq', so that neither rates of momenta nor rates of masses are needed:
+   momenta pi = dT/dq', so that you need not give time derivatives of momenta or masses:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0,  T0 = T(q' = 0).
 
-   This is (247) corrected. T must use the velocities of the material. With streams of mass, Lagrange's equations are
-     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
+   This is (247) corrected. T must use the velocities of material points. A mass centre also shifts because mass leaves;
+   this motion must not be counted in T. With streams of mass, Lagrange's equations are
+     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum over streams [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
-   unit mass, the inertia kappa. omega is the angular velocity of the body. In dT/dq_i the masses must not vary,
-   although (244)-(247) may be read as if they did.
+   unit mass, the inertia kappa. omega is the angular velocity of the body. "Masses frozen" means that the masses are
+   held constant in the derivative dT/dq_i, although (244)-(247) may be read as if they varied.
 
        #include "varmass.h"
        static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
@@ -6488,7 +6508,7 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
        {
            vm_real q[1] = {0}, rates[1] = {2}, y[2], work[VM_LAGRANGE_RHS_WORK(1, 1)];
            vm_lagrange_system body = {1, 1, masses, energy, NULL, NULL, NULL, work};
-           return vm_lagrange_start(&body, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &body, 2, ...)
+           return vm_lagrange_start(&body, 0, q, rates, y); // y: initial state for rk45_init and vm_lagrange_rhs
        }
 
    Your Q must contain the terms of the streams, too. Example: a pendulum of length l and angle q has a bob that leaks
@@ -6496,24 +6516,24 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
    Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
-   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if T varies noticeably only
-   over changes of q as large as the field `scales`. Tests: tests/test_lagrange.c. */
+   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if a coordinate must change by
+   as much as the field `scales` says before T changes noticeably. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
-/* A mechanical system: the ctx of vm_lagrange_rhs */
+/* A mechanical system: the argument ctx of vm_lagrange_rhs */
 typedef struct VM_TAG(vm_lagrange_system) {
     int n;        /* number of coordinates, > 0 */
     int n_masses; /* number of masses, inertias and other quantities that are held constant in dT/dq, >= 0 */
-    /* Sets the n_masses masses at time t and coordinates q. NULL if n_masses is 0. */
+    /* Sets the n_masses masses at time t and coordinates q. The pointer is NULL if n_masses is 0. */
     void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx);
     /* Returns the kinetic energy T (J), a polynomial of degree 2 in the n rates q'. */
     vm_real (*energy)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx);
-    /* NULL, or a function that adds the n generalized forces to Q, for example by vm_lagrange_add_force. It returns
-       0; another number ends the run. */
+    /* NULL, or a function that adds the n generalized forces to Q, for example with vm_lagrange_add_force. It returns 0
+       to go on; any other number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
     void *ctx;             /* the argument ctx of the three functions above */
-    const vm_real *scales; /* for each coordinate the change over which T varies noticeably; NULL for 1 everywhere */
+    const vm_real *scales; /* for each coordinate, the change after which T differs noticeably; NULL: 1 for all */
     vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
@@ -6523,7 +6543,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
-    vm_real *b;      /* the vector b in T, the factors of the rates q' in its linear terms, n numbers */
+    vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
     vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -6540,8 +6560,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
     return w;
 }
 
-/* The kinetic energy T at the rates x e_i + z e_j, where e_i is the unit vector of coordinate i. If i or j is -1, its
-   term is left out. */
+/* The kinetic energy T at time t, coordinates q and the rates x e_i + z e_j. e_i and e_j are the unit vectors of the
+   coordinates i and j. If i or j is -1, its term is left out. The masses are those in the work array. */
 VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
                                    int j, vm_real z)
 {
@@ -6554,8 +6574,8 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
 }
 
 /* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
-   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j, so that a coordinate with a large energy
-   does not hide the digits of the other one. */
+   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. Both coordinates then have equal
+   energies. Otherwise a coordinate with a large energy would hide the digits of the other one. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6585,8 +6605,9 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Writes the rates q' = A^-1 (pi - b) of the state y into the work array. Returns VM_SINGULAR if A is not positive
-   definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK otherwise. */
+/* Writes the rates q' = A^-1 (pi - b) to the work array. y holds the coordinates q and the momenta pi. Returns
+   VM_SINGULAR if A is not positive definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK
+   otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6600,9 +6621,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
 }
 
 /* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. It is a central
-   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step is h times the scale of q_i. In units of
-   this scale the error is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small
-   for h = 2^-7 in double precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
+   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step h is 2^-7 (double precision, eps = 2^-52)
+   or 2^-3 (single precision, eps = 2^-23) times the scale of q_i. If q_i is measured in units of its scale, the error
+   is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small for these h. */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -6631,11 +6652,11 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 }
 
 /* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi; ctx is a vm_lagrange_system. Returns 0 or
-   an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite,
-   VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive
-   definite if, for example, a mass has become negative; use an event to stop the run before that. The number of calls
-   of system->energy grows with n^2. */
+   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi. `lagrange` points to a vm_lagrange_system.
+   Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not
+   positive definite, VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix
+   is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
+   number of calls of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -6703,21 +6724,22 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
 #endif
 /* mechanics/euler_angles.h - Euler's angles
 
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
-   the line of nodes, and by phi about its own z axis. This chapter computes
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about the z axis, then
+   by theta about its own x axis (the line of nodes), then by phi about its own z axis. This chapter computes
      - the quaternion of three angles,
-     - the axes about which the angles turn the body (Lagrange's equations need them as domega/dq'_i),
-     - the rates psi', theta', phi' of the angles from an angular velocity.
+     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the time derivatives psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
 
    Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning: neighbouring angles differ by 1 rad or more.
+   the number of binary digits of vm_real, a result has no meaning: adjacent numbers differ by 1 rad or more.
    Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
-/* Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles. Infinite angles give NaN. */
+/* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite
+   angles give NaN. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 {
     vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
@@ -6728,11 +6750,11 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 }
 
 /* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i, where q'_i is the rate of
-   angle i. A call with a null pointer does nothing. */
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i if q'_0, q'_1, q'_2 are the
+   rates psi', theta', phi'. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
     if (!axis) return;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6745,7 +6767,7 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
    omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* sine s and cosine c of phi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of phi; sine, cosine: those of theta */
     if (!axis) return;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -6754,11 +6776,12 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
     axis[2] = vmi_vec3(0, 0, 1);
 }
 
-/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR if sin(theta) is 0, and VM_OK otherwise. */
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_OK,
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, or VM_SINGULAR if sin(theta) is 0: psi and phi then turn the body
+   about the same axis, so that their rates are not unique. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3]; /* sine s and cosine c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine, result[3]; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);
@@ -13773,6 +13796,1083 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (status) return status;
     dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
     dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
+    return VM_OK;
+}
+
+#endif
+/* oscillators/van_der_pol_expansion.h - Van der Pol's oscillator: from the motion to its mean motion and back
+
+   The oscillator is that of oscillators/van_der_pol.h. In amplitude A and phase psi of oscillators/reduction.h, with
+   the feed as a negative damping, its exact equations are
+     (ln A)' = -p + W [-(2/n) e ca^2 sa^2 + E0 sa ca - Q0 ca^3 sa],
+     psi'    =      W [1 - e ca^3 sa + (n/2) E0 ca^2 - (n/2) Q0 ca^4],
+   with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass. Let epsilon be the relative
+   change of the vibration within a radian. The disturbances are the numbers
+     e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
+   e is of the order epsilon, the other three are of the order epsilon^2. With feed and m' alone, only E0 is left.
+
+   A transformation leads from A and psi to mean values, whose rates have no ripple within a period. Let J be
+   A^((alpha+3)/2) times a slow factor, so that a constant J means that only -p changes A. Then the mean values obey
+     (ln J)' = W [F e + K_3 e^3 + K_1 e e1 + K_Q e Q0 + K_E e E0],
+     psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
+   where < > is the mean over a period. This file has the constants of these equations, and the transformation in both
+   directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The law is new;
+   docs/van-der-pol.md has what it was measured at.
+       vmi_ripple r;
+       vmi_vdp_ripple v;
+       vmi_ripple_init(&r, 1, vmi_ateb_constants);
+       vmi_ripple_complete(&r);
+       vmi_vdp_ripple_init(&v, &r); // v.F is -1/4, v.K2 -11/256
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
+
+/* The polynomials that this law needs beyond those of oscillators/ripple.h. From a zero of sa: the integrals over the
+   phase of ca^6, and of the square of S, the integral of C = ca^2 - <ca^2>. */
+enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
+
+/* From a zero of ca: the integral of ca^6, and three parts of the integral of the square of S. The first is the square
+   of the phase itself, the last the square of the integral of ca^2, the middle one their product. */
+enum { VMI_VDP_PHASE2 = 1, VMI_VDP_PRODUCT, VMI_VDP_INTEGRAL2, VMI_VDP_ZERO_FUNCTIONS };
+
+/* Constants and polynomials of the law for one alpha, prepared by vmi_vdp_ripple_init. The names of the constants are
+   those of the equations at the top of this file. */
+typedef struct VM_TAG(vmi_vdp_ripple) {
+    vm_real q;               /* (alpha+3)/(alpha+7) */
+    vm_real mean6, mean8;    /* <ca^6>, <ca^8> */
+    vm_real mean_square;     /* the mean of S^2, where S is the integral of ca^2 - <ca^2> */
+    vm_real F, K2, K3, K1, KQ, KE;
+    vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, over e^2 */
+    vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
+    vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
+} vmi_vdp_ripple;
+
+/* The disturbances at one time and one amplitude, see the top of this file */
+typedef struct VM_TAG(vmi_vdp_disturbance) {
+    vm_real e, e1, Q0, E0;
+} vmi_vdp_disturbance;
+
+/* -- Making the polynomials -- */
+
+/* Writes the product of two power series of VMI_RIPPLE_SERIES terms each. */
+VM_API void vmi_vdp_multiply(const vm_real *f, const vm_real *g, vm_real *product)
+{
+    int i, j;
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        product[i] = 0;
+        for (j = 0; j <= i; j++) product[i] += f[j] * g[i - j];
+    }
+}
+
+/* Writes the power series of (1-y)^exponent. */
+VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
+{
+    vm_real before = 0;
+    int i;
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        series[i] = vmi_binomial_next(before, i, exponent);
+        before = series[i];
+    }
+}
+
+/* Turns a power series on [0, 1/2] into a polynomial in 4 w - 1 that differs from it by about rounding errors. */
+VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
+{
+    vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
+    int i, k;
+    for (k = 0; k < VMI_RIPPLE_TERMS; k++) polynomial[k] = 0;
+    for (k = 0; k < VMI_RIPPLE_KEPT; k++) w_power[k] = 0;
+    w_power[0] = 1;
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        for (k = 0; k < VMI_RIPPLE_TERMS; k++) polynomial[k] += series[i] * w_power[k];
+        vmi_chebyshev_times_w(w_power);
+    }
+    vmi_chebyshev_to_powers(polynomial);
+}
+
+/* Makes the polynomials for phases close to a zero of sa. There du = (1-y)^(alpha/n) dpsi with u = |sa|, y = u^2 and
+   n = alpha + 1, so that the integral of (1-y)^b dpsi is u times the sum of [(1-y)^(b-alpha/n)]_i y^i/(2i+1), where
+   [ ]_i is coefficient i of the power series. */
+VM_API void vmi_vdp_make_near_sa_0(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real alpha = r->alpha, n = alpha + 1;
+    vm_real slope[VMI_RIPPLE_SERIES], power[VMI_RIPPLE_SERIES], S[VMI_RIPPLE_SERIES], square[VMI_RIPPLE_SERIES];
+    int i;
+    vmi_vdp_binomial((6 - alpha) / n, power);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) power[i] /= (vm_real)(2 * i + 1);
+    vmi_vdp_economise(power, v->near_sa_0[VMI_VDP_CA6]);
+    vmi_vdp_binomial(-alpha / n, slope);
+    vmi_vdp_binomial((2 - alpha) / n, power);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) S[i] = (power[i] - r->mean2 * slope[i]) / (vm_real)(2 * i + 1);
+    vmi_vdp_multiply(S, S, square);
+    vmi_vdp_multiply(square, slope, power);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) power[i] /= (vm_real)(2 * i + 3);
+    vmi_vdp_economise(power, v->near_sa_0[VMI_VDP_SQUARE]);
+}
+
+/* Makes one of the polynomials of the integral of S^2 close to a zero of ca, from the power series of the two factors
+   of which the product is integrated, and of dpsi/dx. x_power is the power of x = |ca| before the polynomial. */
+VM_API void vmi_vdp_make_part(const vm_real *f, const vm_real *g, const vm_real *slope, vm_real x_power, vm_real n,
+                              vm_real *polynomial)
+{
+    vm_real product[VMI_RIPPLE_SERIES], series[VMI_RIPPLE_SERIES];
+    int i;
+    vmi_vdp_multiply(f, g, product);
+    vmi_vdp_multiply(product, slope, series);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) series[i] /= x_power + (vm_real)i * n;
+    vmi_vdp_economise(series, polynomial);
+}
+
+/* Makes the polynomials for phases close to a zero of ca. There dpsi = (n/2) (1-w)^(-1/2) dx with x = |ca|, w = x^n
+   and n = alpha + 1. The phase is x times one power series in w, the integral of ca^2 is x^3 times another. */
+VM_API void vmi_vdp_make_near_ca_0(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real n = r->alpha + 1;
+    vm_real slope[VMI_RIPPLE_SERIES], phase[VMI_RIPPLE_SERIES], ca2[VMI_RIPPLE_SERIES], ca6[VMI_RIPPLE_SERIES];
+    int i;
+    vmi_vdp_binomial(VM_C(-0.5), slope);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        const vm_real now = (vm_real)i * n;
+        slope[i] *= n / 2;
+        phase[i] = slope[i] / (1 + now);
+        ca2[i] = slope[i] / (3 + now);
+        ca6[i] = slope[i] / (7 + now);
+    }
+    vmi_vdp_economise(ca6, v->near_ca_0[VMI_VDP_CA6]);
+    vmi_vdp_make_part(phase, phase, slope, 3, n, v->near_ca_0[VMI_VDP_PHASE2]);
+    vmi_vdp_make_part(phase, ca2, slope, 5, n, v->near_ca_0[VMI_VDP_PRODUCT]);
+    vmi_vdp_make_part(ca2, ca2, slope, 7, n, v->near_ca_0[VMI_VDP_INTEGRAL2]);
+}
+
+/* -- The integrals of ca^6 and of S^2 -- */
+
+/* The integral of S^2 from the nearest zero of ca to a phase where |ca| = x and sa^2 = y */
+VM_API vm_real vmi_vdp_square_from_ca_0(const vmi_vdp_ripple *v, vm_real mean2, vm_real x, vm_real y)
+{
+    const vm_real z = 4 * (1 - y) - 1, x2 = x * x;
+    const vm_real phase2 = vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_PHASE2], z);
+    const vm_real product = vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_PRODUCT], z);
+    const vm_real integral2 = vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_INTEGRAL2], z);
+    return x2 * x * (mean2 * mean2 * phase2 + x2 * (x2 * integral2 - 2 * mean2 * product));
+}
+
+/* The integral of S^2 from the nearest zero of sa to a phase where |sa| = u and sa^2 = y */
+VM_API vm_real vmi_vdp_square_from_sa_0(const vmi_vdp_ripple *v, vm_real u, vm_real y)
+{
+    return y * u * vmi_ripple_polynomial(v->near_sa_0[VMI_VDP_SQUARE], 4 * y - 1);
+}
+
+/* Writes the integrals over the phase of ca^6 - <ca^6> and of S^2 - <S^2>, both 0 where ca or sa is 0. sa and ca are
+   the Ateb functions of psi. */
+VM_API void vmi_vdp_integrals_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi, vm_real sa, vm_real ca,
+                                 vm_real *ca6, vm_real *square)
+{
+    const vm_real y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
+    const vm_real side = from_sa_0 < 0 ? -1 : 1, t = VM_FABS(from_sa_0), s = r->pi / 2 - t;
+    const vm_real x = VM_FABS(ca), u = VM_FABS(sa);
+    if (y > VM_C(0.5)) {
+        const vm_real power7 = x * (ca * ca) * (ca * ca) * (ca * ca);
+        const vm_real integral = power7 * vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_CA6], 4 * (1 - y) - 1);
+        *ca6 = -side * (integral - v->mean6 * s);
+        *square = -side * (vmi_vdp_square_from_ca_0(v, r->mean2, x, y) - v->mean_square * s);
+    } else {
+        *ca6 = side * (u * vmi_ripple_polynomial(v->near_sa_0[VMI_VDP_CA6], 4 * y - 1) - v->mean6 * t);
+        *square = side * (vmi_vdp_square_from_sa_0(v, u, y) - v->mean_square * t);
+    }
+}
+
+/* -- Preparing an alpha -- */
+
+/* Computes the constants of the equations of the mean motion, from the means of powers of ca and of S^2. */
+VM_API void vmi_vdp_find_constants(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real alpha = r->alpha, n = alpha + 1, g = r->gamma, q = v->q;
+    const vm_real m2 = r->mean2, m4 = r->mean4, m6 = v->mean6, m8 = v->mean8;
+    const vm_real g11 = n * m6 / (alpha + 15);
+    const vm_real H = (alpha + 3) / 8 * (g11 - n * m2 * m4 / (alpha + 7));
+    const vm_real Z = q * q * (v->mean_square - n / 4 * (m6 - m2 * m4) + g11);
+    const vm_real y = -n / 6 * (m8 - m2 * m6) + n / 4 * m2 * (m6 - m2 * m4) + n * m8 / (alpha + 19) - m2 * g11;
+    const vm_real Y = q * q * y;
+    v->F = -q * m2;
+    v->K2 = g * (1 - 2 * g) / 2 * Z + (1 - 2 * g) * H - g11;
+    v->K3 = -(1 - 2 * g) * (v->F * H + Y / 2) - v->F * g11 - (alpha + 3) * n * m8 / ((alpha + 7) * (alpha + 19));
+    v->K1 = -H;
+    v->KQ = -r->scale / 4 * (m6 - m2 * m4);
+    v->KE = r->scale / 2 * r->variance;
+    v->constant = g / 2 * Z + H - (alpha + 3) * n / (2 * (alpha + 7)) * (VM_C(1.) / 6 + 1 / (alpha + 15)) * m6;
+}
+
+/* Prepares the alpha of r, which must have its polynomials. The mean of S^2 is its integral over a quarter of the
+   period, taken from both ends of the quarter up to the phase where sa^2 = 1/2. */
+VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
+    v->q = (r->alpha + 3) / (r->alpha + 7);
+    v->mean6 = vmi_osc_mean_ca(6, r->alpha, r->pi, vmi_ateb_constants);
+    v->mean8 = vmi_osc_mean_ca(8, r->alpha, r->pi, vmi_ateb_constants);
+    vmi_vdp_make_near_sa_0(v, r);
+    vmi_vdp_make_near_ca_0(v, r);
+    v->mean_square = 2 / r->pi *
+                     (vmi_vdp_square_from_sa_0(v, sa, half) + vmi_vdp_square_from_ca_0(v, r->mean2, ca, half));
+    vmi_vdp_find_constants(v, r);
+}
+
+/* -- The functions of the transformation -- */
+
+/* Functions of the phase in the transformation. U belongs to e, U1 to e1; P1 is the shift of the phase over e. */
+typedef struct VM_TAG(vmi_vdp_values) {
+    vmi_ripple_values f;
+    vm_real C4;         /* ca^4 - <ca^4> */
+    vm_real U, U1, P1;  /* terms of ln J that belong to e and e1, and the term of the phase that belongs to e */
+    vm_real X;          /* a term of ln J that belongs to e^2 */
+} vmi_vdp_values;
+
+/* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
+VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi, vm_real sa, vm_real ca,
+                              vmi_vdp_values *f)
+{
+    const vm_real n = r->alpha + 1, ca2 = ca * ca, ca4 = ca2 * ca2;
+    vmi_ripple_at(r, 5, psi, sa, ca, &f->f);
+    f->C4 = ca4 - r->mean4;
+    f->U = -v->q * (f->f.S - sa * ca * ca2);
+    f->U1 = v->q * (f->f.S2 + n / 8 * f->C4);
+    f->P1 = (n * f->C4 - (r->alpha - 1) * f->f.S2) / (r->alpha + 7);
+    f->X = v->q * n / 2 * ca4 * ca2 * (VM_C(1.) / 6 + sa * sa / n);
+}
+
+/* -- From the motion to the mean motion -- */
+
+/* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
+   belongs to the phase, *now to the amplitude. */
+VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
+                         const vmi_vdp_disturbance *now)
+{
+    const vm_real g = r->gamma, half = r->scale / 2;
+    const vm_real square = (1 - 2 * g) / 2 * f->U * f->U - v->F * f->P1 - f->X - v->constant;
+    return -now->e * f->U + now->e * now->e * square - now->e1 * f->U1 - half / 2 * now->Q0 * f->C4 +
+           half * now->E0 * f->f.C;
+}
+
+/* Returns the mean phase minus the phase, up to order epsilon, and at phases where sa or ca is 0 up to epsilon^2. */
+VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *now) { return -now->e * f->P1; }
+
+/* -- From the mean motion to the motion -- */
+
+/* Returns the part of order epsilon^2 of ln(J/mean J). *f belongs to the mean phase. */
+VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
+                                     const vmi_vdp_disturbance *now)
+{
+    const vm_real n = r->alpha + 1, half = r->scale / 2, sa_ca = f->f.sa * f->f.ca;
+    const vm_real slope = -(r->alpha + 3) / n * sa_ca * sa_ca;
+    const vm_real square = (1 - 2 * r->gamma) / 2 * f->U * f->U + slope * f->P1 + f->X + v->constant;
+    return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
+}
+
+/* Returns the part of order epsilon^2 of the phase minus the mean phase psi, to which *f belongs. */
+VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
+                                       const vmi_vdp_values *f, const vmi_vdp_disturbance *now)
+{
+    const vm_real alpha = r->alpha, n = alpha + 1, g = r->gamma, q = v->q;
+    const vm_real ca = f->f.ca, sa = f->f.sa, ca3 = ca * ca * ca;
+    vm_real ca6, square, ca4, V, T, odd;
+    vmi_vdp_integrals_at(v, r, psi, sa, ca, &ca6, &square);
+    ca4 = f->f.Q + 2 * r->mean2 * f->f.S;
+    V = n / (alpha + 15) * (ca6 - sa * ca3 * ca3 * ca);
+    T = -n / 8 * (f->f.S * ca3 * ca - ca6 + r->mean2 * ca4);
+    odd = g * q * q / 2 * (square - 2 * T + V) + q * (T - V) -
+          v->F / (alpha + 7) * (n * ca4 - (alpha - 1) * f->f.S3);
+    odd = (1 - 3 * g) * odd - V + g * q / 2 * (n * ca6 / 6 + V);
+    odd += (g * f->U - ca3 * sa) * f->P1;
+    return now->e * now->e * odd +
+           now->e1 * (2 * (alpha - 1) * f->f.S3 + n / 8 * (alpha - 9) * ca4) / (alpha + 7) +
+           n / 16 * (alpha - 9) * now->Q0 * ca4 + r->scale / 2 * (1 - 2 * g) * now->E0 * f->f.S;
+}
+
+/* -- The mean motion -- */
+
+/* The rate of ln J over W e, without its first term F: the terms of order epsilon^2 in the brackets of (ln J)' */
+VM_API vm_real vmi_vdp_mean_second(const vmi_vdp_ripple *v, const vmi_vdp_disturbance *now)
+{
+    return v->K3 * now->e * now->e + v->K1 * now->e1 + v->KQ * now->Q0 + v->KE * now->E0;
+}
+
+/* The mean rate of the phase over W, up to order epsilon^3 */
+VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_disturbance *now)
+{
+    const vm_real n = r->alpha + 1;
+    return 1 + v->K2 * now->e * now->e - n / 2 * r->mean4 * now->Q0 + n / 2 * r->mean2 * now->E0;
+}
+
+/* -- Sizes of the terms, for estimates of errors -- */
+
+/* Bounds of what order two leaves out, for one time: of the phase and of ln J by the transformation back from the mean
+   motion, and of ln J by the transformation to the mean motion. */
+typedef struct VM_TAG(vmi_vdp_sizes) {
+    vm_real psi, J; /* terms of order epsilon^2 of the way back */
+    vm_real start;  /* terms of order epsilon^3 of ln J on the way to the mean motion */
+    vm_real ratio;  /* about the ratio of terms of one order to those of the order before */
+} vmi_vdp_sizes;
+
+/* The sizes where the disturbances are *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors are
+   fitted to the largest values of the functions for alpha from 0.2 to 12. */
+VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturbance *now, vm_real rate)
+{
+    const vm_real d = r->pi / (2 * VM_PI), d2 = d * d, d3 = d2 * d, d4 = d2 * d2;
+    const vm_real e = VM_FABS(now->e), e1 = VM_FABS(now->e1), Q = VM_FABS(now->Q0), E = VM_FABS(now->E0);
+    vmi_vdp_sizes s;
+    s.psi = VM_C(0.11) * d3 * e * e + VM_C(0.45) * d3 * e1 + VM_C(0.75) * d * Q +
+            r->scale / 4 * VM_FABS(1 - 2 * r->gamma) * d * E;
+    s.J = VM_C(0.18) * d2 * (e * e + d * e1) + VM_C(1.5) * d2 * Q + VM_C(2.4) * d2 * E;
+    s.start = e * (VM_C(0.06) * d4 * e * e + VM_C(0.12) * d3 * e1 + VM_C(0.5) * d4 * Q + VM_C(0.9) * d4 * E) +
+              rate * (VM_C(0.14) * d4 * e1 + VM_C(1.1) * d3 * Q + VM_C(2.1) * d3 * E);
+    s.ratio = d * (e + rate);
+    return s;
+}
+
+#endif
+/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along any slow law of its mass
+
+   The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
+   therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
+   there. The mean amplitude and phase at any other time are integrals along the law of the mass, cost does not depend
+   on the number of vibrations. With B = c/m and r = exp(-2 integral of p dt) from the start of a panel of time
+   (oscillators/panels.h), the mean amplitude A and phase psi on the panel are
+     A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
+     psi = psi_0 + integral of W (1 + second order terms) dt.
+   At the points of a table p' jumps, so that the mean motion jumps, too: there the exact equations take over, from the
+   last phase before the point at which sa or ca is 0 to the first one after it.
+       vm_vdp_plan plan;
+       vmi_vdp_mean mean;
+       int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
+       if (!status) status = vmi_vdp_mean_at(&plan, 100, &mean); // mean.ln_A, mean.psi
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
+
+/* The mean motion at one time, and what the error depends on */
+typedef struct VM_TAG(vmi_vdp_mean) {
+    vm_real t;                    /* the time, s */
+    vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
+    vm_real first_ln_A, first_psi; /* both by the first order of the same equations */
+    vm_real segment;              /* time, s, of the last point of a table, or 0: the laws are smooth since then */
+    vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
+    vm_real J_error;              /* what order two leaves out of ln J at starts, as far as it is left at t */
+    vm_real psi_error;            /* what order two leaves out of psi */
+    vm_real J_third, psi_third;   /* the same for order three, of terms that depend on feed and mass alone */
+    vm_real ratio;                /* largest ratio of terms of one order to those of the order before, at all starts */
+    vmi_osc_mean fast;            /* only change, dropped, shortest and error: what fast changes of the mass cause */
+} vmi_vdp_mean;
+
+/* What is computed only once for a Van der Pol oscillator and its state at t = 0, by vm_vdp_plan_init. Read its fields,
+   but do not change them. The plan points to the tables, functions and contexts of the law of the mass. */
+typedef struct VM_TAG(vm_vdp_plan) {
+    vm_vdp vdp;            /* a copy of the oscillator */
+    vm_osc_plan osc;       /* the oscillator without its term -c x^2 x', with the feed as a negative damping */
+    vmi_vdp_ripple ripple; /* constants and polynomials of the law of order three */
+    int start_status;      /* VM_OK where `start` is set; else why there is no mean motion, or VM_NO_LAW at rest */
+    vmi_vdp_mean start;    /* the start of the mean motion forward in time */
+} vm_vdp_plan;
+
+/* The term -c x^2 x', N; ctx points to c. */
+VM_API vm_real vmi_vdp_force(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    const vm_real *c = (const vm_real *)ctx;
+    (void)t;
+    return -*c * x * x * v;
+}
+
+/* -- The disturbances -- */
+
+/* The rate of the phase, 1/s, at the amplitude exp(ln_A) */
+VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real ln_A)
+{
+    const vm_real alpha = p->vdp.alpha;
+    return VM_SQRT((alpha + 1) / 2 * p->vdp.k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
+}
+
+/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. From p = (2 a - m'/m)/(alpha+3) follows m'/m. */
+VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p)
+{
+    return (p->vdp.alpha - 1) * rate_p - rate_a;
+}
+
+/* The disturbances where the mass has the rates a and p, G0 is p^2 - a p - p', and the amplitude exp(ln_A) has the rate
+   of phase W */
+VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real rate_a, vm_real rate_p,
+                                                  vm_real G0, vm_real ln_A, vm_real W)
+{
+    vmi_vdp_disturbance d;
+    d.e = p->vdp.c / mass * vmi_exp(2 * ln_A, 0) / W;
+    d.e1 = d.e * vmi_vdp_nu(p, rate_a, rate_p) / W;
+    d.Q0 = d.e * rate_p / W;
+    d.E0 = G0 / W / W;
+    return d;
+}
+
+/* The same where *now holds mass and rates */
+VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
+                                                  vm_real W)
+{
+    const vm_real G0 = now->G[0] / now->unit / now->unit;
+    return vmi_vdp_disturbance_of(p, now->m, now->a, now->p, G0, ln_A, W);
+}
+
+/* The sizes of terms for estimates, where *now holds mass and rates, and the amplitude exp(ln_A) has the rate of phase
+   W */
+VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
+{
+    const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
+    const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p)) + VM_FABS(now->p) + VM_FABS(now->a)) / W;
+    return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
+}
+
+/* Writes |E_k| = |G_k|/W^(k+2), see oscillators/expansion.h. They belong to the oscillator without its term in c. */
+VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
+{
+    int i;
+    vmi_osc_disturbance(now, W, E);
+    for (i = 0; i < VMI_OSC_G; i++) E[i] = VM_FABS(E[i]);
+}
+
+/* -- The start -- */
+
+/* Starts the mean motion at the state r->A, r->psi, r->W of the reduction, where sa or ca is 0. mean->t and mean->now
+   belong to this time. The errors that the start causes are added to those in *mean. */
+VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi_vdp_mean *mean)
+{
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vm_real ln_A = vmi_log(r->A).hi;
+    const vmi_vdp_disturbance now = vmi_vdp_disturbance_at(p, &mean->now, ln_A, r->W);
+    const vmi_vdp_sizes sizes = vmi_vdp_sizes_at(p, &mean->now, ln_A, r->W);
+    vmi_vdp_values f;
+    vmi_expansion_sizes terms;
+    vm_real E[VMI_OSC_G], sa, ca;
+    vmi_osc_wave_at(&wave, r->psi, &ca, &sa);
+    vmi_vdp_values_at(&p->ripple, &p->osc.ripple, r->psi, sa, ca, &f);
+    vmi_vdp_absolute_E(&mean->now, r->W, E);
+    mean->ln_A = ln_A + 2 / (p->vdp.alpha + 3) * vmi_vdp_J(&p->ripple, &p->osc.ripple, &f, &now);
+    mean->psi = r->psi + vmi_vdp_psi(&f, &now);
+    mean->first_ln_A = mean->ln_A;
+    mean->first_psi = mean->psi;
+    mean->J_error += sizes.start;
+    mean->psi_error += sizes.psi;
+    vmi_expansion_find_sizes(&p->osc.ripple, E, &terms);
+    mean->J_third += terms.J[4];
+    mean->psi_third += terms.psi[3];
+    mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
+}
+
+/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, but past the
+   next point of a table if `knots` is 1. Then starts the mean motion there. side is 1 forward, -1 backward in time.
+   VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has more points on
+   the way. */
+VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
+                          vmi_vdp_mean *mean)
+{
+    const int nodes = 14, most_steps = 8;
+    vm_osc_plan exact = p->osc;
+    vm_real c = p->vdp.c;
+    vmi_osc_course course;
+    vmi_osc_reduced end;
+    vmi_osc_rates rates;
+    int i, landed = 0, status;
+    exact.problem.force = vmi_vdp_force;
+    exact.problem.ctx = &c;
+    vmi_osc_course_start(&course, &exact, r, side, nodes, 2, 16 * VM_EPSILON);
+    course.t = t;
+    for (i = 0; i < most_steps; i++) {
+        course.stop = vmi_osc_next_knot(&exact.problem, course.t, VM_COPYSIGN(VM_INFINITY, (vm_real)side));
+        status = vmi_osc_course_step(&course);
+        if (status) return status;
+        if (course.t == course.stop) landed++;
+        else if (landed >= knots) break;
+        if (landed > knots) return VM_NOT_INTEGRATED;
+    }
+    if (i == most_steps) return VM_NOT_INTEGRATED;
+    status = vmi_osc_rates_at(&exact.problem, course.t, side, &rates);
+    if (!status)
+        status = vmi_osc_slow_at(&exact.problem, course.t, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om,
+                                 &mean->now);
+    if (status) return status;
+    end.psi = course.psi;
+    end.A = exact.A * vmi_exp(course.ln_A, 0);
+    end.W = exact.Om * vmi_osc_Om_ratio(&exact, &rates, course.ln_A);
+    mean->t = course.t;
+    mean->segment = knots ? mean->segment : t;
+    vmi_vdp_start_at(p, &end, mean);
+    return VM_OK;
+}
+
+/* Starts the mean motion from position and velocity at t = 0, for times t > 0 with side = 1, t < 0 with side = -1. */
+VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_osc_problem *o = &p->osc.problem;
+    const vm_real quarter = p->osc.ripple.pi / 2;
+    vmi_osc_reduced r;
+    vm_real from_multiple;
+    int i, status = vmi_osc_slow_at(o, 0, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om, &mean->now);
+    if (status) return status;
+    mean->t = 0;
+    mean->segment = 0;
+    mean->J_error = 0;
+    mean->psi_error = 0;
+    mean->J_third = 0;
+    mean->psi_third = 0;
+    mean->ratio = 0;
+    mean->fast = vmi_osc_mean_at_0(&p->osc);
+    for (i = 0; i < VMI_WALK_ORDERS; i++) mean->fast.change[i] = 0;
+    r = vmi_osc_reduce(&mean->now, o->alpha, o->x, o->v);
+    if (!(r.A > 0) || !VM_IS_FINITE(r.A)) return VM_NOT_FINITE;
+    from_multiple = r.psi - quarter * VM_FLOOR(r.psi / quarter + VM_C(0.5));
+    if (VM_FABS(from_multiple) > 64 * VM_EPSILON * quarter) return vmi_vdp_bridge(p, 0, side, &r, 0, mean);
+    vmi_vdp_start_at(p, &r, mean);
+    return VM_OK;
+}
+
+/* Plan for many values of the motion of a Van der Pol oscillator.
+   x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
+   plan. The fields method and a1 to a3 of the oscillator do not matter. The oscillator is copied; the tables and
+   contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
+   pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN,
+   VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for
+   alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
+VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
+{
+    vm_vdp_plan plan;
+    vm_osc_problem o;
+    int status;
+    if (!p || !v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
+    o.alpha = v->alpha;
+    o.mass = v->mass;
+    o.stiffness = vm_law_linear(v->k, 0);
+    o.reactive = v->reactive;
+    o.damping = -v->feed;
+    o.x = x;
+    o.v = x_rate;
+    o.force = NULL;
+    o.ctx = NULL;
+    plan.vdp = *v;
+    status = vmi_vdp_check(v);
+    status = vmi_first_error(status, vm_osc_plan_init(&plan.osc, &o));
+    if (status) return status;
+    plan.start_status = VM_NO_LAW;
+    if (plan.osc.A > 0) {
+        vmi_vdp_ripple_init(&plan.ripple, &plan.osc.ripple);
+        plan.start_status = vmi_vdp_start(&plan, 1, &plan.start);
+    }
+    *p = plan;
+    return VM_OK;
+}
+
+/* -- A panel -- */
+
+/* Series and integrals of the mean motion on a panel of time */
+typedef struct VM_TAG(vmi_vdp_panel) {
+    vmi_osc_panel laws;                   /* the law of mass; its fields E and noise for fast changes */
+    vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
+    vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
+    vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
+    vm_real loss;                         /* factor by which an error of ln J changes over the panel */
+    vm_real kept;                         /* integral over the phase of this factor from the start */
+} vmi_vdp_panel;
+
+/* Mean values at the points of Gauss' rule of a panel */
+typedef struct VM_TAG(vmi_vdp_nodes) {
+    vm_real r[VMI_GAUSS], ln_r[VMI_GAUSS];      /* r/m, see vmi_vdp_panel, and ln r */
+    vm_real first_ln_A[VMI_GAUSS], first_rate[VMI_GAUSS];
+    vm_real G0[VMI_GAUSS], E[VMI_GAUSS];        /* p^2 - a p - p', and E_0 */
+    vm_real second[VMI_GAUSS];                  /* r/m times the terms of second order of (ln J)'/(W e) */
+    vm_real rate[VMI_GAUSS];
+} vmi_vdp_nodes;
+
+/* ln of r = exp(-2 integral of p dt) over a time in which the mass changes by the factor exp(ln_m), and the integral
+   of dt/m is `way` */
+VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real way)
+{
+    vm_real ln_A, ln_Om;
+    vmi_osc_adiabatic(&p->osc, ln_m, 0, p->osc.problem.damping * way, &ln_A, &ln_Om);
+    return 2 * ln_A;
+}
+
+/* Computes the first order at the nodes, and from it the terms of second order. *mean is the mean motion at the start
+   of the panel, where the mass is m_start. */
+VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vm_real m_start,
+                                const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes, vmi_vdp_panel *panel)
+{
+    const vm_real gain = -4 / (p->vdp.alpha + 3) * p->ripple.F * p->vdp.c * vmi_exp(2 * mean->first_ln_A, 0);
+    vm_real unused[VMI_GAUSS];
+    int i;
+    panel->laws.noise = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real way = length / 2 * vmi_legendre_integral(panel->laws.inverse, vmi_gauss_node(i));
+        nodes->ln_r[i] = vmi_vdp_ln_r(p, vmi_log(now->m / m_start).hi, way);
+        nodes->r[i] = vmi_exp(nodes->ln_r[i], 0) / now->m;
+        nodes->G0[i] = now->p * (now->p - now->a) - at->p_rate[i];
+    }
+    vmi_legendre_fit(nodes->r, nodes->r, panel->r, unused);
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real y = 1 + gain * (length / 2) * vmi_legendre_integral(panel->r, vmi_gauss_node(i));
+        const vm_real ln_A = mean->first_ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2;
+        const vm_real W = vmi_vdp_rate(p, now->m, ln_A);
+        const vm_real p_noise = vmi_osc_rate_noise() / VM_FABS(length);
+        vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        nodes->first_ln_A[i] = ln_A;
+        nodes->first_rate[i] = y > 0 ? W : VM_NAN;
+        nodes->second[i] = nodes->r[i] * vmi_vdp_mean_second(&p->ripple, &d);
+        nodes->E[i] = d.E0;
+        panel->laws.noise = vmi_larger(p_noise / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W), panel->laws.noise);
+    }
+    panel->first_ln_A = 1 + gain * length * panel->r[0]; /* y at the end of the panel */
+}
+
+/* Computes the mean motion of order three at the nodes, from the series `second` of the terms of second order. */
+VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
+                                 const vmi_osc_panel_laws *at, const vm_real *second, vmi_vdp_nodes *nodes,
+                                 vmi_vdp_panel *panel)
+{
+    const vm_real gain = -4 / (p->vdp.alpha + 3) * p->vdp.c * vmi_exp(2 * mean->ln_A, 0);
+    int i;
+    panel->kept = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real node = vmi_gauss_node(i);
+        const vm_real sum = p->ripple.F * vmi_legendre_integral(panel->r, node) + vmi_legendre_integral(second, node);
+        const vm_real y = 1 + gain * (length / 2) * sum;
+        const vm_real ln_A = mean->ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2, W = vmi_vdp_rate(p, now->m, ln_A);
+        const vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        nodes->rate[i] = y > 0 ? W * vmi_vdp_mean_rate(&p->ripple, &p->osc.ripple, &d) : VM_NAN;
+        panel->kept += vmi_gauss_weight(i) / 2 * VM_FABS(length) * W / y;
+    }
+    panel->loss = 1 / (1 + gain * length * (p->ripple.F * panel->r[0] + second[0]));
+}
+
+/* Computes the panel from mean->t over `length`, which is negative backward. */
+VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vmi_vdp_panel *panel)
+{
+    const vm_osc_problem *o = &p->osc.problem;
+    const int side = vmi_time_side(length);
+    vmi_osc_panel_laws at;
+    vmi_vdp_nodes nodes;
+    vm_real m_start[VMI_LAW_ORDERS], m_end[VMI_LAW_ORDERS], second[VMI_GAUSS], ln_r;
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t, side, 0, m_start);
+    if (!status) status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t + length, -side, 0, m_end);
+    if (!status) status = vmi_osc_read_laws(o, side, mean->t, length, &at, &panel->laws);
+    if (status) return status;
+    vmi_vdp_first_order(p, mean, length, m_start[0], &at, &nodes, panel);
+    vmi_legendre_fit(nodes.second, nodes.E, second, panel->laws.E);
+    vmi_vdp_second_order(p, mean, length, &at, second, &nodes, panel);
+    vmi_legendre_fit(nodes.rate, nodes.first_rate, panel->rate, panel->first_rate);
+    ln_r = vmi_vdp_ln_r(p, vmi_log(m_end[0] / m_start[0]).hi, length * panel->laws.inverse[0]);
+    panel->first_ln_A = (ln_r - vmi_log(panel->first_ln_A).hi) / 2;
+    panel->ln_A = (ln_r + vmi_log(panel->loss).hi) / 2;
+    return VM_OK;
+}
+
+/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. A panel also counts as short
+   enough if the terms of E_0 that its series leaves out do not matter. */
+VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length, vm_real whole)
+{
+    const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
+    const vm_real limit = vmi_panel_limit(length, whole), phase = panel->rate[0] * VM_FABS(length);
+    if (!(panel->laws.edge <= vmi_panel_edge_limit(limit))) return 0;
+    if (!vmi_panel_is_resolved(panel->laws.inverse, limit) || !vmi_panel_is_resolved(panel->r, limit)) return 0;
+    if (!vmi_panel_is_resolved(panel->rate, limit) || !vmi_panel_is_resolved(panel->first_rate, limit)) return 0;
+    return vmi_legendre_tail(panel->laws.E) <= E_enough * VM_SQRT(vmi_legendre_square(panel->laws.E)) +
+                                                   phase_matters * (1 + 1 / phase) / phase;
+}
+
+/* Advances the mean motion over a panel. */
+VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_real length, vmi_vdp_mean *mean)
+{
+    const vm_real g = VM_FABS(p->osc.ripple.gamma), phase = panel->rate[0] * VM_FABS(length);
+    const vm_real second = VM_FABS(vmi_expansion_second(&p->osc.ripple)) * vmi_legendre_square(panel->laws.E);
+    mean->t += length;
+    mean->psi += length * panel->rate[0];
+    mean->first_psi += length * panel->first_rate[0];
+    mean->ln_A += panel->ln_A;
+    mean->first_ln_A += panel->first_ln_A;
+    mean->psi_error += g * mean->J_error * panel->kept;
+    mean->psi_third += g * mean->J_third * panel->kept + phase * second;
+    mean->J_error *= panel->loss;
+    mean->J_third *= panel->loss;
+    panel->laws.ratio[0] = panel->rate[0] / p->osc.mean.W; /* vmi_osc_add_changes asks for the rate in this form */
+    panel->laws.cube = 0;
+    vmi_osc_add_changes(&p->osc, &panel->laws, length, &mean->fast);
+}
+
+/* Advances the mean motion to `end` by panels of at most `longest`. No table may have a point on the way. `whole` is
+   the length of the whole walk, s. Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+VM_API int vmi_vdp_walk_piece(const vm_vdp_plan *p, vm_real end, vm_real longest, vm_real whole, vmi_vdp_mean *mean)
+{
+    vmi_panels panels = vmi_panels_from(mean->t, end, longest, whole);
+    while (vmi_panels_next(&panels)) {
+        const vm_real length = panels.side * panels.step;
+        vmi_vdp_panel panel;
+        int status = vmi_vdp_panel_of(p, mean, length, &panel);
+        if (status) return status;
+        if (!vmi_vdp_panel_is_resolved(&panel, panels.step, whole)) {
+            if (vmi_panels_halve(&panels)) continue;
+            if (!VM_IS_FINITE(panel.ln_A) || !VM_IS_FINITE(panel.rate[0])) return VM_NOT_FINITE;
+            mean->fast.error += panels.step * vmi_legendre_tail(panel.rate) / p->osc.Om;
+        }
+        vmi_vdp_add_panel(p, &panel, length, mean);
+        if (panels.step < mean->fast.shortest && panels.step < panels.left) mean->fast.shortest = panels.step;
+        vmi_panels_advance(&panels);
+        mean->t = panels.t;
+    }
+    return VM_OK;
+}
+
+/* -- The motion that belongs to a mean motion -- */
+
+/* Writes amplitude, phase and its rate at mean->t by order 1, 2 or 3, with rates from mean->now. */
+VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_vdp_mean *mean)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vm_real share = 2 / (r->alpha + 3);
+    vm_real ln_A = order == 1 ? mean->first_ln_A : mean->ln_A, sa, ca, ln_J;
+    vmi_osc_reduced state;
+    vmi_vdp_disturbance now;
+    vmi_vdp_values f;
+    state.W = vmi_vdp_rate(p, mean->now.m, ln_A);
+    state.psi = order == 1 ? mean->first_psi : mean->psi;
+    if (order > 1) {
+        now = vmi_vdp_disturbance_at(p, &mean->now, ln_A, state.W);
+        vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+        vmi_vdp_values_at(&p->ripple, r, state.psi, sa, ca, &f);
+        ln_J = now.e * f.U;
+        state.psi += now.e * f.P1;
+        if (order > 2) {
+            ln_J += vmi_vdp_J_back_second(&p->ripple, r, &f, &now);
+            state.psi += vmi_vdp_psi_back_second(&p->ripple, r, mean->psi, &f, &now);
+        }
+        ln_A += share * ln_J;
+        state.W *= vmi_exp(r->gamma * ln_J, 0);
+    }
+    state.A = vmi_exp(ln_A, 0);
+    return state;
+}
+
+/* -- The walk -- */
+
+/* Sets the rates of *mean for its time. side is the direction of the walk, 1 forward, -1 backward in time; where
+   derivatives jump, their values on the side from which the walk comes are taken. */
+VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_real sampling = vmi_osc_sampling_time(&p->osc), way = VM_FABS(mean->t);
+    const vm_real unit = 1 / p->osc.Om;
+    if (way == 0) return vmi_osc_slow_at(&p->osc.problem, 0, side, sampling, unit, &mean->now);
+    return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
+}
+
+/* Takes the mean motion past its time, a point of a table: from the last phase before it where sa or ca is 0 by the
+   exact equations to the first one after it. */
+VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), knot = mean->t;
+    const vm_real back = -(vm_real)side * quarter * (turns - VM_FLOOR(turns)) / W;
+    vmi_vdp_panel panel;
+    vmi_osc_reduced state;
+    int status = VM_OK;
+    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the table's points are dense */
+    if (back != 0) {
+        status = vmi_vdp_panel_of(p, mean, back, &panel);
+        if (status) return status;
+        vmi_vdp_add_panel(p, &panel, back, mean);
+    }
+    mean->t = knot + back;
+    status = vmi_vdp_mean_update(p, side, mean);
+    if (status) return status;
+    state = vmi_vdp_state(p, 3, mean);
+    mean->segment = knot;
+    return vmi_vdp_bridge(p, mean->t, side, &state, 1, mean);
+}
+
+/* Computes the mean motion at t by a walk along the law of the mass, from one point of a table to the next. Returns
+   VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer than
+   a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
+VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
+{
+    const vm_law *mass = &p->osc.problem.mass;
+    const int side = vmi_time_side(t);
+    vm_real whole, longest, at = 0;
+    int status = p->start_status;
+    if (side < 0 && mass->time) status = vmi_vdp_start(p, -1, mean);
+    else if (!status) *mean = p->start;
+    if (status) return status;
+    whole = vmi_larger(VM_FABS(t), VM_FABS(mean->t));
+    longest = vmi_law_longest_panel(mass, whole);
+    mean->fast.shortest = longest;
+    while (!status) {
+        const vm_real next = vmi_law_next_knot(mass, at, t);
+        if (next != t && (vm_real)side * (mean->t - next) > 0) return VM_NOT_INTEGRATED;
+        status = vmi_vdp_walk_piece(p, next, longest, whole, mean);
+        if (!status) status = vmi_vdp_mean_update(p, side, mean);
+        if (status || next == t) return status;
+        status = vmi_vdp_walk_past_knot(p, side, mean);
+        at = next;
+    }
+    return status;
+}
+
+#endif
+/* oscillators/van_der_pol_routes.h - the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
+
+   Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
+   after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
+     VM_ROUTE_ATEB           first order, from the start that the law of order three has; errors are O(epsilon)
+     VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
+     VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
+     VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
+     VM_ROUTE_RK87           integration of the equation of motion by rk87, to a tolerance
+   epsilon is the relative change of the vibration within a radian. The cost of the first three does not depend on t.
+   vm_vdp_within takes the cheapest route whose error is estimated to be within a tolerance. The shortest useful call:
+       vm_vdp v;
+       vm_osc_motion motion;
+       memset(&v, 0, sizeof v);
+       v.alpha = 3;
+       v.k = 1;
+       v.feed = v.c = VM_C(0.01);
+       v.mass = vm_law_linear(1, VM_C(-0.001)); // a mass of 1 kg, which leaks 1 g/s
+       int status = vm_vdp_within(&v, VM_C(0.5), 0, 300, VM_C(1e-6), &motion); // from rest at 0.5 m, after 300 s
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_ROUTES_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_ROUTES_H
+
+/* -- The law of orders one to three -- */
+
+/* The order, 1 to 3, of a route of the law, or 0 for every other route */
+VM_API int vmi_vdp_order_of(int route)
+{
+    switch (route) {
+    case VM_ROUTE_ATEB: return 1;
+    case VM_ROUTE_ORDER2: return 2;
+    case VM_ROUTE_ORDER3: return 3;
+    default: return 0;
+    }
+}
+
+/* Estimates the error of order three, and writes that of order two. Both are sums of the terms that the order leaves
+   out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the start grow
+   with the phase. Fast changes of the mass and rounding errors are added. The factor 2 fits the errors that
+   tests/test_van_der_pol_law.c finds. */
+VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vm_real n = r->alpha + 1, largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
+    const vmi_vdp_sizes now = vmi_vdp_sizes_at(p, &mean->now, mean->ln_A, W);
+    const vm_real back = 2 / n * now.psi + 2 / (n + 2) * now.J;
+    const vm_real all = back + 2 / n * mean->psi_error + 2 / (n + 2) * mean->J_error;
+    vm_real E[VMI_OSC_G], third = all * vmi_larger(now.ratio, mean->ratio), error;
+    const vm_real fast = (1 + VM_FABS(r->gamma) * turns) * vmi_osc_fast(&p->osc, &mean->fast);
+    const vm_real rounding = 4 * VM_EPSILON * (2 + turns) + W * mean->fast.error;
+    vmi_expansion_sizes terms;
+    vmi_vdp_absolute_E(&mean->now, W, E);
+    vmi_expansion_find_sizes(r, E, &terms);
+    third += 2 / n * (mean->psi_third + terms.psi[3] + terms.psi[4]);
+    third += 2 / (n + 2) * (mean->J_third + terms.J[3] + terms.J[4]);
+    error = 2 * third + fast + rounding;
+    *second = 2 * back + error;
+    if (!(*second < largest_known)) *second = VM_INFINITY;
+    return error < largest_known ? error : VM_INFINITY;
+}
+
+/* Computes the motion by order 1, 2 or 3 from the mean motion. */
+VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
+{
+    const int order = vmi_vdp_order_of(route);
+    const vm_real alpha = p->vdp.alpha;
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vmi_osc_reduced state = vmi_vdp_state(p, order, mean);
+    vm_osc_motion result, better;
+    vm_real sa, ca, second;
+    vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+    vmi_osc_unreduce(&state, mean->now.p, alpha, sa, ca, &result.x, &result.v);
+    result.amplitude = state.A;
+    result.error = vmi_vdp_error(p, mean, &second);
+    if (order < 3) result.error = second;
+    result.route = route;
+    result.evals = 0;
+    if (order == 1) { /* the estimate is the difference from order two */
+        const vm_real vmax = 2 / (alpha + 1) * state.A * state.W;
+        int status = vmi_vdp_order_n(p, VM_ROUTE_ORDER2, mean, &better);
+        if (status) return status;
+        result.error += vmi_larger(VM_FABS(result.x - better.x) / state.A, VM_FABS(result.v - better.v) / vmax);
+    }
+    if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
+    if (!(result.error >= 0)) result.error = VM_INFINITY;
+    *motion = result;
+    return VM_OK;
+}
+
+/* -- One route -- */
+
+/* Integrates the exact equations to the tolerance, by a function of oscillators/routes.h. The term -c x^2 x' is the
+   further force. */
+VM_API int vmi_vdp_integrate(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vm_osc_plan exact = p->osc;
+    vm_real c = p->vdp.c;
+    exact.problem.force = vmi_vdp_force;
+    exact.problem.ctx = &c;
+    if (route == VM_ROUTE_COLLOCATION) return vmi_osc_collocate(&exact, route, t, tolerance, motion);
+    if (route == VM_ROUTE_RK87) return vmi_osc_integrate_rk87(&exact, route, t, tolerance, motion);
+    return vmi_osc_integrate_within(&exact, t, tolerance, motion);
+}
+
+/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
+{
+    if (!p) return VM_BAD_ARGUMENT;
+    return vmi_osc_check_call(&p->osc, VM_ROUTE_ATEB, t, tolerance, motion);
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
+   t is in seconds, of either sign. route is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
+   VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
+   velocity at the amplitude A; it is infinite where the law does not hold. The routes that integrate keep it within the
+   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or
+   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. An error
+   leaves *motion untouched; it returns
+     VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
+     VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
+     VM_BAD_MASS for a mass that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, or a user's function that fails,
+     VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for the law and collocation,
+     VM_NOT_INTEGRATED for the law where a table has points closer than a quarter of a vibration,
+     VM_NOT_INTEGRATED where the integrator gives up. */
+VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    const int by_law = vmi_vdp_order_of(route) > 0;
+    vmi_vdp_mean mean;
+    int status;
+    if (!by_law && route != VM_ROUTE_COLLOCATION && route != VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
+    status = vmi_vdp_check_call(p, t, &tolerance, motion);
+    if (status) return status;
+    if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, route, motion);
+    if (!by_law) return vmi_vdp_integrate(p, route, t, tolerance, motion);
+    status = vmi_vdp_mean_at(p, t, &mean);
+    if (status) return status;
+    return vmi_vdp_order_n(p, route, &mean, motion);
+}
+
+/* -- The cheapest route -- */
+
+/* Writes the motion by the first of the orders 1 to 3 whose error is estimated to be within the tolerance. Returns
+   VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
+VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    const vm_real reserve = VM_C(1.5); /* as for the oscillator without feed, see vmi_osc_averaged_within */
+    vmi_vdp_mean mean;
+    vm_osc_motion result;
+    int route;
+    if (vmi_vdp_mean_at(p, t, &mean)) return VM_TOLERANCE_MISSED;
+    for (route = VM_ROUTE_ATEB; route <= VM_ROUTE_ORDER3; route++) {
+        if (vmi_vdp_order_n(p, route, &mean, &result)) return VM_TOLERANCE_MISSED;
+        if (!(reserve * result.error <= tolerance)) continue;
+        *motion = result;
+        return VM_OK;
+    }
+    return VM_TOLERANCE_MISSED;
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan.
+   t is in seconds, of either sign. It takes the first of order one, two and three whose error is estimated to be within
+   the tolerance, and else integrates; motion->route says which. The tolerance is relative, for the larger of |error of
+   x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
+VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    int status = vmi_vdp_check_call(p, t, &tolerance, motion);
+    if (status) return status;
+    if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, VM_ROUTE_ATEB, motion);
+    status = vmi_vdp_law_within(p, t, tolerance, motion);
+    if (status != VM_TOLERANCE_MISSED) return status;
+    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* collocation, or else rk87 */
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, for a single t.
+   x (m) and x_rate (m/s) are position and velocity at t = 0. Arguments, result and statuses are those of
+   vm_vdp_plan_within and vm_vdp_plan_init. */
+VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, vm_real tolerance,
+                         vm_osc_motion *motion)
+{
+    vm_vdp_plan plan;
+    int status = vmi_osc_check_arguments(VM_ROUTE_ATEB, t, tolerance, motion);
+    status = vmi_first_error(status, vm_vdp_plan_init(&plan, v, x, x_rate));
+    if (status) return status;
+    return vm_vdp_plan_within(&plan, t, tolerance, motion);
+}
+
+/* -- The limit cycle -- */
+
+/* The limit cycle of a Van der Pol oscillator of constant mass */
+typedef struct VM_TAG(vm_vdp_cycle) {
+    vm_real largest_x; /* the largest position, m */
+    vm_real period;    /* s */
+    vm_real epsilon;   /* the small number of which largest_x and period are power series */
+    int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
+} vm_vdp_cycle;
+
+/* Writes the coefficients of epsilon^2 in the series of the largest x, *kx, and of the rate of the phase, *kw, where
+   epsilon = feed/(m W). The amplitude is constant on the cycle, which gives the disturbances for epsilon = 1. The
+   largest x is reached where x' = 0, that is V = p x: by `late` epsilon later than the phase 0, where V = 0. */
+VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
+{
+    const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
+    vmi_vdp_disturbance d;
+    vmi_vdp_values f;
+    vm_real kA, late;
+    d.e = -1 / v->F;
+    d.e1 = (2 * s - 1) * d.e;
+    d.Q0 = -s / 2 * d.e;
+    d.E0 = -s * (2 - s) / 4;
+    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* changes of A^2 over A^2, from F + second = 0 */
+    *kw = (r->alpha - 1) / 4 * kA + vmi_vdp_mean_rate(v, r, &d) - 1;
+    vmi_vdp_values_at(v, r, 0, 0, 1, &f);
+    late = n * s / 4;
+    *kx = kA / 2 + 2 / (n + 2) * (late - d.e * f.P1 + vmi_vdp_J_back_second(v, r, &f, &d)) - late * late / n;
+}
+
+/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon.
+   epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the
+   largest x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16
+   for alpha = 1. Both are right to O(epsilon^4). The mass is that of the law v->mass at t = 0; the fields method,
+   reactive and a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
+   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
+   cycle, that is unless feed and c have the same sign. An error leaves *cycle untouched. */
+VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
+{
+    vmi_ripple r;
+    vmi_vdp_ripple ripple;
+    vm_vdp_cycle result;
+    vm_real mass, mass_rate, A, W, kx, kw, numbers[3];
+    int status;
+    if (!v || !cycle || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
+    status = vmi_first_error(vmi_vdp_check(v), vmi_law_check(&v->mass, VM_BAD_MASS, 0));
+    if (!status) status = vmi_law_at(&v->mass, VM_BAD_MASS, 0, &mass, &mass_rate);
+    if (status) return status;
+    if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
+    vmi_ripple_init(&r, v->alpha, vmi_ateb_constants);
+    vmi_ripple_complete(&r);
+    vmi_vdp_ripple_init(&ripple, &r);
+    vmi_vdp_cycle_coefficients(&ripple, &r, &kx, &kw);
+    A = VM_SQRT(v->feed / v->c / -ripple.F);
+    W = vmi_slow_rate(A, v->k, mass, v->alpha);
+    result.epsilon = v->feed / mass / W;
+    result.largest_x = A * (1 + kx * result.epsilon * result.epsilon);
+    result.period = 2 * r.pi / (W * (1 + kw * result.epsilon * result.epsilon));
+    result.stable = v->c > 0;
+    numbers[0] = result.largest_x;
+    numbers[1] = result.period;
+    numbers[2] = result.epsilon;
+    if (!vmi_all_finite(3, numbers)) return VM_NOT_FINITE;
+    *cycle = result;
     return VM_OK;
 }
 

@@ -137,6 +137,7 @@ static vm_vec3 vector(vm_real size)
 /* ---- sections ---- */
 
 #include "golden/jacobi.h"
+#include "golden/elliptic.h"
 #include "golden/ateb.h"
 #include "golden/integrators.h"
 #include "golden/jumps.h"
@@ -195,6 +196,7 @@ int main(void)
 #else
     RUN(kernels);
     RUN(jacobi);
+    RUN(elliptic);
     RUN(ateb);
     RUN(beta);
     RUN(integrators);
@@ -207,6 +209,7 @@ int main(void)
     RUN(oscillators);
     RUN(routes);
     RUN(slow);
+    RUN(van_der_pol);
     RUN(resonance);
     RUN(duffing);
     RUN(scenes_on_a_line);

@@ -365,6 +365,7 @@ static void null_odd_force(void)
 
 static void null_van_der_pol(void)
 {
+    static vm_vdp_plan p;
     vm_vdp v = a_vdp();
     CHECK(vm_vdp_init(&v) == VM_OK);
     STATUS(1, vm_vdp_init(IO(0, vm_vdp, &v)));
@@ -372,6 +373,13 @@ static void null_van_der_pol(void)
     NUMBER(1, vm_vdp_limit_cycle(IN(0, vm_vdp, &v), 0, NULL));
     STATUS(3, vm_vdp_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_vdp, &v)));
     STATUS(3, vm_vdp_averaged_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_vdp, &v)));
+    CHECK(vm_vdp_plan_init(&p, &v, 1, 0) == VM_OK);
+    STATUS(2, vm_vdp_plan_init(IO(0, vm_vdp_plan, &p), IN(1, vm_vdp, &v), 1, 0));
+    STATUS(2, vm_vdp_plan_by_route(IN(0, vm_vdp_plan, &p), VM_ROUTE_ORDER3, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_vdp_plan_by_route(IN(0, vm_vdp_plan, &p), VM_ROUTE_RK87, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_vdp_plan_within(IN(0, vm_vdp_plan, &p), 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_vdp_within(IN(0, vm_vdp, &v), 1, 0, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_vdp_cycle_of(IN(0, vm_vdp, &v), X(1, vm_vdp_cycle)));
 }
 
 static void null_laval(void)

@@ -112,6 +112,15 @@ static inline vm_odd_plan an_odd_plan(void)
     return plan;
 }
 
+static inline vm_vdp_plan a_vdp_plan(void)
+{
+    const vm_vdp v = a_vdp();
+    vm_vdp_plan plan;
+    memset(&plan, 0, sizeof plan);
+    vm_vdp_plan_init(&plan, &v, 1, 0);
+    return plan;
+}
+
 static inline vm_osc_closed a_closed_law(void)
 {
     vm_osc_problem problem;
