@@ -169,8 +169,8 @@ VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vm
 /* A bound of what order five leaves out of the mean phase between 0 and the time of *now (vmi_expansion_third_rate) */
 VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
 {
-    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* the integral of exp(-5 delta u) is sum/5
-                                                                                times that of decay */
+    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* the integral of q^5 is sum/5 times that
+                                                                                of q */
     vm_real E[3], e;
     vmi_osc_closed_disturbance(&c->rates, c->start.W, 3, E);
     e = VM_FABS(E[0]);

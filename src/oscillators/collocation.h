@@ -209,7 +209,7 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
    `contraction`. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.02); /* the least value, since the next steps may converge more slowly */
+    const vm_real least_contraction = VM_C(0.02); /* a lower bound, since the next steps may converge more slowly */
     const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has errors of this size, which no round
                                                           removes */
     const int most_rounds = 40;
@@ -360,8 +360,7 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
 {
     const vm_real half = c->plan->ripple.pi, close = 64 * VM_EPSILON * (1 + VM_FABS(c->psi) / half);
     const vm_real per_step = (vm_real)c->parts / half, side = (vm_real)c->side;
-    const vm_real at = (c->psi + half / 2) * per_step; /* the phase in units of a part of a half period; the step ends
-                                                          at `next` */
+    const vm_real at = (c->psi + half / 2) * per_step; /* the phase, counted in steps; the step ends at `next` */
     const vm_real nearest = VM_FLOOR(at + VM_C(0.5)), next = VM_FLOOR(side * at + close) + 1;
     const vm_real cell = side > 0 ? side * next - 1 : side * next; /* the step lies between cell and cell + 1 */
     const vm_real turn = VM_FLOOR(cell / (vm_real)c->parts);

@@ -44,7 +44,7 @@ typedef struct VM_TAG(vmi_osc_slow) {
    are enough for them. */
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p; /* a and p of the top of this file, 1/s */
+    vm_real a, p; /* the rates a and p of the top of this file, 1/s */
 } vmi_osc_rates;
 
 /* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
