@@ -133,7 +133,7 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
     return VM_OK;
 }
 
-/* The changes of ln A and t from the start of the step to node i, by integration of these rates */
+/* The changes of ln A and t from the start of the step to node i, by integration of *rates */
 VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_step_rates *rates,
                                         int i)
 {
@@ -286,8 +286,8 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
 
 /* -- Landing on a time -- */
 
-/* Returns at which fraction of the step the time t is reached, by Newton's method for the polynomial of the step.
-   Writes the Legendre series of dt/dpsi to series. */
+/* Returns the fraction of the step at which the time t is reached, by Newton's method. Writes the Legendre series of
+   dt/dpsi on the step to series. */
 VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
 {
     const int rounds = 8;
@@ -375,8 +375,8 @@ VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
 }
 
-/* Makes a step of the part `most`, 0 to 1, of its usual length. If it would go beyond c->stop, it is shortened to end
-   there. */
+/* Makes a step whose length is `most`, between 0 and 1, times the usual length. If it would go beyond c->stop, it is
+   shortened to end there. */
 VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
@@ -412,7 +412,7 @@ VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 /* Makes one step. Where its iteration does not converge, it tries shorter and shorter steps. */
 VM_API int vmi_osc_course_step(vmi_osc_course *c)
 {
-    const vm_real shortest = VM_C(0.01); /* part of the usual length */
+    const vm_real shortest = VM_C(0.01); /* the shortest step, as a part of the usual length */
     vm_real most = 1;
     int status = vmi_osc_course_step_of(c, most);
     while (status == VM_NOT_INTEGRATED && most > shortest) {
@@ -423,7 +423,7 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     return status;
 }
 
-/* Starts a course at t = 0 from the amplitude and phase in *start, with n points a step and `parts` parts a half
+/* Starts a course at t = 0 from the amplitude and phase in *start, with n points per step and `parts` parts per half
    period. */
 VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
                                  int n, int parts, vm_real sweep_limit)
@@ -491,7 +491,7 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
     return status;
 }
 
-/* Numbers of points a step of the loose and of the strict run, and parts of a half period in both runs */
+/* Numbers of points per step in the loose and in the strict run, and of parts per half period in both runs */
 typedef struct VM_TAG(vmi_osc_points) {
     signed char loose, strict, parts;
 } vmi_osc_points;

@@ -57,7 +57,7 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
     return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha + 1) / 2);
 }
 
-/* x|x|^(alpha-1): the elastic force is this times -k */
+/* x|x|^(alpha-1). The elastic force is -k times this number. */
 VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
@@ -186,9 +186,9 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
 /* The result of vm_osc_approximation_errors: ratios of largest velocities (268), and largest errors in a period. All
    are pure numbers. */
 typedef struct VM_TAG(vm_osc_errors) {
-    vm_real trig_vmax;          /* largest velocity of the cosine (296) over the exact one (267) */
-    vm_real jacobi_vmax;        /* largest velocity of cn over the exact one. At x = 0 cn has the velocity k' Omega_1
-                                   (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
+    vm_real trig_vmax;          /* largest velocity of the cosine (296) divided by the exact one (267) */
+    vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one. At x = 0 cn has the velocity k'
+                                   Omega_1 (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
     vm_real jacobi_x, jacobi_v; /* largest errors of cn, of x relative to x0 and of v relative to vmax */
 } vm_osc_errors;

@@ -115,7 +115,8 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* The error that fast changes of the laws between 0 and t cause in every averaged solution. An error of ln J makes an
-   error of the phase that is larger by the factor gamma Om t. */
+   error of the phase that is larger by the factor gamma Om t, where gamma is a field of the ripple and Om the rate of
+   the phase. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
@@ -146,7 +147,7 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
-    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real largest_known = VM_C(0.25); /* an estimate larger than this says nothing about the error */
     vm_real e0[VMI_OSC_G], e[VMI_OSC_G], error;
     vmi_left_out start;
     int i;

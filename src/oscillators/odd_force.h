@@ -151,7 +151,7 @@ VM_API vm_real vmi_orbit_value(const vmi_orbit_sum *sum, vm_real theta)
     return vmi_legendre_at(sum->series[part], place);
 }
 
-/* The size of the terms that the series leave out, relative to the mean of the function */
+/* The size of the terms that the series on the parts leave out, divided by the mean of the function */
 VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
 {
     vm_real largest = 0;

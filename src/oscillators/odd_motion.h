@@ -69,7 +69,7 @@ typedef struct VM_TAG(vmi_odd_rates) {
     vm_real m, k, b;   /* mass, stiffness and damping */
     vm_real m_rate;    /* dm/dt, kg/s */
     vm_real speed;     /* ds/dt = sqrt(k/m) */
-    vm_real turn;      /* relative rate of `speed`, 1/s */
+    vm_real turn;      /* relative rate of change of `speed`, 1/s */
     vm_real h;         /* damping h of orbit_ripple.h, times `speed`, 1/s */
 } vmi_odd_rates;
 
@@ -136,7 +136,8 @@ typedef struct VM_TAG(vmi_odd_panel) {
     vm_real t, length;          /* its start and its length, s, negative backward in time */
     vm_real phase;              /* mean phase at its start */
     vm_real decay;              /* integral of b/m from 0 to its start */
-    vm_real ln_J;               /* ln of the mean action J over its value at t = 0; it changes at points of tables */
+    vm_real ln_J;               /* ln of the mean action J divided by its value at t = 0; it changes at points of
+                                   tables */
     vm_real rate[VMI_GAUSS];    /* series of the rate of the mean phase, 1/s */
     vm_real size[VMI_GAUSS];    /* series of the size of the mean orbit (see vmi_orbit) */
     /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */

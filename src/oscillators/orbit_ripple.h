@@ -1,6 +1,7 @@
 /* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
 
-   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping and reactive force all act as one damping h:
+   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping b and reactive force (of the share r) all act as
+   one damping h:
        x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
    so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
    canonical. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a the
@@ -10,7 +11,8 @@
    in h the mean action and the mean phase are
        j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
        phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
-   where M is the mean of a^2, _j means the derivative with respect to j at fixed phase, and h' = dh/ds.
+   where w is the rate of the phase, M the mean of a^2, _j the derivative with respect to j at fixed phase, and h' =
+   dh/ds.
        vmi_orbit_ripple ripple;
        vmi_orbit_ripple_values now;
        vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit

@@ -63,7 +63,7 @@ VM_API int vmi_panels_next(vmi_panels *p)
 /* Halves the intended length of the present panel, and returns whether that was possible */
 VM_API int vmi_panels_halve(vmi_panels *p)
 {
-    const int most = 4096; /* a bound for laws with noise, for which no length is short enough */
+    const int most = 4096; /* a bound that ends the search for laws with noise, for which no length is short enough */
     if (!(p->step > p->least) || p->halved >= most || p->t + p->side * (p->step / 2) == p->t) return 0;
     p->size = p->step / 2;
     p->halved++;

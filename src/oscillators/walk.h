@@ -39,12 +39,13 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
     vm_real phase;         /* the integral of ratio dt from 0 to t, s */
     vm_real psi;           /* the mean phase */
-    vm_real ln_J;          /* ln of the mean action over its value at t = 0; it changes only at points of tables */
+    vm_real ln_J;          /* ln of the mean action divided by its value at t = 0; it changes only at points of
+                              tables */
     vm_real first;         /* the part of psi that is proportional to E_0 */
     vm_real second, third; /* the part of psi that is proportional to E_0^2; a bound of what order five leaves out of
                               psi */
-    vm_real knots_J[4];    /* for orders 2 to 5: sum of the squares of the errors of ln J at points of tables */
-    vm_real knots_psi[4];  /* for orders 2 to 5: sum of the squares of the errors of psi at points of tables */
+    vm_real knots_J[4];    /* element i, for order i + 2: sum of squares of errors of ln J at points of tables */
+    vm_real knots_psi[4];  /* element i, for order i + 2: sum of squares of errors of psi at points of tables */
     vm_real largest;       /* largest |E_0| between 0 and t; E_0 = G_0/W^2 measures how much the motion is disturbed */
     /* Element i, from 0 to 6, is the integral of |d^i E_0/dpsi^i| over psi from time 0 to t, where d^i/dpsi^i is the
        ith derivative with respect to the phase. All elements are 0 where closed forms of the laws are used. */
