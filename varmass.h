@@ -270,7 +270,7 @@
 
      oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
        vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
-       vm_osc_closed_at               Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared
+       vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), by the order that *c was prepared for
        vm_osc_closed_at_order2        As vm_osc_closed_at, but by order 2 for any order of *c
        vm_osc_closed_at_order3        As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT
 
@@ -333,7 +333,7 @@
        vm_vdp_cycle_of                Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon
 
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
-       vm_jeffcott_power              Stiffness K_e(rho) = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
+       vm_jeffcott_power              Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
        vm_jeffcott_polar              Polar coordinates (448) of the disc's centre
        vm_jeffcott_momentum           Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s
        vm_jeffcott_rhs                Equation of motion (449), (450) of a rotor, for rk45 or rk87
@@ -8963,10 +8963,10 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
     return VM_OK;
 }
 
-/* Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared.
-   c->error estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT
-   for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law
-   is not positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
+/* Position x (m) and velocity v (m/s) at time t (s, either sign), by the order that *c was prepared for. c->error
+   estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT for null
+   pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law is not
+   positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
 VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     int order = 0;
@@ -15012,8 +15012,8 @@ enum {
     VMI_JEFFCOTT_SIZE = 5
 };
 
-/* Stiffness K_e(rho) = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to a
-   vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
+/* Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to
+   a vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
    pointers, for rho < 0, and for an alpha that is negative or infinite. k may have any sign; the functions of the rotor
    check the stiffness. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)

@@ -69,8 +69,8 @@ enum {
     VMI_JEFFCOTT_SIZE = 5
 };
 
-/* Stiffness K_e(rho) = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to a
-   vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
+/* Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to
+   a vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
    pointers, for rho < 0, and for an alpha that is negative or infinite. k may have any sign; the functions of the rotor
    check the stiffness. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
