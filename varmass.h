@@ -270,7 +270,7 @@
 
      oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
        vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
-       vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), by the order that *c was prepared for
+       vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), by the order of the law in *c
        vm_osc_closed_at_order2        As vm_osc_closed_at, but by order 2 for any order of *c
        vm_osc_closed_at_order3        As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT
 
@@ -308,7 +308,7 @@
 
      oscillators/odd_routes: routes to the motion of a vibration under an odd elastic force, and its integration
        vm_odd_rhs                     Equation of motion of a vibration under an odd elastic force, for rk45 or rk87
-       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_...
+       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_...
        vm_odd_plan_within             Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance
        vm_odd_within                  Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan
 
@@ -8963,7 +8963,7 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
     return VM_OK;
 }
 
-/* Position x (m) and velocity v (m/s) at time t (s, either sign), by the order that *c was prepared for. c->error
+/* Position x (m) and velocity v (m/s) at time t (s, either sign), by the order of the law in *c. c->error
    estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT for null
    pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law is not
    positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
@@ -13504,7 +13504,7 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     return 1;
 }
 
-/* Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_....
+/* Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_....
    motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
    solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
    VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it
