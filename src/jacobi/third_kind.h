@@ -57,11 +57,11 @@ typedef struct VM_TAG(vmi_third_kind) {
 } vmi_third_kind;
 
 /* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and
-   below = 1/(1 + N). With p = sqrt(1 + N) and the numbers a, g of the arithmetic-geometric mean (DLMF 19.8.6-7),
-   starting with Q = 1, each step is
-     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2.
-   Since sum Q = 2 - sum Q (1 - e), both ratio = Pi/K and rest = 1 - Pi/K are sums of positive terms. Therefore they are
-   accurate for any N. */
+   below = 1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric
+   mean (DLMF 19.8.6-7). Each step replaces p and Q by p+ and Q+:
+     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2.
+   1 - Pi/K is share/2 times the sum of all Q. Since this sum is 2 minus the sum of all Q (1 - e), both ratio = Pi/K and
+   rest = 1 - Pi/K are sums of positive terms. Therefore they are accurate for any N. */
 VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
@@ -88,7 +88,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* The sine and the cosine of the angle of x turns, 2 pi x, for |x| < 2^13 */
+/* The sine and the cosine of an angle of x turns, that is of 2 pi x, for |x| < 2^13 */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
