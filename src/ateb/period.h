@@ -106,7 +106,8 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 }
 
 /* Returns Pi_alpha/2 in three words, with a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float
-   3e4). It is the product n f(q)/2, where each factor 1/(i + q) of f is computed as n/(i n + 1). */
+   3e4). It is the product n f(q)/2, where f is the polynomial of vmi_ateb_coefficient times 1/(i + q) for i = 1, 2, 3,
+   and 1/(i + q) is computed as n/(i n + 1). */
 VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 {
     const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
@@ -375,8 +376,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* The numbers that sa, ca and Pi_alpha need for one alpha. A low word exceeds an ulp of its high word only after a
-   function whose comment says so. */
+/* The numbers that sa, ca and Pi_alpha need for one alpha. Each low word is below an ulp of its high word, unless the
+   comment of the function that sets it says otherwise. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -459,8 +460,8 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 /* A function that sets all constants of one alpha: vmi_ateb_constants, or vmi_ateb_fine_constants */
 typedef void (*vmi_ateb_constants_of)(vmi_ateb *c, vm_real alpha);
 
-/* Sets all of n, q, g and quarter. It does without the table of g that vmi_ateb_constants reads: its code is shorter and
-   its results are more accurate, but it takes longer. */
+/* Sets all of n, q, g and quarter, as vmi_ateb_constants does, but without the table of g: the code is shorter and the
+   results are more accurate, but the function takes longer. */
 VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
 {
     vmi_ateb_index_constants(c, alpha);

@@ -10,9 +10,9 @@
        if (ateb_plan_init(&p, VM_C(1.5)) == 0) ateb_plan_saca(&p, VM_C(0.7), &sa, &ca);
 
    Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). A and C are
-   polynomials. Up to a change-over
+   polynomials. Up to a certain r, the field change_over,
      sa = r (1 + tau A(tau)) and ca = 1 + tau C(tau), where tau = r^2;
-   beyond it, with two other polynomials,
+   for larger r, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
    alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
@@ -81,8 +81,8 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
     return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1), and writes 2 q d to *y. Where X would be subnormal, about the
-   least normal number is returned. */
+/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1), from r and d + d_lo. Writes 2 q d to *y. Where X would be
+   subnormal, the result is about the least normal number instead. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vm_real least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -166,9 +166,9 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
-/* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into vector
-   instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, such a loop takes
-   longer than single calls. */
+/* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into
+   vector instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, such a
+   loop takes longer than single calls. */
 enum { VMI_ATEB_BLOCK = 32 };
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
@@ -176,9 +176,9 @@ enum { VMI_ATEB_BLOCK = 32 };
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* What is known of the arguments of a block: |s| minus the nearest multiple of the quarter period, the bits of the number
-   of quarters, the distances r and d of s from the zeros of sa and ca with their rounding errors, and base and tau of
-   vmi_ateb_part_at */
+/* Intermediate results for the arguments s of a block: |s| minus the nearest multiple of the quarter period, the bits
+   of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding errors, and
+   base and tau of vmi_ateb_part_at */
 typedef struct VM_TAG(vmi_ateb_block) {
     vmi_bits quarter[VMI_ATEB_BLOCK];
     vm_real rest[VMI_ATEB_BLOCK];
@@ -254,8 +254,8 @@ VM_INLINE void vmi_ateb_block_exponentials(const ateb_plan *p, vmi_ateb_block *a
     }
 }
 
-/* Computes sa and ca of a block whose fields are filled, with polynomials of `length` terms. The coefficients of each
-   argument are those of its part of the quarter. */
+/* Computes sa and ca of a block whose fields are filled, with polynomials of `length` terms. For each argument the
+   coefficients are those of the part of the quarter in which it lies. */
 VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ateb_block *at, const vm_real *s,
                                    vm_real *sa, vm_real *ca)
 {
@@ -380,9 +380,9 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Economises c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: replaces the sum by a polynomial in x/unit with at most
-   ATEB_PLAN_LENGTH terms, and returns the number of its terms. result receives its coefficients times unit. Its error
-   is at most tolerance/limit if these terms are enough. c is overwritten. */
+/* Economises the power series c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: replaces it by a polynomial in x/unit
+   with at most ATEB_PLAN_LENGTH terms, and returns the number of terms. `result` receives the coefficients times unit.
+   The error of the polynomial is at most tolerance/limit if ATEB_PLAN_LENGTH terms are enough. c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     const int highest = VMI_ATEB_TERMS - 2;
@@ -426,8 +426,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Sets the fields for the reduction: the quarter period as a sum, and in `longest` the s up to which the products with
-   the terms of this sum are exact. */
+/* Sets the fields that reduce s: the quarter period as a sum of parts, and `longest`, the s up to which the products of
+   the first two parts and a number of quarters are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
     p->quarter = c->quarter;

@@ -33,8 +33,8 @@ VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
 }
 
 /* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2). Returns z, and k in *k. When the bits
-   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. Vector registers of older
-   processors cannot convert long integers; therefore k is made by its bits. */
+   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. Older processors cannot convert
+   long integers in vector registers to floating point; therefore k is put together from its bits. */
 VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
 {
 #if VM_MANT_DIG > 24
