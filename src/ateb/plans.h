@@ -355,7 +355,7 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
-    vm_real *w = odd; /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond; at the end the other function replaces it */
+    vm_real *w = odd; /* the series of ca^alpha, or beyond, of (ca/(2 q d))^alpha; at the end it is overwritten */
     int j;
     if (beyond) w = even;
     if (alpha > large) {
