@@ -138,8 +138,8 @@ VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
     return vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0)).hi;
 }
 
-/* What the gamma function of z > 0 needs: Z = z + i, where i is 6 for z < 6 and 0 for any other z, and factor and delta:
-     Gamma(z) = sqrt(2 pi) Z^(z - 1/2) e^(delta - z)/factor,  factor = (z)_i e^i/Z^i,  delta = vmi_beta_stirling(1/Z) */
+/* What the gamma function of z > 0 needs: Z = z + i, where i is 6 for z < 6 and 0 for other z, and factor and delta:
+     Gamma(z) = sqrt(2 pi) Z^(z - 1/2) e^(delta - z)/factor, factor = (z)_i e^i/Z^i, delta = vmi_beta_stirling(1/Z) */
 typedef struct VM_TAG(vmi_beta_gamma) {
     vm_two Z;
     vm_real by_Z, factor, delta;
