@@ -383,8 +383,8 @@ VM_API void vmi_beta_logarithms(vm_two x, vm_two y, vm_real a, vm_real b, vm_two
     vmi_beta_tails(&at, a, b, ln_density, ln_p, ln_q);
 }
 
-/* Returns -1 where a or b is 0 or infinite and the beta distribution has all its mass at x = 0 in this limit, 1 where
-   it has all its mass at x = 1, and 0 for other a and b and where there is no limit. */
+/* Returns where the beta distribution has all its mass in the limit in which a or b is 0 or infinite: -1 means at
+   x = 0, 1 means at x = 1. Returns 0 for other a and b, and if there is no limit. */
 VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
 {
     const int at_0 = a == 0 || b == VM_INFINITY, at_1 = b == 0 || a == VM_INFINITY;
@@ -400,8 +400,8 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
    not 1. docs/cost.md has the time. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
-    const vm_real longest = VM_C(0.6); /* 1 minus a longer tail would lose digits of the quick formula */
-    const vm_real least = VM_MIN / (VM_EPSILON * VM_EPSILON); /* products of smaller numbers may underflow */
+    const vm_real longest = VM_C(0.6); /* 1 minus a longer tail would lose digits; then logarithms are used */
+    const vm_real least = VM_MIN / (VM_EPSILON * VM_EPSILON); /* products with smaller numbers may underflow */
     vm_two x2 = vmi_two(x, 0), y2 = vmi_two(y, 0);
     vm_real tail, density;
     vm_two ln_p, ln_q;
@@ -532,7 +532,7 @@ VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
    with logarithms in two words. The last step changes x, y, ln x and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-4) : VM_C(1e-2); /* the error after a step is its third power */
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-4) : VM_C(1e-2); /* after a step the error is about step^3 */
     const int most = 60;                                               /* largest number of steps; 12 are enough */
     const vm_two ln_B = vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0));
     vm_real t = (ln_p.hi + vmi_ateb_ln(a) + ln_B.hi) / a, step, half;

@@ -187,8 +187,8 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
     const vm_real n = c->n.hi, q = c->q.hi, twice_q = 2 * q;
     const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(twice_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
     const vm_real y = base.y.hi, ln_X = n * vmi_ateb_ln_of(base.k, base.t);
-    vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and E = P/(P - B) */
-    vm_real B, E, E_loss;     /* E_loss = 1 - 1/E, so that u/y of the guess is 1 - E_loss */
+    vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and the results of vmi_ateb_p_fraction */
+    vm_real B, E, E_loss;     /* B = 2 q p Q/(1 + q), E = P/(P - B), E_loss = 1 - 1/E, so that u = y (1 - E_loss) */
     vm_real rho, vE;          /* vE = v E */
     vm_real sa_rate, ca_rate; /* -d(sa)/d(ln X) and -d ln(ca/y)/d(ln X) */
     vm_real sa_change, ca_change;

@@ -18,7 +18,7 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* Returns coefficient i of the polynomial in t = 2q - 1 that equals (1 + q)(2 + q)(3 + q) f(q), where
+/* Returns coefficient i of a polynomial in t = 2q - 1, which approximates (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha with q = 1/(alpha + 1), between 1 and 2 for 0 < q <= 1.
    The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A coefficient
    has up to three words; which_word = 0 selects the largest. Words that are too small to change the result are 0. */
@@ -126,9 +126,10 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
     return vmi_three_times(sum, vmi_three_words(n.hi / 2, n.mid / 2, 0));
 }
 
-/* The columns of the table of g(q) = Pi_alpha - (alpha + 1), q = 1/(alpha + 1): the low words of g and of its slope at
-   q = row/32, g and its slope at that q, and the further coefficients of the Taylor series. The slope has only half of
-   the digits of a vm_real, so that a product with it can be exact. */
+/* The columns of the table of g(q) = Pi_alpha - (alpha + 1), where q = 1/(alpha + 1). A row is for q = row/32. Its
+   columns are the low words of g and of the slope of g, then g and its slope, then the further coefficients of the
+   Taylor series of g about this q. The slope has only half of the digits of a vm_real, so that a product with it can be
+   exact. */
 enum {
     VMI_ATEB_G_LOW,
     VMI_ATEB_G_SLOPE_LOW,

@@ -52,7 +52,7 @@ typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| < longest the products of quarter_parts and a number of quarters are exact */
+    vm_real longest;          /* for |s| < longest the first two parts times a number of quarters are exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
     vm_real n, g;             /* alpha + 1 and Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
@@ -355,7 +355,7 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
-    vm_real *w = odd; /* the series of ca^alpha, or beyond, of (ca/(2 q d))^alpha; at the end it is overwritten */
+    vm_real *w = odd; /* series of ca^alpha, for beyond = 1 of (ca/(2 q d))^alpha; overwritten at the end */
     int j;
     if (beyond) w = even;
     if (alpha > large) {
@@ -388,11 +388,11 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* makes c limit times the polynomial, in powers of t = x/limit */
+    for (i = 0; i <= highest; i++) { /* now c holds limit times the series, in powers of x/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* removing c[k] adds an error of |c[k]| height, height = 2^(1-2k) */
+    for (k = highest; k > 0; k--) { /* removing c[k] adds an error |c[k]| height, where height = 2^(1-2k) */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
         vmi_remove_highest(c, k, 0);

@@ -39,7 +39,7 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage gives f at the new state, the next k_1; 0: the run evaluates it */
+    int last_is_first;    /* 1: the last stage is f at the new state, the next k_1; 0: the run evaluates f there */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */

@@ -139,7 +139,7 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the array work for n components */
 
 /* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
    If options_or_NULL is NULL, all options have their defaults. */

@@ -350,7 +350,7 @@ VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the array work for n components */
 
 /* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
 typedef rk45_options rk87_options;

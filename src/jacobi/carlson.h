@@ -183,8 +183,8 @@ VM_INLINE vm_real vmi_rc_series(vm_real e)
 #endif
 }
 
-/* R_C(1, y) for y > 0: the arctangent of sqrt(y - 1) divided by it, or for y < 1 the inverse hyperbolic tangent. Next
-   to y = 1 it is a series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
+/* R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y = 1 it
+   is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
 VM_API vm_real vmi_rc_of_1(vm_real y)
 {
     const vm_real e = y - 1;

@@ -25,7 +25,7 @@
 
 /* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
-    vm_real turns; /* twice the multiple: the number of complete integrals in an incomplete one */
+    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains turns complete ones */
     vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
 } vmi_angle;
 

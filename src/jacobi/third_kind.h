@@ -49,7 +49,7 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* The complete integral of the third kind, Pi(-N | m), as its quotient with K(m) */
+/* The complete integral of the third kind, Pi(-N | m), divided by K(m) */
 typedef struct VM_TAG(vmi_third_kind) {
     vm_two mean;  /* agm(1, k') = pi/(2K) */
     vm_two ratio; /* Pi(-N | m)/K(m) */
@@ -68,7 +68,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one for each binary digit of sqrt(1 + N) */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, plus one for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
