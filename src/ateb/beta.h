@@ -199,8 +199,8 @@ typedef struct VM_TAG(vmi_beta_levels) {
     vm_real x, y, a, b, excess;
 } vmi_beta_levels;
 
-/* Returns the continued fraction for given x, y, a and b. Where a and b are large, digits cancel in a y - b x;
-   therefore this number is computed in two words from the smaller of x and y. */
+/* Returns the numbers of the continued fraction. Where a and b are large, digits cancel in a y - b x; therefore this
+   difference is computed in two words from the smaller of x and y. */
 VM_INLINE vmi_beta_levels vmi_beta_levels_of(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_two product = vmi_two_scaled(vmi_two_sum(a, b), vmi_smaller(x, y));
@@ -337,7 +337,7 @@ VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
     return mirrored;
 }
 
-/* Returns ln I_x(a, b) at the point x with y = 1 - x, for x <= (a + 1)/(a + b + 2), from ln(x^a y^b/B(a, b)). Where a
+/* Returns ln I_x(a, b) at the point `at`, for x <= (a + 1)/(a + b + 2), where ln_density = ln(x^a y^b/B(a, b)). Where a
    is small, I_x is close to 1, and 1 - I_x must keep its digits. Therefore a series is used for a <= 1: it loses no
    digits and has no factor y^b. */
 VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two ln_density)
@@ -350,8 +350,9 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two l
     return vmi_two_plus(ln_density, f);
 }
 
-/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x and p + q = 1, from ln(x^a y^b/B(a, b)). The
-   logarithm of the shorter tail of the distribution is computed; the other logarithm follows from p + q = 1. */
+/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). One
+   of them is computed directly: the one that belongs to the shorter tail of the beta distribution. The other one
+   follows from p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two ln_density, vm_two *ln_p,
                            vm_two *ln_q)
 {

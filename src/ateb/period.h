@@ -349,9 +349,9 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
     return VM_READ(table[row][column]);
 }
 
-/* Returns g(q) = Pi_alpha - (alpha + 1), q = 1/(alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute
-   error below 2^-66 (float 2^-36). g is computed as a polynomial in the distance h of q from the nearest multiple of
-   1/32. The low word of the result may be as large as 2^-13. */
+/* Returns g(q) = Pi_alpha - (alpha + 1), where q = 1/(alpha + 1). g lies between 2 ln 2 (for q = 0) and 1 (for q = 1)
+   and has an absolute error below 2^-66 (float 2^-36). g is computed as a polynomial in the distance h of q from the
+   nearest multiple of 1/32. The low word of the result may be as large as 2^-13. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24
@@ -401,8 +401,8 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets the fields g and quarter, whose low words may be as large as 2^-13. An argument is reduced with the absolute
-   error of Pi_alpha. This error is small for a large alpha too, since Pi_alpha is computed as the sum of n = alpha + 1
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. Where an argument is reduced, the absolute
+   error of Pi_alpha matters. It is small for a large alpha too, since Pi_alpha is computed as the sum of n = alpha + 1
    and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {

@@ -214,8 +214,8 @@ VM_INLINE void vmi_ateb_block_places(const ateb_plan *p, const vm_real *s, vmi_a
     }
 }
 
-/* Sets base to 2 q d and tau to d^(1 + alpha), for alpha = 0, 1/2, ..., 7 (vmi_ateb_product). The factors that this
-   alpha does not have are 1. */
+/* Sets base to 2 q d and tau to d^(1 + alpha), for alpha = 0, 1/2, ..., 7 (vmi_ateb_product). The factors of
+   vmi_ateb_product that this alpha does not need are replaced by 1. */
 VM_INLINE void vmi_ateb_block_products(const ateb_plan *p, vmi_ateb_block *at)
 {
     const vm_real one = (vm_real)(p->twice_alpha >> 1 & 1), two = (vm_real)(p->twice_alpha >> 2 & 1);
@@ -407,9 +407,9 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     return k + 1;
 }
 
-/* Fills part 0 or 1 (`beyond`) of the plan and returns the number of terms of its polynomials in tau. In part 0,
-   tau = r^2, where r is the distance from a zero of sa, and unit is 1. In part 1, tau = X/unit, where
-   X = (2 d/(alpha + 1))^(alpha+1) and d is the distance from a zero of ca. */
+/* Fills part 0 or 1 of the plan (the argument `beyond` chooses it) and returns the number of terms of its polynomials
+   in tau. In part 0, tau = r^2, where r is the distance from a zero of sa, and unit is 1. In part 1, tau = X/unit,
+   where X = (2 d/(alpha + 1))^(alpha+1) and d is the distance from a zero of ca. */
 VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_real unit,
                               vm_real tolerance)
 {

@@ -88,7 +88,8 @@ VM_API vm_real vmi_ateb_exp_series(vm_real z)
 #endif
 }
 
-/* Returns e^x if e^x is a normal number. Method: x = k ln 2 + z, so that e^x = 2^k (1 + z + z^2 E(z)). */
+/* Returns e^x if e^x is a normal number. Method: x is written as k ln 2 + z with a whole k, so that e^x = 2^k
+   (1 + z + z^2 E(z)), where E is vmi_ateb_exp_series. */
 VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;

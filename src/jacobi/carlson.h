@@ -53,7 +53,7 @@ VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
     return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
 }
 
-/* One duplication (DLMF 19.26.18): each argument x becomes (x + lambda)/4. Nothing cancels. */
+/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change likewise. No digits cancel. */
 VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
 {
     s->a = VM_SQRT(s->x);
@@ -198,7 +198,7 @@ VM_API vm_real vmi_rc_of_1(vm_real y)
     return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
 }
 
-/* R_C(x, y) for x >= 0 and y != 0; for y < 0 its Cauchy principal value (DLMF 19.2.17, 19.2.20) */
+/* R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
 VM_API vm_real vmi_rc(vm_real x, vm_real y)
 {
     if (y < 0) return VM_SQRT(x / (x - y)) * vmi_rc(x - y, -y);

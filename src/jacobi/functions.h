@@ -75,8 +75,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* The quotient pq = theta_p/theta_q. For m = 1 both theta functions may underflow to the same number: then the quotient
-   is 1. */
+/* The elliptic function whose name has the letters p and q, such as cd: the quotient theta_p/theta_q. For m = 1 both
+   theta functions may underflow to the same number: then the quotient is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;

@@ -65,7 +65,7 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     return angle;
 }
 
-/* Is 1 if an integral from 0 to phi has no ordinary value: phi or m1 is infinite, or one of them is NaN, or m1 < 0 */
+/* Is 1 if an integral from 0 to phi has no ordinary value: if phi or m1 is infinite or NaN, or if m1 < 0 */
 VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
 {
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
@@ -221,8 +221,8 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
-   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 it is Cauchy's principal value. It is infinite
-   for n = 1 and for m = 1, where its sign is that of 1 - n; 0 for infinite n, and for m = -infinity with n < 1; NaN
+   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 Pi is Cauchy's principal value. Pi is infinite
+   for n = 1, and for m = 1 with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN
    for m > 1. DLMF 19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
 

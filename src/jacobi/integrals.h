@@ -152,7 +152,7 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 }
 
 /* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for m > 0.971 from
-   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
+   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;

@@ -179,7 +179,7 @@ VMI_APART vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_l
 }
 
 /* The theta functions at an argument that is larger by the given number of quarter periods. One quarter period turns s,
-   c, d, n into c, -k's, k'n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
+   c, d, n into c, -k' s, k' n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
    branch, which would be mispredicted half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {

@@ -17,7 +17,7 @@
 
 /* Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The arguments
    are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has an error
-   of 2^-(2p - 4). An argument that is 2^-n times the largest needs log2(n) duplications more. */
+   of 2^-(2p - 4). If an argument is 2^-n times the largest one, log2(n) more duplications are needed. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -108,9 +108,9 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* The complex number theta_4(z + i zy), up to a real factor. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K',
-   where K' is K(1 - m). The nome is Q = q^2 (doubled lattice), where q is the nome of m. The angle of this number is
-   the periodic part of the angle by which a torque-free body turns. There are two forms.
+/* The complex number theta_4(z + i zy), up to a real factor. Its angle is the periodic part of the angle by which a
+   torque-free body turns. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K', where K' is K(1 - m). The nome is
+   Q = q^2 (doubled lattice), where q is the nome of m. There are two forms of the series.
    The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)), with + for C_n and - for S_n.
