@@ -46,7 +46,7 @@
      The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
      A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
-     No step is shorter than h_min, or than 2 eps |t|, the shortest step that t can resolve. If even a step of this smallest size
+     No step is shorter than h_min, or than 2 eps |t|, the resolution of t. If even a step of this smallest size
      misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
      the jump. If another such step misses the tolerance before three steps have kept it, f is singular there, or too
      stiff for the resolution of t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other
