@@ -33,8 +33,8 @@ typedef struct VM_TAG(vm_broken_rotor) {
     vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
     vm_real damping;   /* damping k, N m s: at the angular velocity psi' the torque -k psi' acts on the rotor */
     vm_real torque;    /* driving torque, N m */
-    vm_real s;         /* distance from the mass centre to the shaft's centre, m. The line from the mass centre to the
-                          shaft's centre makes the angle psi, the angle of the rotor, with the x axis. */
+    vm_real s;         /* distance from the mass centre to the shaft's centre, m. The vector from the mass centre to
+                          the shaft's centre points in the direction of the rotor's angle psi. */
 } vm_broken_rotor;
 
 /* Indices of the states of a rotor in the array y, and the number of states */
@@ -50,13 +50,13 @@ enum {
    VM_BROKEN_ROTOR_OMEGA in this form, too. */
 enum {
     VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 from the shaft's rest position to the mass centre, m */
-    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi from the x axis to the line from there to the mass centre, rad */
+    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the vector from this position to the mass centre, rad */
     VM_BROKEN_ROTOR_RADIUS_RATE = 3,   /* rate r' of the distance, m/s */
     VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* rate phi' of the angle phi, rad/s */
 };
 
 /* The piece that breaks off. S is the mass centre of the whole rotor, S2 the mass centre of the piece, and A the point
-   at which the whole rotor touches the stator. Two points together mean the vector from the first to the second. */
+   at which the whole rotor touches the stator. SS2 is the vector from S to S2, and SA the vector from S to A. */
 typedef struct VM_TAG(vm_broken_rotor_piece) {
     vm_real mass;     /* mass m of the piece, kg; 0 < m < M, where M is the mass of the whole */
     vm_real inertia;  /* inertia I_S2 >= 0 of the piece about its mass centre S2, kg m^2 */
@@ -82,8 +82,9 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_real dragging;                      /* speed v_S2d of S2, the piece's mass centre, before the break (52), m/s */
     vm_real gamma;                         /* angle from SA to the velocity of S2 before the break (52), (60), rad. This
                                               velocity is the velocity of S plus Omega_b x SS2. */
-    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
-                                              tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
+    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], with
+                                              tan beta = SS2 sin alpha/(R - SS2 cos alpha), where
+                                              SS2 and R are the lengths `distance` and `radius` */
     vm_real normal;                        /* component N along S2A of the velocity of S2 before the break (54), m/s */
     vm_real tangential;                    /* component T = v_S2d sin(gamma - beta), perpendicular to S2A, of the
                                               velocity of S2 before the break, m/s. T > 0 means counterclockwise; (55)
@@ -91,14 +92,15 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_real spin_piece;                    /* Omega_r = T/AS2 (57), (63), the angular velocity of the piece after the
                                               break minus that of the whole before it, rad/s; AS2 is a distance */
     vm_real spin_rest;                     /* Omega_r1, the angular velocity of the remainder after the break minus that
-                                              of the whole before it, rad/s. I_S1 Omega_r1 is the cross product
-                                              m M/(M - m) SS2 x v_T minus I_S2 Omega_r, where v_T is the part of S2's
-                                              velocity perpendicular to S2A [(58) corrected]. */
+                                              of the whole before it, rad/s. I_S1 Omega_r1 is m M/(M - m) times
+                                              the cross product SS2 x v_T, minus I_S2 Omega_r. v_T is the part of the
+                                              velocity of S2 perpendicular to S2A [(58) corrected]. */
     vm_real stop_inertia;                  /* the inertia I_S2 of the piece for which the remainder would stop turning,
                                               kg m^2. If the value is < 0 or not finite, no such inertia exists. For
                                               alpha = 0 the value is I_S (R - SS2)/R [after (64), corrected]. */
 } vm_broken_rotor_break;
 
+/* Returns VM_OK if all fields are finite and have the signs given in vm_broken_rotor, else the error. */
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 {
     if (!VM_IS_FINITE(r->mass) || !VM_IS_FINITE(r->inertia) || !VM_IS_FINITE(r->stiffness) ||

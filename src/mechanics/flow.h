@@ -28,7 +28,8 @@
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
    The equations. The letters M', u, d, kappa, omega2, P(d) of a stream are explained at vm_reactive. The body has the
-   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment:
+   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment about the
+   mass centre. Each sum is over all streams, and q omega is a product of quaternions:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
@@ -62,7 +63,7 @@ enum {
     VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
                           angular velocity in body axes, rad/s */
     VM_Y_MASS = 13,    /* mass, kg */
-    VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
+    VM_Y_CENTRE = 14,  /* vector from the reference point to the mass centre, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
     VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
     VM_FLOW_GIVEN_STATES = 13,   /* states if flow.update gives the mass data: vm_flow_given_rhs, vm_flow_carried_rhs */
@@ -86,7 +87,8 @@ typedef struct VM_TAG(vm_flow) {
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
-    vm_vec3 centre;        /* mass centre from the reference point, m, body axes (vm_flow_given_rhs, vm_flow_start) */
+    vm_vec3 centre;        /* vector from the reference point to the mass centre, m, body axes; for vm_flow_given_rhs
+                              and vm_flow_start */
     vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
     vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
     vm_real least_mass;    /* the event function vm_flow_mass_left is 0 when the mass has fallen to this value, kg */
@@ -121,7 +123,7 @@ VM_INLINE int vmi_flow_note_status(int *kept, int status)
     return status;
 }
 
-/* Mass, mass centre (from the reference point) and inertia of a body at an instant, in body axes */
+/* Mass, vector from the reference point to the mass centre, and inertia of a body at an instant, in body axes */
 typedef struct VM_TAG(vmi_flow_mass) {
     vm_real mass;
     vm_vec3 centre;
@@ -270,8 +272,8 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 }
 
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, centre, inertia and
-   drift for the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, inertia and drift for
+   the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular
    momentum). Streams are not read. The equations are
      v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S.
    The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The errors

@@ -30,7 +30,7 @@ enum {
     VM_FLOW2_P = 3,       /* momentum, 2 numbers, kg m/s */
     VM_FLOW2_H = 5,       /* angular momentum about the mass centre, kg m^2/s */
     VM_FLOW2_MASS = 6,    /* mass, kg */
-    VM_FLOW2_CENTRE = 7,  /* mass centre from the reference point, 2 numbers, body axes, m */
+    VM_FLOW2_CENTRE = 7,  /* vector from the reference point to the mass centre, 2 numbers, body axes, m */
     VM_FLOW2_INERTIA = 9, /* moment of inertia about the mass centre, kg m^2 */
     VM_FLOW2_STATES = 10
 };
@@ -95,7 +95,7 @@ typedef struct VM_TAG(vmi_stream_seen2) {
     vm_real sine, cosine;       /* sine and cosine of the body's angle */
     vm_real vx, vy;             /* velocity, which is momentum/mass, body axes */
     vm_real omega;              /* angular velocity, rad/s */
-    vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
+    vm_real centre_x, centre_y; /* vector from the reference point to the mass centre, body axes */
 } vmi_stream_seen2;
 
 /* The sums over the streams of a body in the plane, in body axes except fx, fy. The letters M', u, v, d, kappa,

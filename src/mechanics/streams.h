@@ -34,9 +34,9 @@ enum {
     VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not read */
 };
 
-/* A store of mass inside a body. A stream that leaves takes its mass from the store, and a stream that enters puts its
-   mass into the store. A store is needed if this mass lies away from the point at which the stream crosses the surface
-   of the body. */
+/* A store of mass inside a body, for example a tank. A stream that leaves the body takes its mass from the store, and a
+   stream that enters puts its mass into the store. A stream needs a store if its mass is kept at another position than
+   the point at which the stream crosses the surface of the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -87,8 +87,8 @@ VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELAT
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* The velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field `velocity`
-   of the stream. */
+/* Returns the velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field
+   `velocity` of the stream. */
 VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
     vm_real u = 0;
@@ -97,7 +97,7 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* The product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass */
+/* Returns the product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass. */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -131,7 +131,7 @@ typedef struct VM_TAG(vmi_stream_seen) {
     vm_vec3 v;            /* velocity, which is momentum/mass, inertial axes */
     vm_vec3 slip;         /* velocity of the body's material at the mass centre minus v, body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
-    vm_vec3 centre;       /* mass centre from the reference point, body axes */
+    vm_vec3 centre;       /* vector from the reference point to the mass centre, body axes */
     int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum are wanted */
 } vmi_stream_seen;
 
@@ -263,10 +263,11 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
            vmi_vec3_is_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_is_finite(&r->inertia_rate);
 }
 
-/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
-   from its reference point, in body axes (m). Each load is a sum over all streams; the formulas stand at vm_reactive.
-   Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK otherwise. */
+/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the vector from the
+   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; the formulas stand
+   at vm_reactive. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK
+   otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
 {

@@ -68,10 +68,10 @@ typedef struct VM_TAG(vm_torque_free) {
      w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u,  u = u0 + wp t,                                     (A)
      a1^2 = w1^2 + I2 d23/(I1 d13) w2^2,  a2^2 = a1^2 I1 d13/(I2 d23),  a3^2 = w3^2 + I2 d12/(I3 d13) w2^2,
      wp^2 = a3^2 d13 d23/(I1 I2),  m = I1 d12 a1^2/(I3 d23 a3^2),  1 - m = |2T I2 - L^2|/(I3 d23 a3^2),
-   where w1, w2, w3 on the right-hand sides are the values at t0, and t is the time since t0. m is the parameter of sn,
-   cn, dn. Let J be the tensor of inertia, l = J omega/L the unit vector along the angular momentum, l1, l2, l3 its
-   components along the axes 1, 2, 3, and e3 the unit vector of axis 3. The attitude is the product of three
-   quaternions:
+   where w1, w2, w3 on the right-hand sides are the values at t0, t is the time since t0, and u0 is the value of u at
+   t0. m is the parameter of sn, cn, dn. Let J be the tensor of inertia, l = J omega/L the unit vector along the angular
+   momentum, l1, l2, l3 its components along the axes 1, 2, 3, and e3 the unit vector of axis 3. The attitude is the
+   product of three quaternions:
      q(t) = start (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u),                                    (B)
      M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)).
    M is the rotation through the smallest angle that takes l to s e3. kappa is a constant that follows from an elliptic
@@ -192,7 +192,7 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
 }
 
 /* Computes the argument u of equation (A) above at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u
-   on the separatrix, where mean = 0. On the separatrix w1 can have both signs, but cn u is positive for every u. There
+   on the separatrix, where mean = 0. On the separatrix w1 can have either sign, but cn u is always positive; there
    *sign is the sign of w1; elsewhere it is 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
