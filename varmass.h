@@ -28,8 +28,8 @@
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
                     Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
                     points
-     scenes/        bodies, the effects that act on them, the events that change them: only what is listed is
-                    simulated
+     scenes/        lists of bodies, of effects that act on them, and of events that change them; a scene simulates
+                    only what is listed
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
    Numbers in round brackets are the equations of [1]. Where [1] is misprinted or wrong, the corrected form stands
    here and the comment says so; docs/errata.md lists all of them.
@@ -37,10 +37,10 @@
    CONVENTIONS
      Units        SI units; angles are in radians.
      Axes         r, v and omega are in inertial axes. The inertia tensor is about the body's own mass centre, in body
-                  axes; its entries xy, xz, yz are those of the tensor, minus the integral of x y dm and so on. v is
-                  momentum/mass.
-     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1. A q of four zeros
-                  means that body axes and inertial axes coincide.
+                  axes; its entries xy, xz, yz are those of the tensor, so that xy is minus the integral of x y dm. v
+                  is momentum/mass.
+     Attitude     The quaternion q converts vectors from body axes to inertial axes. It need not have length 1. A q of
+                  four zeros means that body axes and inertial axes coincide.
      Arguments    Functions of numbers take the variable first, then the parameters, results last. Functions of an
                   object take the object first, then the variable. A parameter that may be NULL is called ..._or_NULL.
      Laws         A mass, stiffness or damping that depends on time is a vm_law.
@@ -78,11 +78,11 @@
      Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
                   sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
                   body does not change omega.
-     Rotation     torque-free: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs taken as
-                  exact.
-     Streams      closed forms within a few eps; a body and everything it has shed keep momentum, angular momentum and
-                  energy to the integrator's tolerance.
-     Lambert's W  within 1 ulp. The drum on a rigid shaft: within 4 ulp.
+     Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
+                  5 eps, if the inputs are taken as exact.
+     Streams      closed forms are right within a few eps; a body and everything it has shed keep momentum, angular
+                  momentum and energy to the integrator's tolerance.
+     Lambert's W  within 1 ulp; the drum on a rigid shaft within 4 ulp.
      Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
                   estimate is possible.
 
@@ -98,8 +98,8 @@
        vm_lambert_w0                  Lambert's W_0(x), the upper branch
        vm_lambert_wm1                 Lambert's W_-1(x), the lower branch
        vm_wright_omega                Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l
-       vm_lambert_w0_neg_exp          W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1
-       vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
+       vm_lambert_w0_neg_exp          W_0(-e^l), the upper branch for the negative argument -e^l with l <= -1
+       vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for the negative argument -e^l with l <= -1
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
        vm_inertia_is_possible         Test whether a body can have this inertia
@@ -230,7 +230,7 @@
        vm_drum_angle                  Angle of the drum on a rigid shaft after t >= 0 seconds, rad
        vm_drum_angle_lambert          Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected
        vm_drum_shaft_init             Coefficients of the elastic shaft in the first approximation, (213), (214)
-       vm_drum_deflection             Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected
+       vm_drum_deflection             Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected
        vm_drum_shaft_valid            Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
@@ -483,9 +483,9 @@
 /* base/status.h - the statuses that functions return, and what each of them means
 
    Every function of varmass.h that can fail returns one of these numbers. 0 (VM_OK) means that all went well. A
-   positive number means that the result is there, with a remark. A negative number means that nothing was done: the
-   outputs are untouched. The same mistake has the same status in every function, and where a call has several
-   mistakes, the status names the first of them in this order:
+   positive number means that the function has done its work, but the caller should know something about the result. A
+   negative number is an error: the outputs are unchanged. A mistake has the same status in every function. If a call
+   has several mistakes, the status names the first of them in this order:
 
        a null pointer, a negative count, a choice that does not exist    VM_BAD_ARGUMENT
        an infinite number or NaN                                         VM_NOT_FINITE
@@ -506,8 +506,8 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body (a rod, a point) has no inertia about an axis: it keeps its spin
-                                    about this axis, and the angular momentum that the spin should take up is lost */
+    VM_NULL_AXIS = 1,            /* done, but a body (a rod or a point) has no inertia about an axis. Its spin about
+                                    this axis stays as it was; angular momentum about this axis is lost. */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
@@ -593,8 +593,8 @@ VM_API const char *vm_strerror(int status)
     }
 }
 
-/* Returns the rank of an error: of two errors, the one with the smaller rank is reported. The ranks follow the order at
-   the top of this file; errors that are not named there follow in the order of their numbers. */
+/* Returns the rank of an error. Of two errors, the one with the smaller rank is reported. The order is that of the
+   numbers -1, -2, -3, ..., but VM_BAD_STIFFNESS stands directly after VM_BAD_MASS, as at the top of base/status.h. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
@@ -610,7 +610,7 @@ VM_API int vmi_first_error(int a, int b)
     return b;
 }
 
-/* Copies n numbers if all of them are finite. Returns VM_OK, or VM_NOT_FINITE and leaves the target as it was. */
+/* Copies n numbers and returns VM_OK if all of them are finite, else copies nothing and returns VM_NOT_FINITE. */
 VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 {
     if (!vmi_all_finite(n, from)) return VM_NOT_FINITE;
@@ -621,7 +621,7 @@ VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 #endif
 /* base/linear.h - systems of linear equations
 
-   The functions solve a x = b for a few unknowns x. The matrix a is an array of n n numbers, row after row.
+   The functions solve a x = b for n unknowns x. The matrix a is an array of n^2 numbers, row after row.
 
        vm_real a[4] = {2, 1, 1, 3}, b[2] = {3, 5};
        vmi_solve_linear(2, a, b); // b is now x = (0.8, 1.4)
@@ -651,8 +651,8 @@ VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
     }
 }
 
-/* Solves a x = b for any matrix by elimination with exchange of rows. x replaces b, and a is overwritten. Returns
-   VM_SINGULAR if the pivot of a column is 0 or NaN (b is overwritten then, too), and VM_OK otherwise. */
+/* Solves a x = b for any matrix a by elimination with exchange of rows. x replaces b, and a is overwritten. Returns
+   VM_SINGULAR if the pivot of a column is 0 or NaN (a and b are then overwritten, too), and VM_OK otherwise. */
 VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 {
     int i, j, k;
@@ -676,11 +676,11 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
     return VM_OK;
 }
 
-/* Solves a x = b for a mass matrix, which is symmetric and positive definite. x replaces b, a is overwritten, and
-   scale is work space for n numbers. Rows and columns are first scaled so that the diagonal is 1: then the units of
-   the coordinates do not matter, and the condition number is nearly the least that scaling can reach (van der Sluis
-   1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot is
-   not above 4 n eps, as for every matrix that is not positive definite, and VM_OK otherwise. */
+/* Solves a x = b for a mass matrix a, which is symmetric and positive definite. x replaces b, a is overwritten, and
+   `scale` is work space for n numbers. The function first scales rows and columns so that the diagonal is 1. The units
+   of the coordinates then do not matter, and the condition number is nearly the least that scaling can give (van der
+   Sluis 1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot
+   is not above 4 n eps, which happens for every matrix that is not positive definite, and VM_OK otherwise. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     int i, j;
@@ -710,10 +710,10 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #ifndef VARMASS_BASE_ZERO_H
 #define VARMASS_BASE_ZERO_H
 
-/* Returns a zero of f between a and b, as accurate as the type allows, where fa = f(a) and fb = f(b) have opposite
-   signs. Method (Illinois): the next x is the zero of the secant through both ends of the interval; when one end has
-   stayed for two steps, its value of f is halved. Every fourth step bisects the interval unless the last four steps
-   have made it eight times shorter. */
+/* Returns a zero of f between a and b, as accurate as the type allows. fa = f(a) and fb = f(b) must differ in sign.
+   Method (Illinois): the next x is the zero of the secant through both ends of the interval. When one end has stayed
+   for two steps, the method halves the value of f that is stored for this end. Every fourth step bisects the interval
+   unless the last four steps have made it eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
@@ -790,7 +790,7 @@ VM_API vm_complex vmi_complex(vm_real re, vm_real im)
     return z;
 }
 
-/* The sum a + b, the difference a - b, and the products c a and i c a with a real number c */
+/* The sum a + b, the difference a - b, and the products c a and i c a of a complex number a with a real number c */
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
 VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
 VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
@@ -816,7 +816,7 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
 /* The modulus |z| */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 
-/* The quotient a/b by Smith's method, which is also right where |b|^2 overflows or underflows */
+/* The quotient a/b by Smith's method, which is accurate even where |b|^2 overflows or underflows */
 VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;
@@ -843,9 +843,9 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 #ifndef VARMASS_BASE_POLYNOMIAL_H
 #define VARMASS_BASE_POLYNOMIAL_H
 
-/* Returns the correction that is subtracted from the approximate root i. It is Newton's step for the polynomial divided
-   by z - z_j for each other approximate root z_j; this division keeps two approximations from converging to the same
-   root. The correction is 0 where the polynomial is 0 within its rounding errors. */
+/* Returns the correction that must be subtracted from the approximate root number i. It is a step of Newton's method
+   for the polynomial divided by all z - z_j, where z_j are the other approximate roots. This division keeps two
+   approximations from converging to one root. The correction is 0 if the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -895,12 +895,12 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
     im[j] = y;
 }
 
-/* Sorts the roots: first the real roots from the largest to the smallest, then the conjugate pairs by rising |im|, in
-   each pair the root with im > 0 first. Imaginary parts that are only rounding errors become 0, and the two roots of a
-   pair become exactly conjugate. */
+/* Sorts the roots: the real roots come first, from the largest to the smallest; then come the conjugate pairs by rising
+   |im|, and in each pair the root with im > 0 is first. Imaginary parts that are only rounding errors become 0, and the
+   two roots of a pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this fraction of it */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative size */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -933,7 +933,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* start values symmetric about the real axis would stay symmetric; these are not */
+    for (i = 0; i < m; i++) /* start values on a circle, not symmetric about the real axis: symmetry would persist */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
@@ -961,15 +961,15 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
 
-/* Returns the relative correction of w by Fritsch, Shafer and Crowley, where z = ln(x/w) - w is the residual and
-   w1 = 1 + w */
+/* Returns the correction of w divided by w, by the method of Fritsch, Shafer and Crowley. The arguments are w1 = 1 + w
+   and the residual z = ln(x/w) - w. */
 VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 {
     const vm_real first = z / w1, half_q = w1 + 2 * z / 3;
     return first * ((half_q - first / 2) / (half_q - first));
 }
 
-/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| in two words and a rough value w of W. */
+/* Returns Lambert's W of a number x that is not close to -1/e. l is ln|x| in two words; w is a rough value of W(x). */
 VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
 {
     int i;
@@ -981,10 +981,10 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
-   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
-   -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry, Culligan-Hensley and Barry
-   (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for s < 0.4. */
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x): W_-1 if `lower` is 1, else W_0, which needs x close to -1/e.
+   Method: W = -1 - v, where v solves v - ln(1 + v) = s, with v > 0 for W_-1 and v < 0 for W_0. A value of s between
+   -eps/2 and 0 is caused by rounding and means x = -1/e. The start value of v is a formula by Barry, Culligan-Hensley
+   and Barry (ACM TOMS 21, 1995) for W_-1, and a series in sqrt(2s), good for s < 0.4, for W_0. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
@@ -1009,8 +1009,8 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
     return -(sum.hi + (sum.lo + dv));
 }
 
-/* Returns -1 - ln(-x), the s of vmi_lambert_near, for x < -1/4. It is computed from 1 + e x in two words, so that it
-   keeps its digits where x is close to -1/e. */
+/* Returns s = -1 - ln(-x), the argument of vmi_lambert_near, for x < -1/4. It is computed from 1 + e x in two words, so
+   that it keeps its digits where x is close to -1/e. */
 VM_API vm_two vmi_lambert_depth(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1073,7 +1073,7 @@ VM_API vm_real vm_wright_omega(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), start);
 }
 
-/* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1. It also works where e^l itself
+/* W_0(-e^l), the upper branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
    underflows. l is taken as exact. The error is at most 1 ulp. Returns 0 for l = -infinity and NaN for l > -1. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
@@ -1083,7 +1083,7 @@ VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
-/* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1. It also works where e^l itself
+/* W_-1(-e^l), the lower branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
    underflows. l is taken as exact. The error is at most 1 ulp. Returns -infinity for l = -infinity and NaN for
    l > -1. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
@@ -2860,11 +2860,12 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 #endif
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
-   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is damped
-   viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the distance s
-   from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form (75), and the
-   break (52)-(64), corrected as in docs/errata.md. The motion of the rotor is in mechanics/broken_rotor_motion.h, and
-   the stability of the remainder's steady motion is in mechanics/broken_rotor_stability.h.
+   The rotor is a disc on a massless elastic shaft and moves in a plane. A torque drives it, and its rotation is damped
+   viscously (section 3.3.2 of the dissertation [1]). Before the break the shaft passes through the rotor's mass centre
+   (s = 0). After the break the shaft's centre is at the distance s from the mass centre of the remainder. This chapter
+   has the equations of motion (46), (65)-(68), their polar form (75), and the equations of the break (52)-(64),
+   corrected as in docs/errata.md. The motion in closed form is in mechanics/broken_rotor_motion.h, and the stability of
+   the remainder's steady motion is in mechanics/broken_rotor_stability.h.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
@@ -2878,75 +2879,82 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 
 #include <string.h>
 
-/* The rotor. The formulas use the abbreviations (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
-   k* = damping/inertia, M* = torque/inertia. */
+/* The rotor. The formulas use these abbreviations (67) of its fields: omega^2 = stiffness/mass, p^2 = mass/inertia,
+   k* = damping/inertia, M* = torque/inertia. A dash means the derivative with respect to time: psi' = dpsi/dt. */
 typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* mass M > 0, kg */
     vm_real inertia;   /* inertia I > 0 about the rotor's own mass centre, kg m^2 */
     vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
     vm_real damping;   /* damping k, N m s: at the angular velocity psi' the torque -k psi' acts on the rotor */
     vm_real torque;    /* driving torque, N m */
-    vm_real s;         /* distance from the mass centre to the shaft, which lies in the direction psi, m */
+    vm_real s;         /* distance from the mass centre to the shaft's centre, m. The vector from the mass centre to
+                          the shaft's centre points in the direction of the rotor's angle psi. */
 } vm_broken_rotor;
 
 /* Indices of the states of a rotor in the array y, and the number of states */
 enum {
-    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, from the rest position of the shaft, m */
-    VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, rad */
+    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, measured from the shaft's rest position, m */
+    VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, counterclockwise from the x axis, rad */
     VM_BROKEN_ROTOR_V = 3,     /* velocity x', y' of the mass centre, m/s */
     VM_BROKEN_ROTOR_OMEGA = 5, /* angular velocity psi', rad/s */
     VM_BROKEN_ROTOR_STATES = 6
 };
 
-/* Indices of the states in polar form. The angle psi and its rate have the indices VM_BROKEN_ROTOR_ANGLE and
-   VM_BROKEN_ROTOR_OMEGA. */
+/* Indices of the states in polar form. The angle psi and its rate psi' have the indices VM_BROKEN_ROTOR_ANGLE and
+   VM_BROKEN_ROTOR_OMEGA in this form, too. */
 enum {
-    VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 of the mass centre from the rest position of the shaft, m */
-    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the direction to the mass centre, rad */
+    VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 from the shaft's rest position to the mass centre, m */
+    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the vector from this position to the mass centre, rad */
     VM_BROKEN_ROTOR_RADIUS_RATE = 3,   /* rate r' of the distance, m/s */
-    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* rate phi' of the direction, rad/s */
+    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* rate phi' of the angle phi, rad/s */
 };
 
-/* The piece that breaks off. S is the mass centre of the whole, S2 that of the piece, and A the point at which the
-   whole touches the stator. */
+/* The piece that breaks off. S is the mass centre of the whole rotor, S2 the mass centre of the piece, and A the point
+   at which the whole rotor touches the stator. SS2 is the vector from S to S2, and SA the vector from S to A. */
 typedef struct VM_TAG(vm_broken_rotor_piece) {
     vm_real mass;     /* mass m of the piece, kg; 0 < m < M, where M is the mass of the whole */
     vm_real inertia;  /* inertia I_S2 >= 0 of the piece about its mass centre S2, kg m^2 */
-    vm_real distance; /* distance SS2 between the mass centres S and S2, m */
-    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17) */
-    vm_real radius;   /* distance SA of the point of contact A, called R in the formulas, m */
-    vm_real contact;  /* direction angle of SA in inertial axes, rad */
+    vm_real distance; /* length of SS2, m */
+    vm_real alpha;    /* angle from SS2 counterclockwise to SA, rad (Fig. 17) */
+    vm_real radius;   /* length of SA, called R in the formulas, m */
+    vm_real contact;  /* angle from the inertial x axis counterclockwise to SA, rad */
 } vm_broken_rotor_piece;
 
-/* The break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of vm_broken_rotor_piece, and S1 is
-   the mass centre of the remainder. The dissertation [1] assumes in (57): the point A of the piece keeps its velocity,
-   and the component of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and
-   angular momentum. */
+/* The result of the break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of
+   vm_broken_rotor_piece, and S1 is the mass centre of the remainder. M, I_S, m, I_S2 are mass and inertia of the whole
+   and of the piece; I_S1 is the inertia of the remainder. The dissertation [1] assumes in (57) that the point A of the
+   piece keeps its velocity, and that the component of S2's velocity perpendicular to S2A becomes zero. Everything else
+   follows from the conservation of momentum and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
                              and torque are those of the whole */
-    /* The state of the remainder. Its angle psi is the direction from its mass centre S1 to the shaft, which is the
-       direction of SS2. Its angular velocity is that of the whole, Omega_b, plus spin_rest [(59), (64) corrected]. */
+    /* The state of the remainder just after the break. The remainder's angle psi is the angle of SS2, because the line
+       from S1 to the shaft's centre is parallel to SS2. Its angular velocity is spin_rest plus the angular velocity
+       Omega_b of the whole before the break [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
     vm_real dragging;                      /* speed v_S2d of S2, the piece's mass centre, before the break (52), m/s */
-    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; the
-                                              velocity of S is taken into account */
-    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
-                                              tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
-    vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
-    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity before the break,
-                                              perpendicular to S2A, m/s; T > 0 is counterclockwise, unlike (55) */
-    vm_real spin_piece;                    /* Omega_r, the angular velocity of the piece relative to the whole, rad/s:
-                                              Omega_r = T/AS2 (57), (63) */
-    vm_real spin_rest;                     /* Omega_r1, angular velocity of the remainder relative to the whole, rad/s:
-                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where v_T
-                                              is the vector of size T perpendicular to S2A [(58) corrected] */
-    vm_real stop_inertia;                  /* the inertia I_S2 for which the remainder would stop turning, kg m^2. There
-                                              is none if the value is < 0 or not finite. For alpha = 0 it is
-                                              I_S (R - SS2)/R [after (64), corrected] */
+    vm_real gamma;                         /* angle from SA to the velocity of S2 before the break (52), (60), rad. This
+                                              velocity is the velocity of S plus Omega_b x SS2. */
+    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], with
+                                              tan beta = SS2 sin alpha/(R - SS2 cos alpha), where
+                                              SS2 and R are the lengths `distance` and `radius` */
+    vm_real normal;                        /* component N along S2A of the velocity of S2 before the break (54), m/s */
+    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta), perpendicular to S2A, of the
+                                              velocity of S2 before the break, m/s. T > 0 means counterclockwise; (55)
+                                              has the opposite sign. */
+    vm_real spin_piece;                    /* Omega_r = T/AS2 (57), (63), the angular velocity of the piece after the
+                                              break minus that of the whole before it, rad/s; AS2 is a distance */
+    vm_real spin_rest;                     /* Omega_r1, the angular velocity of the remainder after the break minus that
+                                              of the whole before it, rad/s. I_S1 Omega_r1 is m M/(M - m) times
+                                              the cross product SS2 x v_T, minus I_S2 Omega_r. v_T is the part of the
+                                              velocity of S2 perpendicular to S2A [(58) corrected]. */
+    vm_real stop_inertia;                  /* the inertia I_S2 of the piece for which the remainder would stop turning,
+                                              kg m^2. If the value is < 0 or not finite, no such inertia exists. For
+                                              alpha = 0 the value is I_S (R - SS2)/R [after (64), corrected]. */
 } vm_broken_rotor_break;
 
+/* Returns VM_OK if all fields are finite and have the signs given in vm_broken_rotor, else the error. */
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 {
     if (!VM_IS_FINITE(r->mass) || !VM_IS_FINITE(r->inertia) || !VM_IS_FINITE(r->stiffness) ||
@@ -2959,15 +2967,16 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor. Returns 0; or VM_BAD_ARGUMENT for a null
-   pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, or VM_BAD_INERTIA. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states; its ctx, here `rotor`, is a vm_broken_rotor. Returns 0; or
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, or
+   VM_BAD_INERTIA. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
     const int status = vmi_check_broken_rotor(r);
-    vm_real sine, cosine, fx, fy; /* fx, fy: the force (66) of the shaft, N */
+    vm_real sine, cosine, fx, fy; /* fx, fy: the force (66) of the shaft on the rotor, N */
     (void)t;
     if (status) return status;
     vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
@@ -2983,8 +2992,8 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor. Returns a
-   status of vm_broken_rotor_rhs, or VM_DOMAIN, which ends the run, if r is not positive. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; its ctx, here `rotor`, is a
+   vm_broken_rotor. Returns a status of vm_broken_rotor_rhs; or VM_DOMAIN, which ends the run, if r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -3038,7 +3047,7 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
    not positive, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
-    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* velocities: along = r', across = r phi' */
+    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: the velocities r' and r phi' */
     if (!y || !polar) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, polar)) return VM_NOT_FINITE;
     radius = polar[VM_BROKEN_ROTOR_RADIUS];
@@ -3088,9 +3097,10 @@ VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cos
     return b;
 }
 
-/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S,
-   the mass centre of the whole. Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose
-   state is `before`. */
+/* Sets `state` to the state of the piece, or of the remainder, just after the break. The state of the whole before the
+   break is `before`. The body (piece or remainder) has the angle psi, and the vector from S, the mass centre of the
+   whole, to the body's mass centre is (dx, dy). The break changes the velocity of the body's mass centre by (ux, uy)
+   and the angular velocity by `spin`. */
 VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                                    vm_real spin, vm_real *state)
 {
@@ -3103,8 +3113,8 @@ VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real d
     state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
 }
 
-/* Sets mass, inertia and eccentricity s of the remainder. Returns VM_BAD_INERTIA if its inertia is negative or not
-   larger than rounding errors, else VM_OK. */
+/* Sets the fields of the remainder *rest, among them its mass, its inertia and its s. Returns VM_BAD_INERTIA if its
+   inertia is negative or not larger than rounding errors, else VM_OK. */
 VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
@@ -3117,17 +3127,17 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
 }
 
 /* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
-   distance AS2. S and S2 are the mass centres of the whole and of the piece, A is the point of contact. d is the vector
-   SS2, v the velocity of S and `spin` the angular velocity of the whole before the break. The x axis of all vectors is
-   along SA, and the y axis is 90 degrees counterclockwise from it. */
+   distance AS2. The points S, S2 and A are explained at vm_broken_rotor_piece. The arguments are d, the vector SS2; v,
+   the velocity of S before the break; and `spin`, the angular velocity of the whole before the break. All vectors have
+   an x axis along SA and a y axis 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
 {
     const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
-    const vm_real reduced = p->mass / b->rest.mass * whole->mass;
+    const vm_real reduced = p->mass / b->rest.mass * whole->mass; /* m M/(M - m) in (58) */
     const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T, where v_T is the part of S2's velocity perpendicular to S2A */
+    vm_real moment; /* cross product SS2 x v_T, where v_T is the part of S2's velocity perpendicular to S2A */
     e->x = reach_x / reach;
     e->y = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);
@@ -3144,7 +3154,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 }
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
-   `before` is the state of the whole at the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
+   `before` is the state of the whole just before the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
    VM_BAD_MASS if the mass of the piece is not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative
    stiffness, VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN
    if the whole has s != 0 or if the piece's mass centre is at the point of contact A, and VM_OK otherwise. */
@@ -3187,17 +3197,17 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 #endif
 /* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
 
-   This chapter computes the motion at any time without an integrator. Before the break the shaft passes through the
-   mass centre, and the solution (46)-(51) is exact. After the break the linearised equations (69) hold for short times,
-   while the angle psi of the remainder is small. vm_broken_rotor_linear solves them completely.
-   vm_broken_rotor_linear_uncoupled has the solution (70)-(72) of the dissertation [1], which leaves out the term
-   s p^2 omega^2 y. For long times integrate vm_broken_rotor_rhs.
+   This chapter computes the state of the rotor after a given time without an integrator. Before the break the shaft
+   passes through the mass centre, and the solution (46)-(51) is exact (vm_broken_rotor_free_motion). After the break
+   the linearised equations (69) hold for short times, while the angle psi of the remainder is small.
+   vm_broken_rotor_linear solves these equations completely. vm_broken_rotor_linear_uncoupled has the solution (70)-(72)
+   of the dissertation [1], which leaves out the term s p^2 omega^2 y. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
        int status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
-   The linearised equations are, with omega, p, k*, M*, s and psi as explained at vm_broken_rotor:
+   The linearised equations (69) are as follows; omega, p, k*, M*, s and psi are explained at vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
@@ -3208,10 +3218,10 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 /* The coefficients (67) of the linearised equations */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real omega, k, torque, s; /* omega, k*, M* and s, as explained at vm_broken_rotor */
-    vm_real coupling;            /* the factor s p^2 omega^2 of y in (69); 0 if this term is left out */
+    vm_real coupling;            /* s p^2 omega^2, the factor of y in the equation of psi; 0 to leave out this term */
 } vmi_broken_rotor_linear;
 
-/* Indices in z, the array of the states that the linearised equations (69) couple: y, psi and their rates */
+/* Indices in the array z. It holds y, psi and their rates, the states that the linearised equations (69) couple. */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -3220,6 +3230,7 @@ enum {
     VMI_BROKEN_ROTOR_COUPLED = 4 /* the number of coupled states */
 };
 
+/* Returns the coefficients for the rotor *r, with the coupling term if coupled = 1 and without it if coupled = 0. */
 VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r, int coupled)
 {
     vmi_broken_rotor_linear a;
@@ -3232,16 +3243,17 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
     return a;
 }
 
-/* An upper bound of the rates at which solutions of the linearised equations change, per second */
+/* Returns an upper bound, in 1/s, of the rates at which solutions of the linearised equations grow, decay or oscillate.
+   The Taylor series below converges fast for times up to 1/(this bound). */
 VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
 /* Sets `change` to the change of the states z within the time h, by the Taylor series in h. The time must be short: |h|
-   times the rate vmi_broken_rotor_rate is at most 1. Then the n-th terms of y and of s psi are at most 1/n! times the
-   first terms, so that the number `terms` of terms is enough. y0, y1, y2 are three successive terms of y; psi0, psi1,
-   psi2 are three successive terms of psi. */
+   times vmi_broken_rotor_rate must be at most 1. The n-th terms of the series of y and of s psi are then at most 1/n!
+   times the first terms, so that a fixed number of terms is enough. In the loop y0, y1, y2 are three successive terms
+   of the series of y, and psi0, psi1, psi2 are three successive terms of the series of psi. */
 VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -3269,10 +3281,11 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* With the unit matrix E, the matrix m + E advances the states by some time. This function replaces m by the matrix for
-   twice this time, which is (m + E)^2 - E = 2 m + m m. E is left out of m because digits of m would be lost in m + E.
-   Row m[j] is the change that the states undergo if they start from the unit state j without torque. The last row is
-   the change that the torque causes if the states start from 0. */
+/* Replaces the matrix m, which belongs to some time, by the matrix for twice this time. m gives the change of states
+   within its time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The
+   last row of m is the change that the torque causes if all states start from 0. With the unit matrix E, m + E turns
+   old states into new ones. Twice the time therefore has the matrix (m + E)^2 - E = 2 m + m m. The matrix m + E itself
+   is not stored, because digits of m would be lost in the sum. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -3285,8 +3298,9 @@ VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_
         }
 }
 
-/* Advances the states z by the time t, for any coefficients. The time is halved until the Taylor series converges fast.
-   The series gives the matrix for this short time h, and every doubling of the time squares the matrix. */
+/* Advances the states z by the time t, for any coefficients *a. The function halves t until the Taylor series converges
+   fast. The series gives the matrix for the short time h that results. The function then doubles the time as often as
+   it has halved it; vmi_broken_rotor_double gives the matrix for each doubled time. */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
@@ -3314,8 +3328,8 @@ VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a
     }
 }
 
-/* The value (e^z - 1 - z)/z^2 from the given ratio = (e^z - 1)/z. For |z| <= 1 it is summed as a series, so that no
-   digits cancel. */
+/* Returns (e^z - 1 - z)/z^2. The argument `ratio` must be (e^z - 1)/z. For |z| <= 1 the function sums a power series in
+   z, because the subtractions in the formula would lose digits. */
 VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -3326,7 +3340,8 @@ VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
     return sum;
 }
 
-/* The value w - sin w from the given sine = sin w. For |w| <= 1 it is summed as a series, so that no digits cancel. */
+/* Returns w - sin w. The argument `sine` must be sin w. For |w| <= 1 the function sums a power series in w, because the
+   subtraction would lose digits. */
 VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
 {
     const int terms = VM_MANT_DIG > 24 ? 19 : 11;
@@ -3337,7 +3352,8 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the time t that describe a free oscillation with the angular frequency w, which may be 0 */
+/* Functions of the time t that describe a free oscillation with the angular frequency w. If w is 0, the fields have
+   their limits as w tends to 0. */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c;    /* cos(w t) */
     vm_real c1;   /* 1 - cos(w t) */
@@ -3363,11 +3379,13 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Advances the states z by the time t by the solution (71), (72), without the coupling term s p^2 omega^2 y. Where the
-   dissertation [1] has k* Omega, this function has M*. It is used if |t| times the rate vmi_broken_rotor_rate exceeds
-   1. With w = omega and k = k*, psi = psi0 + psi0' E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The
-   motion of y is driven by -s psi. The functions g0, g1, g2 start from rest and solve g'' + w^2 g = F, where F is w^2
-   E1' for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+/* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
+   Where the dissertation [1] has k* Omega, this function has M*. It is used if |t| times vmi_broken_rotor_rate exceeds
+   1. With w = omega, k = k*, the initial angle psi0 and its initial rate rate0, the angle is
+   psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the derivative of E1.
+   The angle drives y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the response of y: each
+   solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2.
+   Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -3386,7 +3404,8 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
-/* Checks the arguments of the three public functions for the motion below. Returns their status. */
+/* Checks the arguments of vm_broken_rotor_linear, vm_broken_rotor_linear_uncoupled and vm_broken_rotor_free_motion.
+   Returns their status. */
 VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
                                          const vm_real *end)
 {
@@ -3395,8 +3414,8 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the results of the three public functions below. If coupled = 1, it solves all of the linearised equations
-   (69). If coupled = 0, it leaves out their last term, -s p^2 omega^2 y. */
+/* Computes the results of these three functions. If coupled = 1, it solves the complete linearised equations (69). If
+   coupled = 0, it leaves out the term -s p^2 omega^2 y of the equation of psi. */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -3425,30 +3444,30 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 }
 
 /* State of the remainder t seconds after start, by the complete linearised equations (69).
-   The result holds for short times, while |psi| << 1. t may have any sign. The arrays start and end have
-   VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields damping, stiffness and s may be 0. The error is at
-   most twice the change that rounding every input, t included, would make. Solutions of (69) grow exponentially with t.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS
-   for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
+   The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
+   t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
+   as start. The fields damping, stiffness and s may be 0. The error is at most twice the change of the result that
+   rounding all inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the
+   result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
-   The dissertation leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
-   serves to compare the dissertation with vm_broken_rotor_linear. The error is at most the change that rounding every
-   input would make. Arguments and statuses are those of vm_broken_rotor_linear. */
+   The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
+   serves to compare [1] with vm_broken_rotor_linear. The error is at most the change of the result that rounding all
+   inputs would cause. Arguments and statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
-   t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields
-   damping and stiffness may be 0. The error is at most the change that rounding every input, t included, would make.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
-   VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
+   t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array as
+   start. The fields damping and stiffness may be 0. The error is at most the change of the result that rounding all
+   inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
@@ -3457,11 +3476,12 @@ VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, 
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are exact (46) */
 }
 
-/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers. The orbit is
-   x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must not be 0. Its
-   half axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed at the time t, which the
-   dissertation prints wrongly after (52), is
-     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
+/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m. They are written to the array abcd of 4
+   numbers. The orbit of the mass centre is, with w^2 = stiffness/mass and w > 0,
+     x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t).                                                   (50)
+   Its semi-axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed of the mass centre at
+   the time t, which the dissertation [1] prints wrongly after (52), is
+     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos(2 w t) + 2 (B0 C0 - A0 D0) sin(2 w t)).
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS if the stiffness is not
    positive, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
@@ -3491,10 +3511,10 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
    circle (76), (77). This chapter computes
      - the radius of this circle,
-     - the characteristic polynomial (81) of small motions about the steady motion, its roots, and Routh's first column,
+     - the characteristic polynomial (81) of small deviations from the steady motion, its roots, Routh's first column,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
      - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
-   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
+   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia; s is the field s of the rotor.
 
        vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
@@ -3531,7 +3551,7 @@ VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_re
     return -rotor->s * (share / (1 - share));
 }
 
-/* The quantities omega^2, Omega^2, k*, D and G in the polynomial of vm_broken_rotor_characteristic */
+/* The quantities w2 = omega^2, O2 = Omega^2, k = k*, D and G in the polynomial of vm_broken_rotor_characteristic */
 typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
@@ -3559,13 +3579,14 @@ VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega
 enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
 
 /* Characteristic polynomial of small motions about the steady motion, (81) corrected.
-   Small motions about the steady motion at psi' = Omega (rad/s) are sums of exp(l t), where l is a root of the
-   polynomial. c is an array of VM_BROKEN_ROTOR_ROOTS + 1 coefficients, highest power first:
+   A small deviation from the steady motion at psi' = Omega (rad/s) is a sum of multiples of exp(l t), where l is a root
+   of the polynomial. The array c gets the VM_BROKEN_ROTOR_ROOTS + 1 coefficients of the polynomial, that of the highest
+   power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
-   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. Equation (81) is l times this polynomial, except that
-   its last printed term lacks the factor l^2. The additional root l = 0 of (81) exists because the phase of the steady
-   motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a
-   negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
+   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. The left side of (81) should be l times this polynomial,
+   but its last term is printed without the factor l^2. (81) has the additional root l = 0 because the phase of the
+   steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS
+   for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -3583,9 +3604,9 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, c);
 }
 
-/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. column is an
-   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all numbers of
-   the column are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
+/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. The function
+   writes these VM_BROKEN_ROTOR_ROOTS + 1 numbers to the array `column`. The steady motion is asymptotically stable if
+   all of them are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -3615,9 +3636,9 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
    re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|; of a conjugate pair,
-   the root with im > 0 is first. The error of each root is at most twice the change that relative changes of all
-   coefficients by eps would cause. This holds for the smallest root, too, which near resonance is many orders of
-   magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
+   the root with im > 0 is first. The error of each root is at most twice the change of this root that would result if
+   each coefficient changed by the fraction eps of itself. This holds for the smallest root, too, which near resonance
+   is many orders of magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
@@ -3627,7 +3648,8 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
-    /* The roots are computed in units of `size`, so that no coefficient is larger than 10. */
+    /* The roots are computed as multiples of `size`. No coefficient is then larger than 10, so that sums do not
+       overflow. */
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
     power = 1 / size;
     for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
@@ -3646,9 +3668,10 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* The value ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0. For x <= 1 the left form would lose digits, and
-   the value is summed as a series in w = x/(2 + x) <= 1/3 with positive terms only: twice the sum over n >= 3 of
-   c_n w^n, where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
+/* Returns ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0, the time, without unit, in which the orbit of
+   vm_broken_rotor_resonance_radius grows to the radius x, without unit. For x <= 1 the formula with the logarithm would
+   lose digits. The function then sums a series in w = x/(2 + x) <= 1/3 with positive terms only. The series is twice
+   the sum of c_n w^n for n = 3, 4, 5, ..., where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21;
@@ -3664,8 +3687,9 @@ VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
     return 2 * w * w * w * sum;
 }
 
-/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method starts from
-   x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. Therefore every step decreases x until x is the root. */
+/* Returns the root x > 0 of the equation ln(1 + x) - x + x^2/2 = tau for tau > 0. The left side is a convex function of
+   x. Newton's method starts from x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. Therefore every step
+   decreases x, and the loop ends when rounding errors prevent a further decrease. */
 VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -3682,13 +3706,14 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
    Omega = torque/damping (rad/s) must be at or above omega; vm_broken_rotor explains omega, p, k* and s. The angular
    velocity psi' stays at omega, and the surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where
-   R(0) = 0 and
+   R = 0 at t = 0 and, with R' = dR/dt,
      R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R).
    It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the second term of the expansion of r for large r/|s|. Terms of order s^2/r and the time until psi' reaches
-   omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s,
-   this radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
+   |s|/4 is the second term of an expansion of r for large r/|s|, whose first term is R. Terms of order s^2/r and the
+   time until psi' reaches omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m,
+   omega = 1 rad/s), after 400 s, the radius r differs by less than 0.002 m from the radius of the numerically
+   integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
    Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
    R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
@@ -4021,15 +4046,15 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
 
 #endif
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
-   This is the first step of exact torque-free rotation. It finds the principal moments J_a >= J_b >= J_c, the
-   principal axes a, b, c and the components w_a, w_b, w_c of omega. All are in two words, because the rates that
-   follow from them are multiplied by long times.
-   Then it names the axes 1, 2, 3. Axis 2 has the middle moment, and omega moves around axis 3. Axis 3 is a or c; this
-   depends on the sign of
+   This is the first step of the preparation in torque_free.h. It finds the principal moments of inertia
+   J_a >= J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along
+   these axes. All these numbers have two words, because the rates that follow from them are multiplied by long times.
+   Then it numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle moment. Axis 3 is the axis around which the
+   vector omega moves in the body. It is a or c; this depends on the sign of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
-   where T is the kinetic energy and L the size of the angular momentum. If this number is positive, or 0 (on the
-   separatrix), axis 3 is c, the axis of the smallest moment; else axis 3 is a. All functions of this chapter are
-   internal:
+   where T is the kinetic energy and L the size of the angular momentum. If this number is positive or 0, axis 3 is c,
+   the axis of the smallest moment; else axis 3 is a. If it is 0, the motion lies on the separatrix: omega tends to the
+   direction of axis 2. All functions of this chapter are internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
@@ -4044,11 +4069,12 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
 
 /* ---- vectors in two words ---- */
 
+/* A vector whose three components have two words each */
 typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
 
-/* The largest power of two that is at most x, or VM_MIN if x is 0 or subnormal */
+/* Returns the largest power of two that is at most x, for x >= 0, or VM_MIN if x is 0 or subnormal. */
 VM_API vm_real vmi_power_of_two(vm_real x)
 {
     const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
@@ -4084,8 +4110,8 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
     return c;
 }
 
-/* The vector that the rotation by q turns into a. It is a + 2 (v x (v x a) - w v x a)/|q|^2 for q = (w, v) of any
-   length except 0. */
+/* Returns the vector that becomes a by the rotation q. It is a + 2 (v x (v x a) - w v x a)/|q|^2, where w is the real
+   part and v the vector part of q. q may have any length except 0. */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 xyz = vmi_quat_vector(q);
@@ -4107,14 +4133,15 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 
 /* ---- principal moments and axes ---- */
 
-/* The rotation of a body in its principal axes: the principal moments divided by a power of two, the principal axes
-   in body axes, and the components of omega along them, divided by another power of two */
+/* The rotation of a body in its principal axes. `moment` has the principal moments divided by a power of two, `axis`
+   the principal axes in body axes, and `omega` the components of omega along the principal axes divided by another
+   power of two. */
 typedef struct VM_TAG(vmi_torque_free_body) {
     vm_two moment[3];
     vmi_vec3_two axis[3], omega;
 } vmi_torque_free_body;
 
-/* Turns the pair *x, *y by the angle with the cosine c and the sine s */
+/* Turns the plane vector (*x, *y) by the angle whose cosine is c and whose sine is s */
 VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
 {
     const vm_two x0 = *x, y0 = *y;
@@ -4122,8 +4149,9 @@ VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
     *y = vmi_two_plus(vmi_two_times(s, x0), vmi_two_times(c, y0));
 }
 
-/* Makes one rotation of Jacobi's eigenvalue method in two words: turns the axes p and q so that a[p][q] becomes 0.
-   The tensor a is scaled to about 1. An entry below eps^3 is set to 0 without a rotation. */
+/* Makes one rotation of Jacobi's eigenvalue method in two words: it turns the axes number p and q in their plane so
+   that the entry a[p][q] of the tensor becomes 0. The tensor a must be scaled so that its entries are about 1. An entry
+   below eps^3 is set to 0 without a rotation. */
 VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, int p, int q)
 {
     const vm_two one = vmi_two(1, 0), entry = a[p][q];
@@ -4147,8 +4175,9 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
     for (k = 0; k < 3; k++) vmi_two_turn(c, s, &axis[p].x[k], &axis[q].x[k]);
 }
 
-/* Computes the principal axes, and the principal moments divided by vmi_power_of_two(trace). Sets omega to 0. For a
-   tensor without products of inertia the moments are its entries and the axes are the body axes, exactly. */
+/* Sets b->axis to the principal axes, and b->moment to the principal moments divided by vmi_power_of_two(trace), where
+   `trace` is the trace of the tensor *i. Sets b->omega to 0. If the tensor has no products of inertia, the moments are
+   exactly its scaled entries and the axes are exactly the body axes. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const int most_sweeps = 12; /* more than enough, since the rotations converge quadratically */
@@ -4171,8 +4200,8 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
     for (k = 0; k < 3; k++) b->moment[k] = a[k][k];
 }
 
-/* Sets a moment to 0 if it is lost in the rounding errors of the tensor i. The body is then a rod or a point, and the
-   other two moments become equal. */
+/* Sets a principal moment to 0 if it is not larger than the rounding errors of the tensor *i. The body is then a rod or
+   a point, and the other two moments are set to one value. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -4189,8 +4218,8 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 
 /* ---- the order of the axes ---- */
 
-/* Returns 1 if the difference of two moments is within the errors of their computation from a tensor in two words.
-   Moments of a tensor without products of inertia are exactly equal or differ by more. */
+/* Returns 1 if two moments differ by no more than the errors of their computation in two words, else 0. Moments of a
+   tensor without products of inertia have no such errors: they are exactly equal, or they differ by more. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
@@ -4202,15 +4231,15 @@ typedef struct VM_TAG(vmi_torque_free_axes) {
     vm_two I1, I2, I3;    /* the principal moments */
     vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
     vm_two w1, w2, w3;    /* the components of omega along the axes */
-    vm_two S;             /* |2T I2 - L^2| for the kinetic energy T and angular momentum L; 0 on the separatrix */
+    vm_two S;             /* |2T I2 - L^2| with the kinetic energy T and the angular momentum L; 0 on the separatrix */
     vm_real sigma;        /* the sign of I1 - I3 */
     vm_real s;            /* the sign of w3 */
-    int symmetric;        /* 1 if I1 = I2 */
+    int symmetric;        /* 1 if I1 = I2, else 0 */
     vmi_mat3 matrix;      /* columns: the axes 1, 2, 3 in body axes */
 } vmi_torque_free_axes;
 
-/* The product J d w^2 of a moment J, a difference d of moments and the square of a component w of omega. It is in
-   three words, so that the difference of two such products is right even if they cancel. */
+/* Returns the product J d w^2 of a moment J, a difference d of two moments and the square of a component w of omega.
+   The product has three words, so that the difference of two such products is accurate even if they nearly cancel. */
 VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
 {
     const vmi_three J3 = vmi_three_words(J.hi, J.lo, 0), d3 = vmi_three_words(d.hi, d.lo, 0);
@@ -4218,8 +4247,8 @@ VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
     return vmi_three_times(vmi_three_times(J3, d3), vmi_three_times(w3, w3));
 }
 
-/* The value J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2, whose sign decides which axis is axis 3.
-   The axes a, b, c are order[0], order[1], order[2], by falling moments. */
+/* Returns J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2. The sign of this number decides which axis is
+   axis 3. The axes a, b, c have the indices order[0], order[1], order[2], and their moments fall in this order. */
 VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, const int *order)
 {
     const int a = order[0], b = order[1], c = order[2];
@@ -4227,8 +4256,8 @@ VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, co
     return vmi_three_plus(of_smallest, vmi_torque_free_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
 }
 
-/* Sets order[] to the indices of the axes by falling moments. Returns 1 if order[] is an even permutation of 0, 1, 2,
-   else 0. */
+/* Sets order[] to the indices 0, 1, 2 of the axes, sorted by falling moments. Returns 1 if order[] is an even
+   permutation of 0, 1, 2, else 0. */
 VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
 {
     int k, even = 1;
@@ -4243,8 +4272,9 @@ VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
     return even;
 }
 
-/* Returns 1 if axis 3 is order[2], the axis of the smallest moment, and 0 if it is order[0], the axis of the largest.
-   If two moments are equal, axis 3 is the axis of the third moment. */
+/* Returns 1 if axis 3 is order[2], the axis of the smallest moment, and 0 if axis 3 is order[0], the axis of the
+   largest moment. If two moments are equal, axis 3 is the axis of the third moment. `separation` is the result of
+   vmi_torque_free_separation. */
 VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, vmi_three separation)
 {
     if (vmi_torque_free_are_equal(J[order[0]], J[order[1]])) return 1;
@@ -4252,7 +4282,7 @@ VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, 
     return separation.hi >= 0;
 }
 
-/* Expresses the body in its axes 1, 2, 3. Axis 3 is reversed if the axes would be left-handed. */
+/* Returns the body's quantities in its axes 1, 2, 3. Axis 3 is reversed if the axes would otherwise be left-handed. */
 VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
 {
     const vm_two *J = b->moment, *w = b->omega.x;
@@ -4302,18 +4332,19 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 
 #endif
 /* mechanics/torque_free.h - exact rotation of a body on which no torque acts
-   The rotation of a free body, for example after a jump, has a closed form: the angular velocity omega follows from
-   the Jacobi functions sn, cn, dn of the time, and the attitude follows from one theta function and a rotation at a
-   constant rate (Jacobi 1850). Nothing is integrated, so that an evaluation costs the same at any time and errors do
-   not grow with time. The mass centre moves on a straight line.
+   The rotation of a free body, for example after a part has separated from it, has a closed form (Jacobi 1850): the
+   angular velocity omega follows from the elliptic functions sn, cn, dn of the time, and the attitude follows from one
+   theta function and a rotation at a constant rate. Nothing is integrated. Therefore an evaluation costs the same at
+   any time, and its errors do not accumulate over time. The mass centre moves on a straight line.
 
        vm_torque_free motion;
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   The functions serve all bodies: triaxial, symmetric and spherical ones, and rods and points, whose spin about an
-   axis without moment of inertia stays constant. They serve all rotations, also those about the axis of the middle
-   moment, and those on the separatrix, which tend to a rotation about this axis. No threshold has to be chosen.
+   The functions hold for all bodies: for triaxial, symmetric and spherical ones, and for rods and points, whose spin
+   about an axis without moment of inertia stays constant. They hold for all rotations, too: for a rotation about the
+   axis of the middle moment of inertia, and for rotations on the separatrix, which tend to a rotation about this axis.
+   The user need not choose a threshold between these cases.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
@@ -4323,57 +4354,61 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 /* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
    Equations (A) and (B) stand in the next comment.
 
-   Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
-   |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
-   equal moments and with products of inertia. An error of eps in an input changes the attitude by eps times the angle
-   turned. Close to the separatrix it changes the attitude by more, because it changes the time of every flip of the
-   body. For tensors with products of inertia the principal moments are known to two words only, which limits the
-   accuracy after many turns close to the separatrix. Components of omega below 2^-505 (float 2^-57) times the largest
-   are taken as 0. */
+   Accuracy, for inputs taken as exact and up to 1e6 turns: the error of the attitude is at most 12 eps (rad) and that
+   of omega at most 8 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
+   parameter of sn, cn, dn), for nearly equal moments, and with products of inertia. An error of eps in an input changes
+   the attitude by eps times the angle through which the body has turned. Close to the separatrix it changes the
+   attitude by more, because it shifts the time of every flip of the body. If a tensor has products of inertia, the
+   principal moments have only the digits of two words, which limits the accuracy after many turns close to the
+   separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component is taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
     vm_real t0;                  /* the time at which the body is as given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
                                     opposite to it if the component w3 of omega along axis 3 is negative */
-    vm_real spin[3];             /* omega along the axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
+    vm_real spin[3];             /* the components of omega along the axes 1, 2, 3 are spin[0] cn, spin[1] sn and
+                                    spin[2] dn, rad/s */
     vm_real lean[3];             /* the quaternion M of equation (B) below is (w, x, y, 0)/sqrt(2 w), with
                                     w = 1 + lean[2] dn, x = lean[1] sn, y = lean[0] cn */
-    vm_two phase;                /* argument u of sn, cn, dn at t0, divided by 4K; u itself on the separatrix */
-    vm_two phase_rate;           /* rate of the phase, per second */
+    vm_two phase;                /* u/(4K) at t0, where u is the argument of sn, cn, dn; u itself on the separatrix */
+    vm_two phase_rate;           /* rate of the phase, 1/s */
     vm_two K;                    /* quarter period of sn as a function of u; 0 on the separatrix */
-    vm_two turn_rate;            /* mean rate, turns/s, of s h in equation (B) below; s h is half the angle
-                                    turned about the angular momentum */
-    vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
+    vm_two turn_rate;            /* mean rate, turns/s, of the angle s h in equation (B) below; s h is half the angle
+                                    through which the body has turned about the angular momentum */
+    vm_real m1;                  /* 1 - m, where m is the parameter of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
-    vmi_doubled_theta theta;     /* theta function of (B) below; sigma arg theta is h minus its mean growth kappa t */
+    vmi_doubled_theta theta;     /* the theta function of equation (B) below; sigma arg theta is h - kappa t */
 } vm_torque_free;
 
-/* The solution. Let 1, 2, 3 be the principal axes, where axis 2 has the middle moment and omega moves around axis 3
-   (torque_free_axes.h), I1, I2, I3 the moments, T the kinetic energy and L the size of the angular momentum. Let
-   d12 = |I1 - I2|, d23 = |I2 - I3|, d13 = |I1 - I3|, sigma = sign(I1 - I3) and s = sign(w3). Then
-   omega = (w1, w2, w3) along these axes is
+/* The solution. Let 1, 2, 3 be the principal axes of the body: axis 2 has the middle moment of inertia, and the vector
+   omega moves around axis 3 in the body (torque_free_axes.h). Let I1, I2, I3 be the moments of inertia, T the kinetic
+   energy and L the size of the angular momentum. Let d12 = |I1 - I2|, d23 = |I2 - I3|, d13 = |I1 - I3|,
+   sigma = sign(I1 - I3) and s = sign(w3). The components w1, w2, w3 of omega along these axes are
      w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u,  u = u0 + wp t,                                     (A)
      a1^2 = w1^2 + I2 d23/(I1 d13) w2^2,  a2^2 = a1^2 I1 d13/(I2 d23),  a3^2 = w3^2 + I2 d12/(I3 d13) w2^2,
      wp^2 = a3^2 d13 d23/(I1 I2),  m = I1 d12 a1^2/(I3 d23 a3^2),  1 - m = |2T I2 - L^2|/(I3 d23 a3^2),
-   where w1, w2, w3 on the right-hand sides are the values at t0, and t is the time since t0. With the tensor of
-   inertia J, so that L = |J omega|, the unit vector l = J omega/L and the unit vector e3 of axis 3 the attitude is
+   where w1, w2, w3 on the right-hand sides are the values at t0, t is the time since t0, and u0 is the value of u at
+   t0. m is the parameter of sn, cn, dn. Let J be the tensor of inertia, l = J omega/L the unit vector along the angular
+   momentum, l1, l2, l3 its components along the axes 1, 2, 3, and e3 the unit vector of axis 3. The attitude is the
+   product of three quaternions:
      q(t) = start (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u),                                    (B)
      M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)).
-   M is the shortest rotation that takes l to s e3, kappa is a constant that an integral of the third kind gives, and
-   theta is a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) was found by Jacobi; van Zon and Schofield,
-   J. Comput. Phys. 225 (2007), give a theta series for 2h.
+   M is the rotation through the smallest angle that takes l to s e3. kappa is a constant that follows from an elliptic
+   integral of the third kind. theta is a theta function of u + i y, where y follows from cd(y | 1 - m) = I3 a3/L. (B)
+   was found by Jacobi; van Zon and Schofield, J. Comput. Phys. 225 (2007), give a theta series for 2h.
 
-   The preparation computes in this order: the axes; the squares of the amplitudes, and m; kappa; the phase and the
-   rates; the theta function; and `start`, which makes q(t0) the given attitude. It computes in two words, because the
-   rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time has only the products of rates
-   and time in two words. Moments and omega are divided by powers of two, so that they are about 1. */
+   The preparation computes in this order: the axes; the squares of the amplitudes a1, a2, a3, and m; kappa; the phase
+   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. It computes in two words,
+   because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time uses two words only
+   for the products of rates and time. Moments and omega are divided by powers of two so that they are about 1, which
+   prevents overflow. */
 
 /* ---- amplitudes and parameter ---- */
 
-/* The squares of the amplitudes a1, a2, a3 of equation (A) above, of h1 = I1 a1, h3 = I3 a3 and of L, and the
-   parameters m and m1 = 1 - m. The only subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is
-   computed in three words. */
+/* The fields a1, a2, a3 and L are the squares of the amplitudes a1, a2, a3 of equation (A) above and of L. The fields
+   h1 and h3 are the squares of I1 a1 and I3 a3. m is the parameter of sn, cn, dn, and m1 = 1 - m. The formulas contain
+   only one subtraction, in S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -4402,15 +4437,15 @@ VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_
     return square;
 }
 
-/* Stores m1 = 1 - m in the motion, with the parameter m of sn, cn, dn, and prepares these functions for it */
+/* Stores m1 = 1 - m in the motion, where m is the parameter of sn, cn, dn, and prepares these functions for m */
 VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
 {
     motion->m1 = m1.hi;
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the axes, and the amplitudes of omega and of the quaternion M in equation (B) above. `sign` is the sign of cn on
-   the separatrix, and 1 elsewhere. */
+/* Sets the fields axes, spin (the amplitudes of omega) and lean (those of the quaternion M in equation (B) above).
+   `sign` is a result of vmi_torque_free_phase: the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -4426,15 +4461,16 @@ VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- rates and phase ---- */
 
+/* Returns 2 pi in two words. */
 VM_API vm_two vmi_torque_free_two_pi(void)
 {
     const vmi_three half_pi = vmi_half_pi();
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with
-   N = I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those
-   of equation (A) above, and c = I3 a3/L:
+/* Returns 2 kappa for m < 1 and I1 != I2. Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m.
+   Let Pi = Pi(-N | m) be the complete elliptic integral of the third kind with N = I3 d12/(I1 d23), K the complete
+   integral of the first kind, and c = I3 a3/L. The other letters are explained at equation (A) above:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
@@ -4457,8 +4493,8 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* Returns kappa, the mean rate of the angle h in equation (B) above. Sets *mean to agm(1, k') with k'^2 = 1 - m; it is
-   0 on the separatrix. */
+/* Returns kappa, the mean rate of the angle h in equation (B) above. Sets *mean to the arithmetic-geometric mean
+   agm(1, k') with k'^2 = 1 - m, which is 0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
@@ -4476,8 +4512,8 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
 }
 
 /* Computes the argument u of equation (A) above at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u
-   on the separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign;
-   else *sign is 1. */
+   on the separatrix, where mean = 0. On the separatrix w1 can have either sign, but cn u is always positive; there
+   *sign is the sign of w1; elsewhere it is 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -4494,8 +4530,8 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K and phase, and the rates phase_rate and turn_rate that belong to omega divided by a power of two. Returns the
-   sign of cn on the separatrix, and 1 elsewhere. */
+/* Sets the fields K, phase, phase_rate and turn_rate. The two rates are those of the scaled omega, which is divided by
+   a power of two. Returns the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -4518,8 +4554,8 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
 /* ---- the theta function ---- */
 
 /* Returns y, the constant imaginary part of the argument u + i y of the theta function in equation (B) above. y solves
-   cd(y | m1) = c with c = I3 a3/L. With N = I3 d12/(I1 d23) it is y = R_F(N, N/c^2, N + 1), where R_F is Carlson's
-   elliptic integral of the first kind. */
+   cd(y | 1 - m) = c with c = I3 a3/L. The solution is y = R_F(N, N/c^2, N + 1), where N = I3 d12/(I1 d23) and R_F is
+   Carlson's elliptic integral of the first kind. */
 VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square)
 {
     const vm_two N = vmi_two_over(vmi_two_times(axes->I3, axes->d12), vmi_two_times(axes->I1, axes->d23));
@@ -4527,9 +4563,9 @@ VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const
     return vmi_carlson_rf(N, vmi_two_over(N, c_square), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* Sets the theta function of equation (B) above, conjugated if sigma s < 0. For m = 0 it stays 1. K and K' (Kc in the
-   code) are the quarter periods for the parameters m and 1 - m. The function is summed directly for K <= 2K', and by
-   Jacobi's transformation for K > 2K'. */
+/* Sets the theta function of equation (B) above, or its complex conjugate if sigma s < 0. For m = 0 the theta function
+   stays 1. K and Kc are the quarter periods for the parameters m and 1 - m. The series of the theta function is used
+   directly for K <= 2 Kc, and after Jacobi's transformation for K > 2 Kc, where it converges faster. */
 VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square)
 {
@@ -4549,7 +4585,7 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets a motion with constant omega: axis 3 is along omega, and sn stays 0 */
+/* Sets a motion with constant omega. Axis 3 is along omega, and sn stays 0. If omega is 0, nothing is set. */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -4563,10 +4599,11 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
 }
 
-/* Sets all fields except body, t0 and `start`. spin and the rates belong to omega divided by a power of two. */
+/* Sets all fields except body, t0 and `start`. spin and the rates are those of the scaled omega, which is divided by a
+   power of two. */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
-    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of eps^2, a negligible nutation angle */
+    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* square of the angle eps^2, a negligible nutation */
     const vmi_torque_free_axes axes = vmi_torque_free_order(b);
     vmi_torque_free_squares square;
     int constant = vmi_torque_free_is_constant(&axes);
@@ -4585,8 +4622,8 @@ VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_fre
 
 /* ---- at a time ---- */
 
-/* The product rate t, in turns, minus the nearest whole number of turns, |result| <= 1. Beyond 2^(2p - 4) turns the
-   result has no meaning; p is the number of binary digits of the type. */
+/* Returns the product rate t, in turns, minus a whole number of turns. The result lies between -1 and 1. Beyond
+   2^(2p - 4) turns it has no meaning; p is the number of binary digits of the type vm_real. */
 VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
@@ -4595,8 +4632,8 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* Computes sn, cn, dn at the time t after t0. Returns u/(4K), with their argument u, minus the nearest multiple of 1/2;
-   or u on the separatrix. */
+/* Computes sn, cn, dn at the time t after t0. Let u be their argument. Returns u/(4K) minus the nearest multiple of
+   1/2; on the separatrix it returns u. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
@@ -4604,7 +4641,7 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     vmi_thetas theta;
     vm_real turns;
     int half_turns = 0, quarters = 0;
-    vm_two v; /* argument u of sn, cn, dn, minus the nearest multiple of K */
+    vm_two v; /* first u/(4K), then the argument u of sn, cn, dn minus the nearest multiple of K */
     if (motion->K.hi > 0) {
         v = vmi_two_plus(vmi_torque_free_fraction(motion->phase_rate, t), motion->phase);
         half_turns = vmi_nearest(2 * v.hi);
@@ -4624,8 +4661,8 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     return turns;
 }
 
-/* Evaluates equations (A) and (B) above at the time t after t0: *omega in body axes, and the rotation *turn = (cos h +
-   s e3 sin h) M */
+/* Evaluates equations (A) and (B) above at the time t after t0. Sets *omega to the angular velocity in body axes, and
+   *turn to the factor (cos h + s e3 sin h) M of the attitude. */
 VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, w, x, y, over, c, s;
@@ -4644,8 +4681,8 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 
 /* ---- setting up ---- */
 
-/* Prepares all that vm_torque_free_at needs. *b has the moments, the axes, and omega divided by `power`, a power of
-   two. */
+/* Prepares all fields that vm_torque_free_at needs. *b must have the moments, the axes, and omega divided by `power`,
+   which is a power of two. */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
     vm_quat q = motion->body.q, turn;
@@ -4664,15 +4701,15 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
 }
 
-/* Returns x, a component of the scaled omega, or 0 if its square would underflow, which is for |x| < 2^-505 (float
-   2^-57). */
+/* Returns x, a component of the scaled omega. If |x| is below 2^-505 (float 2^-57), the square of x would underflow,
+   and the function returns 0 instead. */
 VM_API vm_two vmi_torque_free_squarable(vm_two x)
 {
     return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
 }
 
-/* Prepares the motion of a body whose omega is given in body axes (along_body = 1) or in inertial axes
-   (along_body = 0) */
+/* Prepares the motion of a body whose omega is given in body axes if along_body = 1, and in inertial axes if
+   along_body = 0. Returns a status of vm_torque_free_init. */
 VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, int along_body, vm_real t0)
 {
     const vm_real power = vmi_power_of_two(vmi_norm_max(body->omega));
@@ -4696,8 +4733,8 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     return VM_OK;
 }
 
-/* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; vm_torque_free_at
-   then gives it at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
+/* Preparation of the exact torque-free motion of a body. *body is the body at the time t0 (s). vm_torque_free_at then
+   gives the body at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
    null pointer, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. After an error *motion is unchanged. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
@@ -4705,9 +4742,10 @@ VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_r
     return vmi_torque_free_start(motion, body, 0, t0);
 }
 
-/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body's axes are the principal
-   axes, and omega (rad/s) is along them, not along the inertial axes. q is the attitude at t0 (s). The body has mass
-   1 and rests at the origin. The statuses are those of vm_torque_free_init. */
+/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body axes are the principal axes.
+   The components of omega (rad/s) are along the body axes, not along the inertial axes. q is the attitude at t0 (s).
+   The body has the mass 1 kg, and its mass centre rests at the origin. The statuses are those of
+   vm_torque_free_init. */
 VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega,
                                          vm_real t0)
 {
@@ -4723,8 +4761,9 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
     return vmi_torque_free_start(motion, &body, 1, t0);
 }
 
-/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega is
-   along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1 if it was all zero). Returns
+/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
+   the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0
+   (or 1, if the quaternion was all zero). Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
    is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
    the result is finite and has the right angular momentum, but its phase has no meaning. */
@@ -4748,8 +4787,9 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
 }
 
 /* A torque-free body at the time t (s). t may be later or earlier than t0. Attitude and omega are those of
-   vm_torque_free_attitude, but omega is along inertial axes. The mass centre is on its straight line. The statuses
-   are those of vm_torque_free_attitude; after an error *body is unchanged. */
+   vm_torque_free_attitude, but here omega has its components along the inertial axes. The mass centre has moved on a
+   straight line at constant velocity. The statuses are those of vm_torque_free_attitude; after an error *body is
+   unchanged. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -4767,8 +4807,8 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     return VM_OK;
 }
 
-/* A torque-free body a time t (s) later, in one call. It calls vm_torque_free_init, then vm_torque_free_at, and has
-   their statuses. The pointers later and body may be equal. */
+/* A torque-free body a time t (s) later, in one call. The function calls vm_torque_free_init, then vm_torque_free_at,
+   and has their statuses. The pointers `later` and `body` may be equal. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;
@@ -4782,10 +4822,10 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 #endif
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
-   A stream carries mass into a body, or out of it, at one point. The mass brings or takes momentum and angular
-   momentum with it, which causes the reactive force (156), the reactive moment (158) and the reactive torque (157).
-   This chapter computes these loads at an instant and the accelerations that follow from them, (159) and (160). To
-   integrate a motion, use mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
+   A stream carries mass into a body, or out of it, at one point. The mass carries momentum and angular momentum. The
+   body therefore feels a reactive force (156), a reactive moment (158) and a reactive torque (157). This chapter
+   computes these loads at an instant and the accelerations that follow from them, (159) and (160). To integrate a
+   motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h (on a line or an axle).
 
        vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
@@ -4804,14 +4844,15 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
-    VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; velocity and spin of the stream
-                        are not read. There is no torque, but a force M' omega x d remains, which (166) neglects (M' is
-                        the rate, d leads from the mass centre to the point, omega is the body's spin) */
-    VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
+    VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; the fields velocity and spin of
+                        the stream are not read. There is no torque, but a force M' omega x d, which (166) neglects. M'
+                        is the rate of the stream, omega the body's spin, d the vector from mass centre to point. */
+    VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not read */
 };
 
-/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if the mass
-   does not lie at the point at which the stream enters or leaves the body. */
+/* A store of mass inside a body, for example a tank. A stream that leaves the body takes its mass from the store, and a
+   stream that enters puts its mass into the store. A stream needs a store if its mass is kept at another position than
+   the point at which the stream crosses the surface of the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -4824,19 +4865,21 @@ typedef struct VM_TAG(vm_stream) {
     vm_vec3 at;           /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
     vm_vec3 velocity;     /* velocity of the mass as it enters or leaves the body, m/s */
     vm_vec3 spin;         /* angular velocity of the mass as it enters or leaves the body, rad/s */
-    vm_inertia gyration;  /* inertia per unit mass of this mass, about its own mass centre, m^2, body axes */
+    vm_inertia gyration;  /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2,
+                             body axes */
     const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
-                             point `at` the mass flows in a straight line, and the body's momentum includes that of this
-                             flow */
+                             point `at` the mass flows in a straight line; the momentum of this flow is a part of the
+                             body's momentum. */
 } vm_stream;
 
 /* The reactive loads at an instant, in inertial axes except inertia_rate. The body has the mass M, the inertia I, the
    velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of its mass, omega2 the
    angular velocity of its mass and kappa its gyration. The vector d leads from the body's mass centre to the point at
-   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E:
+   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E is the inertia per unit mass of a
+   point mass at d. Each sum is over all streams:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
-     torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
+     torque  (sum M' kappa omega2) - I' omega           (157) corrected: [1] prints I' (omega2 - omega), which is right
                                                         only for P(d) omega2 = 0
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
@@ -4853,14 +4896,15 @@ typedef struct VM_TAG(vm_reactive) {
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
-/* The velocity u of a stream's mass is, for every known motion, the sum of two terms: the velocity of the body's
-   point (or zero) and the velocity that the stream gives (or zero). Its spin is a sum of two such terms, too. The
-   next two functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
+/* The velocity u of a stream's mass is the sum of two terms for every known `motion`. The first term is the velocity of
+   the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the mass is a sum
+   of two such terms, too. The first function below returns 1 if the first term is there, and the second function if
+   the second term is there. No other function decodes VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* The velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field `velocity`
-   of the stream. */
+/* Returns the velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field
+   `velocity` of the stream. */
 VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
     vm_real u = 0;
@@ -4869,7 +4913,7 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* The product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass */
+/* Returns the product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass. */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -4883,8 +4927,9 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 }
 
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
-   stores and the surface. A stream of rate M' that flows in a straight line between its store at s and the surface at
-   d has the momentum M' (s - d), whatever its speed is. */
+   stores and the surface. `centre` is the mass centre. If a stream of rate M' flows in a straight line between its
+   store at the position a and the surface at the position b, the flowing mass has the momentum M' (a - b) at any
+   speed. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -4902,25 +4947,25 @@ typedef struct VM_TAG(vmi_stream_seen) {
     vm_vec3 v;            /* velocity, which is momentum/mass, inertial axes */
     vm_vec3 slip;         /* velocity of the body's material at the mass centre minus v, body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
-    vm_vec3 centre;       /* mass centre from the reference point, body axes */
+    vm_vec3 centre;       /* vector from the reference point to the mass centre, body axes */
     int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum are wanted */
 } vmi_stream_seen;
 
 /* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
-   are explained at vm_reactive. For mass that moves with the body the sums use its velocity relative to the body, so
-   that they lose no digits if the body is fast. */
+   are explained at vm_reactive. If a stream's velocity is given relative to the body, the sums use this relative
+   velocity instead of the difference u - v, which would lose digits if the body is fast. */
 typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity u is absolute, inertial axes */
     vm_vec3 moment;     /* moment of all streams about the mass centre: sum of d x M' (u - v) */
-    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that masses bring per second by their spins */
-    vm_vec3 crossing;   /* sum of M' d, where d leads to the point at which the mass enters or leaves */
-    vm_vec3 stored;     /* sum of M' d_s, where d_s leads to the stream's store; d_s = d without a store */
+    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that the spins of the masses bring per second */
+    vm_vec3 crossing;   /* sum of M' d, where d leads from the mass centre to the point of the surface */
+    vm_vec3 stored;     /* sum of M' d_s, where d_s leads from the mass centre to the store; d_s = d without a store */
     vm_inertia inertia; /* I', the rate of the body's inertia */
-    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
-    vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
+    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the kinetic energy brought per second */
+    vm_real lost;       /* the same sum with velocity and spin relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
 
 /* Adds one stream, whose `motion` is known, to sum->carried, sum->pushed and sum->absolute. Sets *push = M' (u - v),
@@ -4950,8 +4995,8 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     }
 }
 
-/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and carried
-   is an argument of that function. */
+/* Adds the terms of one stream to sum->brought and sum->lost. `own` is its product M' kappa. `push` and `spin` are
+   results of vmi_stream_motion, and `carried` is an argument of that function. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
@@ -4987,15 +5032,16 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
         sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        /* add the whole term at once, so that the terms of opposite streams cancel exactly */
+        /* add the term M' (kappa + P(d)) as a whole, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;
 }
 
-/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality, such as zz <= xx + yy,
-   is required of the body only. Therefore a gyration may have zz alone, which is enough for motion in a plane. */
+/* Returns VM_OK if the gyration is finite and has no negative moment, else the error. A gyration need not satisfy the
+   triangle inequality zz <= xx + yy; only the inertia of the body must. Therefore zz may be the only entry of a
+   gyration that is not 0, which is enough for motion in a plane. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -5033,10 +5079,11 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
            vmi_vec3_is_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_is_finite(&r->inertia_rate);
 }
 
-/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
-   from its reference point, in body axes (m). Each load is a sum over all streams; the formulas stand at vm_reactive.
-   Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK otherwise. */
+/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the vector from the
+   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; the formulas stand
+   at vm_reactive. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK
+   otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
 {
@@ -5071,7 +5118,8 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     return VM_OK;
 }
 
-/* Solves Euler's equations: the angular acceleration I^-1 (moment - omega x I omega) for the inertia I, in body axes */
+/* Returns the angular acceleration I^-1 (moment - omega x I omega) by Euler's equations, for the inertia I = *i. All
+   vectors are in body axes. */
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
@@ -5138,11 +5186,12 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
 #endif
 /* mechanics/flow.h - a free body in space with streams of mass
 
-   These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
-   moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs all three are given functions of
-   time (170). In vm_flow_carried_rhs the mass that is lost or gained moves with the body (166). In the first two
-   functions momentum and angular momentum are states, from which velocity and angular velocity follow. Therefore a
-   momentum that is conserved stays exactly constant, and the rate of a stream may jump.
+   These right-hand sides for the integrators rk45 and rk87 describe a rigid body whose mass, mass centre and inertia
+   change while it moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs mass, mass centre
+   and inertia are given functions of time (170). In vm_flow_carried_rhs they are given, too, and the mass that is lost
+   or gained moves with the body (166). In the first two functions momentum and angular momentum are states, from which
+   velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and the rate of
+   a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -5165,17 +5214,18 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
    The equations. The letters M', u, d, kappa, omega2, P(d) of a stream are explained at vm_reactive. The body has the
-   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment:
+   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment about the
+   mass centre. Each sum is over all streams, and q omega is a product of quaternions:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
-   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R is
-   the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the length of
-   q back to 1 and does not lower the order of an integrator. The dissertation [1] prints I' omega2 in (152) instead of
-   M' kappa omega2.
-   If a stream has a store (vm_store) at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and
-   P(d); the gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the
-   momentum M' (s - at) and the angular momentum M' d x d_s.
+   attitude as a quaternion. The vector c leads from the reference point to the mass centre, and d = at - c, where `at`
+   is the field of vm_stream; all three are in body axes. R is the rotation of q/|q| from body axes to inertial axes.
+   The last term of q' is 0 for |q| = 1. It brings the length of q back to 1 and does not lower the order of an
+   integrator. The dissertation [1] prints I' omega2 in (152) instead of M' kappa omega2.
+   If a stream has a store (vm_store) at the position s, let d_s = s - c. Three things then differ: d_s replaces d in c'
+   and in P(d); the gyration of the store replaces kappa in I'; and the mass that flows between the store and the
+   surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular momentum.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
@@ -5190,7 +5240,7 @@ enum {
     VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
                           angular velocity in body axes, rad/s */
     VM_Y_MASS = 13,    /* mass, kg */
-    VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
+    VM_Y_CENTRE = 14,  /* vector from the reference point to the mass centre, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
     VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
     VM_FLOW_GIVEN_STATES = 13,   /* states if flow.update gives the mass data: vm_flow_given_rhs, vm_flow_carried_rhs */
@@ -5206,23 +5256,24 @@ typedef struct VM_TAG(vm_flow) {
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
-       state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
-       that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
-       vm_flow_carried_rhs. (One function gives all ten numbers of these laws, because they belong together.) It
-       returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
-       smooth function of t and y. To switch something at an instant, use an event with the action ODE_RESTART and its
-       function `change`. */
+       state. It may set every field of the flow and of its streams: for example a weight (flow->force = y[VM_Y_MASS]
+       g), a rate that a valve changes, or the mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
+       vm_flow_carried_rhs. The function returns 0 to go on. If it returns another number, the run ends with the
+       integrator's status ODE_RHS_STOPPED. The values that it sets must be smooth functions of t and y. To switch
+       something at an instant, use an event with the action ODE_RESTART and set the event's function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
-    vm_vec3 centre;        /* mass centre from the reference point, m, body axes (vm_flow_given_rhs, vm_flow_start) */
+    vm_vec3 centre;        /* vector from the reference point to the mass centre, m, body axes; for vm_flow_given_rhs
+                              and vm_flow_start */
     vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
     vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
-    vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
-    vm_real least_inertia; /* smallest pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
-    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step may go beyond the end of a
-       motion, where the mass is zero or negative or no body can have the inertia. The derivatives are then NaN, so that
-       the integrator shortens its step. An event should stop the run before this happens. */
+    vm_real least_mass;    /* the event function vm_flow_mass_left is 0 when the mass has fallen to this value, kg */
+    vm_real least_inertia; /* the event function vm_flow_inertia_left is 0 when the smallest pivot of the inertia has
+                              fallen to this value, kg m^2 */
+    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step of the integrator may go
+       beyond the end of a motion, where the mass is not positive or no body can have the inertia. The derivatives are
+       then NaN, so that the integrator shortens its step. An event should stop the run before this happens. */
     int status;
     /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
        VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
@@ -5241,23 +5292,23 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation of a right-hand side in *kept and returns it. After several failures in a row
-   *kept is the status of the first one, because the NaN that it returned causes the later failures. */
+/* Stores the status of an evaluation of a right-hand side in *kept and returns this status. After several failures in a
+   row *kept is the status of the first failure, because its NaN derivatives may be the cause of the later failures. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
     return status;
 }
 
-/* Mass, mass centre and inertia of a body at an instant */
+/* Mass, vector from the reference point to the mass centre, and inertia of a body at an instant, in body axes */
 typedef struct VM_TAG(vmi_flow_mass) {
     vm_real mass;
     vm_vec3 centre;
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* The present mass, mass centre and inertia of the body: from the fields of the flow if given = 1, else from the state
-   y */
+/* Returns the present mass, mass centre and inertia of the body. They are fields of the flow if given = 1, and parts of
+   the state y if given = 0. */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -5285,8 +5336,9 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
     return VM_OK;
 }
 
-/* Computes from the state y the rotation *turn from body axes to inertial ones, and in *seen the velocity, the
-   angular velocity and all else that the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Computes from the state y the rotation *turn from body axes to inertial axes, and in *seen the velocity, the angular
+   velocity and the other quantities that the sums over the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or
+   VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -5309,8 +5361,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     return VM_OK;
 }
 
-/* Sets dydt[0] ... dydt[6], the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
-   and energy that the streams take out of the body per second, minus those that the outer loads put in */
+/* Sets dydt[0] ... dydt[6] to the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
+   and energy that the streams take out of the body per second, minus those that outer loads put into it per second */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
@@ -5321,7 +5373,8 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
 }
 
-/* Evaluates the right-hand side that has n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs */
+/* Evaluates a right-hand side. The number n of its states tells which one: vm_flow_given_rhs, vm_flow_rhs or
+   vm_flow_balanced_rhs. */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
@@ -5357,9 +5410,9 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 }
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
-   An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of mechanics/flow.h. Returns
-   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too
-   small, or the number that flow.update returns, each of which ends the run. */
+   An ode_rhs of VM_FLOW_STATES states; its ctx is a vm_flow. The equations are given at the top of mechanics/flow.h.
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size
+   is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5367,9 +5420,10 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 }
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
-   The streams make forces and moments as in vm_flow_rhs. Without streams the equations are (170): mass joins and
-   leaves at rest, at the mass centre. The errors are those of vm_flow_rhs. */
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, centre and inertia for
+   the time t. The streams cause forces and moments as in vm_flow_rhs, but do not change the mass. Without streams the
+   equations are (170): the mass that joins or leaves is at rest and at the mass centre. The errors are those of
+   vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5377,13 +5431,13 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
 }
 
 /* Right-hand side vm_flow_rhs with seven integrals that check the balances.
-   An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are
-   zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
-   out, minus those that the outer loads put in. The sum of an integral and the body's own quantity stays constant.
-   (There are two exceptions if a stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the
-   energy does not balance.) The rate T' of the kinetic energy follows from (113), (118), which hold for sudden
-   changes, in the limit of a continuous stream, for M' > 0 and M' < 0. With the letters of the equations at the top of
-   mechanics/flow.h:
+   An ode_rhs of VM_FLOW_BALANCED_STATES states; its ctx is a vm_flow. The integrals are the states from y[VM_Y_BALANCE]
+   on and are zero at the start. They are the momentum (3 numbers), the angular momentum about the origin (3 numbers)
+   and the kinetic energy that the streams have taken out of the body, minus those that the outer loads have put in.
+   The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
+   stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.)
+   The rate T' of the kinetic energy is the limit of (113), (118), which hold for sudden changes, for a continuous
+   stream with M' > 0 or M' < 0. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
    The first sum is the power that the streams bring. The second sum, with its minus sign, is the power of engines
@@ -5395,11 +5449,12 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 }
 
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
-   The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum). Streams
-   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S.
-   Their letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
-   errors are those of vm_flow_rhs. */
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, inertia and drift for
+   the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular
+   momentum). Streams are not read. The equations are
+     v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S.
+   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The errors
+   are those of vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -5426,8 +5481,9 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return 0;
 }
 
-/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes zeros
-   for the integrals of the balance only if y_size is large enough for them. */
+/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES if y_size is unknown (0) or large enough, and
+   VM_FLOW_GIVEN_STATES if y_size is smaller. If y_size is large enough for the integrals of the balance, too, the
+   result is VM_FLOW_BALANCED_STATES. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
@@ -5448,11 +5504,11 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 }
 
 /* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
-   The mass centre is flow.centre, and the streams are those of flow.streams at the start. Sets flow.mass and
-   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and flow.y_size
-   must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the
-   caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
+   Before the call flow.centre and flow.streams must have the mass centre and the streams at the start. The function
+   sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at
+   least, and flow.y_size must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different
+   states, which the caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -5486,10 +5542,10 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body that n states y describe, with a quaternion of length 1. For n = VM_FLOW_GIVEN_STATES mass, mass centre
-   and inertia come from the flow, for a larger n from y. The states of vm_flow_carried_rhs are different and must not
-   be given. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY, VM_BAD_MASS,
-   VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
+/* The body that n states y describe, with a quaternion of length 1. If n < VM_FLOW_STATES, mass, mass centre and
+   inertia are the fields of *flow; otherwise they are states in y. y must not be a state of vm_flow_carried_rhs, which
+   has different states. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY,
+   VM_BAD_MASS, VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
     vm_body b;
@@ -5526,10 +5582,10 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 }
 
 /* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
-   The pivots are those of the factorization L D L^T. The event stops a run before the inertia becomes singular, which
-   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The event does not
-   watch the triangle inequality of the moments, because thin bodies are always close to its limit. Returns NaN for a
-   null pointer or an inertia that is not finite. */
+   The pivots are the diagonal entries of D in the factorization L D L^T of the inertia. The event stops a run before a
+   pivot becomes 0, which would make the inertia singular. It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of
+   the event is the vm_flow. The event does not check the triangle inequality of the moments, because thin bodies are
+   always close to its limit. Returns NaN for a null pointer or an inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5545,8 +5601,8 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #endif
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. Streams in the
-   plane have no stores; otherwise the equations are those of motion in space.
+   This chapter has the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. The
+   equations are those of motion in space, except that streams in the plane have no stores.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
@@ -5568,7 +5624,7 @@ enum {
     VM_FLOW2_P = 3,       /* momentum, 2 numbers, kg m/s */
     VM_FLOW2_H = 5,       /* angular momentum about the mass centre, kg m^2/s */
     VM_FLOW2_MASS = 6,    /* mass, kg */
-    VM_FLOW2_CENTRE = 7,  /* mass centre from the reference point, 2 numbers, body axes, m */
+    VM_FLOW2_CENTRE = 7,  /* vector from the reference point to the mass centre, 2 numbers, body axes, m */
     VM_FLOW2_INERTIA = 9, /* moment of inertia about the mass centre, kg m^2 */
     VM_FLOW2_STATES = 10
 };
@@ -5596,10 +5652,11 @@ typedef struct VM_TAG(vm_flow2) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* Sine and cosine of x, with errors below 0.6 eps. For |x| up to 2^20 quarter turns (float 2^10) the j quarter turns
-   nearest to x are subtracted from it, in fewer operations than vmi_sincos needs. pi/2 is taken as the sum of two
-   numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and `second` differs
-   from pi/2 by 2^-87 (float 2^-38). The product j times `second` has a rounding error of 2^-67 (float 2^-28). */
+/* Computes sine and cosine of x, with errors below 0.6 eps, in fewer operations than vmi_sincos. For |x| up to 2^20
+   quarter turns (float 2^10) it subtracts j pi/2 from x, where j is the integer nearest to x/(pi/2). pi/2 is replaced
+   by the sum of two numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and
+   `second` differs from pi/2 by 2^-87 (float 2^-38). The product of j and `second` has a rounding error of at most
+   2^-67 (float 2^-28). For larger |x| the function calls vmi_sincos. */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -5632,7 +5689,7 @@ typedef struct VM_TAG(vmi_stream_seen2) {
     vm_real sine, cosine;       /* sine and cosine of the body's angle */
     vm_real vx, vy;             /* velocity, which is momentum/mass, body axes */
     vm_real omega;              /* angular velocity, rad/s */
-    vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
+    vm_real centre_x, centre_y; /* vector from the reference point to the mass centre, body axes */
 } vmi_stream_seen2;
 
 /* The sums over the streams of a body in the plane, in body axes except fx, fy. The letters M', u, v, d, kappa,
@@ -5642,12 +5699,12 @@ typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
     vm_real px, py;  /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_real fx, fy;  /* outer force, plus the sum of M' u of the streams whose velocity is absolute, inertial axes */
-    vm_real moment;  /* outer moment, plus the moments d x M' (u - v) + M' kappa omega2 of the streams */
-    vm_real sx, sy;  /* sum of M' d, which moves the mass centre in the body */
-    vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) */
+    vm_real moment;  /* outer moment, plus the sum of d x M' (u - v) + M' kappa omega2 over all streams */
+    vm_real sx, sy;  /* sum of M' d over all streams; divided by M it is the rate of the mass centre in the body */
+    vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) over all streams */
 } vmi_stream_sum2;
 
-/* Adds a stream, whose `motion` is known, to the sums */
+/* Adds the terms of a stream to the sums. Its `motion` must be known. */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);
@@ -5695,7 +5752,7 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 }
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
-   An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
+   An ode_rhs of VM_FLOW2_STATES states; its ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
    Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that
    flow.update returns, each of which ends the run. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
@@ -5749,7 +5806,7 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
    These right-hand sides describe motions with streams of mass that need fewer states than a free body in space:
    translation in space (172), straight motion (175), (176), and rotation about a fixed axle (173a). The equation of
-   rotation is that of straight motion, with the moment of inertia instead of the mass.
+   rotation is the equation of straight motion with the moment of inertia instead of the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -5781,9 +5838,10 @@ enum {
     VM_FLOW1_STATES = 3
 };
 
-/* A stream of mass that enters or leaves a body on a line or an axle. For an axle let M' be the mass per time, rho the
-   distance of the mass from the axle and kappa its gyration (inertia per unit mass). Then `rate` is M' (kappa + rho^2),
-   and `velocity` is the angular momentum of the stream per unit mass divided by kappa + rho^2. */
+/* A stream of mass that enters or leaves a body on a line or an axle. For a body on an axle let M' be the mass per
+   time, rho the distance from the axle at which the mass enters or leaves, and kappa the inertia per unit mass of this
+   mass about its own mass centre. Then `rate` must be M' (kappa + rho^2), the rate of the moment of inertia. `velocity`
+   must be the angular momentum per unit mass, about the axle, of this mass, divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
@@ -5802,8 +5860,8 @@ typedef struct VM_TAG(vm_flow1) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-/* The velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the stream.
-   All three vectors have the same axes. */
+/* Returns the velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the
+   stream. All three vectors have the same axes. */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
@@ -5812,7 +5870,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
     return u;
 }
 
-/* Evaluates the right-hand side of vm_translation_rhs; flow->update has been called before */
+/* Evaluates the right-hand side of vm_translation_rhs. The caller has called flow->update before, if it is not NULL. */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
@@ -5836,8 +5894,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. This function is not inlined, so that a flow without `update` need
-   not save registers for this call. */
+/* Calls flow->update, then evaluates the right-hand side. This function is not inlined. Otherwise a flow without
+   `update` would lose time, because the processor's registers would be saved for the call of `update`. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5846,10 +5904,11 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
 }
 
 /* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
-   An ode_rhs of VM_TRANSLATION_STATES states; ctx is a vm_flow, of which n, streams, force, update, y_size and status
-   are used. r is the position, p the momentum, M the mass, F the outer force, M' the rate of a stream and u the
-   velocity of its mass. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the
-   streams are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
+   An ode_rhs of VM_TRANSLATION_STATES states; its ctx, here `flow`, is a vm_flow, of which n, streams, force, update,
+   y_size and status are used. r is the position of the mass centre, p the momentum, M the mass and F the outer force.
+   The sum is over all streams; M' is the rate of a stream and u the velocity of its mass. The rate of M is the sum of
+   M'. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the streams are not read.
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
    VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
@@ -5859,7 +5918,7 @@ VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return vmi_translation_rates(f, y, dydt);
 }
 
-/* Evaluates the right-hand side of vm_flow1_rhs; flow->update has been called before */
+/* Evaluates the right-hand side of vm_flow1_rhs. The caller has called flow->update before, if it is not NULL. */
 VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
@@ -5880,8 +5939,8 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. The comment on vmi_translation_updated_rates says why it is not
-   inlined. */
+/* Calls flow->update, then evaluates the right-hand side. The comment on vmi_translation_updated_rates says why this
+   function is not inlined. */
 VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5890,10 +5949,11 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
 }
 
 /* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
-   An ode_rhs of VM_FLOW1_STATES states; ctx is a vm_flow1. The position x, the momentum p and the mass M change by
-   x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i, with the outer force F, the streams' rates M_i and the
-   velocities u_i of their mass. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a
-   stream, or the number that flow.update returns, each of which ends the run. */
+   An ode_rhs of VM_FLOW1_STATES states; its ctx, here `flow1`, is a vm_flow1. The equations for the position x, the
+   momentum p and the mass M are x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i. F is the outer force. Each sum is
+   over all streams; M_i is the rate of stream number i, and u_i is the velocity of its mass. Returns 0; or
+   VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that flow.update returns,
+   each of which ends the run. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
@@ -5905,9 +5965,9 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #endif
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
-   These are motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151),
-   (171) and (175), (176); the motion along a line at a constant rate of mass; and the spin of a rocket whose jet
-   damps it, from Euler's equations. The formulas stay accurate as the rate of mass tends to zero.
+   These are motions with streams of mass that need no integrator: the velocity of a body as a function of its mass,
+   (151), (171), (175), (176); the motion along a line while the mass changes at a constant rate; and the angular
+   velocity of a spinning rocket that its jet damps. The formulas stay accurate as the rate of mass tends to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -5915,16 +5975,17 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #ifndef VARMASS_MECHANICS_ROCKET_H
 #define VARMASS_MECHANICS_ROCKET_H
 
-/* A spinning axisymmetric body. The mass that it loses comes from around the mass centre and leaves through a nozzle on
-   the axis (rate < 0), or mass flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis
-   is the axis of symmetry. */
+/* A spinning axisymmetric body. The body axis z is the axis of symmetry. Mass from around the mass centre leaves
+   through a nozzle on the axis (rate < 0), or mass enters through the nozzle (rate > 0). The mass centre does not move
+   in the body. A transverse axis goes through the mass centre and is perpendicular to z; "inertia" means moment of
+   inertia. */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
-    vm_real axial;               /* moment of inertia C0 about the axis at t = 0, kg m^2 */
-    vm_real transverse;          /* moment of inertia A0 about a transverse axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia per unit mass about the axis, in the body and in the nozzle, m^2 */
-    vm_real gyration_transverse; /* inertia per unit mass about a transverse axis, of the mass in the body, m^2 */
-    vm_real gyration_out;        /* inertia per unit mass about a transverse axis, of the mass in the nozzle, m^2 */
+    vm_real axial;               /* inertia C0 of the body about the z axis at t = 0, kg m^2 */
+    vm_real transverse;          /* inertia A0 of the body about a transverse axis at t = 0, kg m^2 */
+    vm_real gyration_axial;      /* inertia about z per unit of the flowing mass, in the body and in the nozzle, m^2 */
+    vm_real gyration_transverse; /* inertia about a transverse axis per unit of the flowing mass, in the body, m^2 */
+    vm_real gyration_out;        /* inertia per unit of the mass in the nozzle, about a transverse axis there, m^2 */
     vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
@@ -5934,9 +5995,10 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
 }
 
 /* Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171).
-   v0 (m/s) is the velocity at mass m0 (kg), u is in m/s, and impulse (N s) is that of the outer forces during the
-   change. The case u = 0 is that of Levi-Civita. About a fixed axle this formula gives the angular velocity, with
-   moments of inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */
+   v0 (m/s) is the velocity at the mass m0 (kg), u is in m/s, and `impulse` (N s) is the integral of the outer forces
+   over the time of the change. The case u = 0 is that of Levi-Civita. With moments of inertia instead of masses the
+   function gives the angular velocity about a fixed axle. Returns NaN if a mass is not positive or if an argument is
+   infinite or NaN. */
 VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
@@ -5945,10 +6007,10 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
 }
 
 /* Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m: v0 + w ln(m/m0), (175), (176).
-   v0 (m/s) is the velocity at mass m0 (kg), and w (m/s) is the velocity, relative to the body, of the mass that joins
-   or leaves. There is no outer force. About a fixed axle this formula gives the angular velocity, with moments of
-   inertia instead of masses. The error is at most 4 eps of |v0| + |w ln(m/m0)|. Returns NaN if a mass is not positive
-   and for infinite arguments. */
+   v0 (m/s) is the velocity at the mass m0 (kg), and w (m/s) is the velocity, relative to the body, of the mass that
+   joins or leaves. There is no outer force. With moments of inertia instead of masses the function gives the angular
+   velocity about a fixed axle. The error is at most 4 eps (|v0| + |w ln(m/m0)|). Returns NaN if a mass is not positive
+   or if an argument is infinite or NaN. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
@@ -5959,9 +6021,10 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
     return v0 + w * l.hi;
 }
 
-/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34). For other x they are
-   NaN. In a flow at constant rate let s be the fraction of the time that has passed, and m = 1 + x s the mass divided
-   by its initial value. Then *first is the mean of 1/m over s, and *second the mean of s/m. */
+/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34), and both to NaN for
+   other x. They are means over the time of a flow at constant rate. Let s grow from 0 at the start of this time to 1 at
+   its end, and let m = 1 + x s be the mass divided by its initial value. Then *first is the mean of 1/m over s, and
+   *second is the mean of s/m over s. */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
@@ -5971,14 +6034,15 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 }
 
 /* Position and velocity on a line after t seconds of a stream of constant rate.
-   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0. The force (N), the rate and the velocity of the stream are constant.
-   t may be negative. With tau = rate t/m0, m = m0 + rate t, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2,
-   for an absolute velocity u:
-     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) B t^2/m0;
-   for a velocity w relative to the body:
+   The position x0 (m), the velocity v0 (m/s) and the mass m0 (kg) belong to t = 0. The outer force (N) and the rate and
+   the velocity of the stream are constant. t may be negative. Let m = m0 + rate t be the mass at the time t,
+   tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2. If the stream has the absolute velocity u:
+     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) B t^2/m0.
+   If the stream has the velocity w relative to the body:
      v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
-   For every rate >= 0 the errors of x and v are at most 8 eps times the terms of their sums. If mass leaves, this bound
-   grows with m0/m, because the rounding error of rate t is large relative to a small m. Returns VM_BAD_ARGUMENT,
+   If rate t >= 0, the errors of x and v are at most 8 eps times the sum of the absolute values of all terms. If the
+   mass decreases, this bound grows with m0/m, because the rounding error of rate t is large relative to a small m.
+   Returns VM_BAD_ARGUMENT,
    VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
@@ -6018,14 +6082,16 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
 }
 
 /* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
-   There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
-   gyration_axial t the transverse part omega_t of omega has the length
+   There are no outer loads. At the time t the body has the inertia A = A0 + rate gyration_transverse t about a
+   transverse axis and C = C0 + rate gyration_axial t about the z axis. The part omega_t of the angular velocity that is
+   perpendicular to z has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-   where omega_t0 is omega_t at t = 0. omega_z stays constant, and omega_t turns by omega_z times the integral of C/A -
-   1 over time. Let L and B be the functions of tau of vm_linear_flow, here with tau = rate gyration_transverse t/A0.
-   Then ln(A/A0) is tau L, and the integral is t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8
-   times the change that an error of eps in the inputs makes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if
-   A or C is not positive, and VM_OK otherwise. */
+   where omega_t0 is omega_t at t = 0. The part omega_z along z stays constant, and omega_t turns about z by the angle
+   omega_z times the integral of (C/A - 1) over time. Let L and B be the functions of tau explained at vm_linear_flow,
+   here with tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is
+   t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8 times the change of the result that an error of
+   eps in the inputs causes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK
+   otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
@@ -6052,19 +6118,20 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 #endif
 /* mechanics/drum.h - a band that winds up on a drum
 
-   A band that arrives at a constant velocity winds up on a drum, whose mass and inertia grow (chapter 5.2, Fig. 20).
-   This chapter has
+   A band that arrives at a constant velocity winds up on a drum. The mass and the inertia of the drum with its band
+   grow (section 5.2 and Fig. 20 of the dissertation [1]). This chapter has
      - the geometry (181)-(188),
-     - the exact equations of motion, and the reduced equations (192)-(193) of the dissertation,
+     - the exact equations of motion, and the reduced equations (192)-(193) of [1],
      - the motion on a rigid shaft in closed form (194)-(206),
      - the vibrations of an elastic shaft (210)-(226).
 
-   The band moves at the velocity v along y and meets the drum at S + (R, 0), where S is the centre of the shaft and R
-   the radius. After the drum has turned by the angle phi, the band covers the arc from 0 to phi. The mass centre of
-   this arc is in the direction phi/2. R stays constant, because only the first layer, 0 <= phi <= 2 pi, is considered.
+   The band moves at the velocity v along y and meets the drum at the point S + (R, 0), where S is the centre of the
+   shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
+   phi. The mass centre of this arc lies in the direction phi/2 from S. R stays constant, because only the first layer
+   of the band, 0 <= phi <= 2 pi, is considered.
 
-   The fields of vm_drum name most letters of the formulas. In addition, mu is the band's mass per angle, j = mu R^2
-   (186), and e = mu v R - D with the damping D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
+   The letters of the formulas are explained at the fields of vm_drum. Two more are j = mu R^2 (186), the inertia of the
+   band per angle, and e = mu v R - D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -6088,9 +6155,9 @@ typedef struct VM_TAG(vm_drum) {
 /* Geometry of the drum and of the band wound on it, when the drum has turned by the angle phi */
 typedef struct VM_TAG(vm_drum_geometry) {
     vm_real mass;         /* mass M of drum and band (182), kg */
-    vm_real arc_centre;   /* distance of the band's mass centre S' from the shaft S (184), m */
-    vm_real offset;       /* distance from the shaft S to S1, the mass centre of drum and band, m;
-                             S1 lies in the direction phi/2 from S [(185) corrected] */
+    vm_real arc_centre;   /* distance of the band's mass centre from the shaft's centre S (184), m */
+    vm_real offset;       /* distance from the shaft's centre S to S1, the mass centre of drum and band, m.
+                             S1 lies in the direction phi/2 from S [(185) corrected]. */
     vm_real axle_inertia; /* inertia J_S of drum and band about the axle (187), kg m^2 */
     vm_real inertia;      /* inertia J_S1 of drum and band about S1 (188), kg m^2 */
 } vm_drum_geometry;
@@ -6111,22 +6178,22 @@ enum {
     VM_DRUM_ANGLE_STATES = 4
 };
 
-/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b), with the letters of vm_drum,
-   j = mu R^2 and e = mu v R - D. With ' = d/dphi, the deflection x satisfies
+/* The elastic shaft in the first approximation, for small mu/M0, j/J0 and e/(J0 Omega_b). The letters mu, v, M0, J0,
+   Omega_b, c are explained at vm_drum; j = mu R^2 and e = mu v R - D. The deflection x, y of the shaft is a function
+   of the angle phi. With x' = dx/dphi the deflection x satisfies
      x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213).
-   The equation for y has mu v/(M0 Omega_b) on the right instead of 0 (214). */
+   The equation of y has mu v/(M0 Omega_b) on the right side instead of 0 (214). */
 typedef struct VM_TAG(vm_drum_shaft) {
-    vm_real k;     /* frequency divided by angular velocity, sqrt(c/M0)/Omega_b, a pure number */
-    vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2 with mu = band, j = mu R^2, e = mu v R - D.
-                      This corrects the coefficient in (213). */
-    vm_real A;     /* relative decrease of the squared frequency, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), with
-                      mu, j, e as for delta. This corrects (213), too. */
+    vm_real k;     /* angular frequency sqrt(c/M0) of the shaft with the empty drum, divided by Omega_b */
+    vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2. The coefficient printed in (213) is wrong. */
+    vm_real A;     /* relative decrease of the squared frequency per angle, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b).
+                      The value in (213) is wrong. */
     vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m. The deflection y oscillates about shift/(1 - A phi). */
 } vm_drum_shaft;
 
 /* The band's mass per angle on a drum, mu = R h b rho (181), kg/rad.
-   The radius R of the drum, the thickness h and the width b of the band are in m, the density rho in kg/m^3. NaN in
-   an argument gives NaN. */
+   The radius R of the drum, the thickness h and the width b of the band are in m, and the density rho of the band is in
+   kg/m^3. If an argument is NaN, the result is NaN. */
 VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm_real density)
 {
     return radius * thickness * width * density;
@@ -6140,8 +6207,8 @@ typedef struct VM_TAG(vmi_drum_mass) {
                         inertia about the mass centre is J - steiner */
 } vmi_drum_mass;
 
-/* Sets *m for the angle phi of the drum, where s is sin(phi/2). A call with s = 0 neglects the distance from the axle
-   to the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
+/* Sets *m for the angle phi of the drum. The argument s is sin(phi/2), or 0 to neglect the distance from the axle to
+   the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -6189,9 +6256,10 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 }
 
 /* Right-hand side of the drum on an elastic shaft, exact.
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), which leave out that the mass
-   centre moves inside the drum, and give the torque of the shaft the wrong sign. With the deflection rS = (xS, yS), the
-   unit vector k along z and q = mu R (sin phi, 1 - cos phi), the equations are
+   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. The equations replace (177) and (191), which
+   neglect that the mass centre moves inside the drum, and in which the torque of the shaft has the wrong sign. Let
+   rS = (xS, yS) be the deflection of the shaft, k the unit vector along z, and q = mu R (sin phi, 1 - cos phi). With
+   the cross product x and ' = d/dt the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
    M is the mass of drum and band, J_S their inertia about the axle; vm_drum explains c, D, mu, v, R. Returns VM_OK; or
@@ -6226,9 +6294,10 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. These are the equations of vm_drum_rhs for a small mass mu of
-   the band per angle. Unlike (192) they contain the unbalance mu R phi'^2 (sin phi, -cos phi), because it is of the
-   same order as the terms that (192) keeps. The errors are those of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. For a small mass mu of the band per angle
+   the equations of vm_drum_rhs are reduced to these simpler ones. Unlike (192) they contain the force
+   mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms that (192) keeps. The
+   errors are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6260,7 +6329,7 @@ VM_API int vmi_drum_turns(const vm_drum *d)
            VM_IS_FINITE(d->damping);
 }
 
-/* The product j = mu R^2 in two words, that is, as the sum of two numbers */
+/* The product j = mu R^2 in two words, that is, as the sum of two vm_reals */
 VM_API vm_two vmi_drum_j(const vm_drum *d)
 {
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
@@ -6284,10 +6353,10 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
    J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
-   mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's
-   fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and e = j
-   Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null
-   pointer, and if inertia or omega is not positive or band is negative. */
+   mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle have errors of at most 3 ulp if the
+   drum's fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and
+   e = j Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a
+   null pointer, and if inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -6299,9 +6368,9 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 }
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum. The independent variable is phi. The angular velocity
-   phi' is the one that the drum has on a rigid shaft (196). Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer,
-   VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_ANGLE_STATES states; its ctx, here `drum`, is a vm_drum. The independent variable is the angle
+   phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft (196). Returns VM_OK;
+   or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6315,7 +6384,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
     if (!(rate > 0)) return VM_DOMAIN;
-    acceleration = (e - j * rate) / m.J; /* the derivative dphi'/dphi (195); phi'' is acceleration times phi' */
+    acceleration = (e - j * rate) / m.J; /* derivative of phi' with respect to phi (195) */
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
     dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
@@ -6338,9 +6407,10 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 }
 
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
-   With the letters of vm_drum_rate and x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x -
-   ln(1 + x))/x^2] for every sign of e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN
-   where vm_drum_rate gives NaN. */
+   With x = e phi/(J0 Omega_b) and the letters explained at vm_drum_rate the time is
+     t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2]
+   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN where
+   vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -6356,10 +6426,11 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
     return vmi_drum_share(sum, phi, vmi_two(d->omega, 0)).hi;
 }
 
-/* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
-   and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 +
-   sqrt(1 + 2 b)). For a > 0 this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value.
-   For a < 0 this p is too small, and so is |a|/(|a| + b); the function takes the larger value. */
+/* Returns a start value of p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
+   and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 of this equation is p^2/2, and the equation has the
+   solution p0 = 2/(1 + sqrt(1 + 2 b)), called p in the code. For a > 0 both p0 and ln(1 + a p0 + a^2/b)/a are larger
+   than the solution, and the function takes the smaller one. For a < 0 both p0 and |a|/(|a| + b) are smaller than the
+   solution, and the function takes the larger one. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -6370,10 +6441,12 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
-   Accuracy, NaN and the letters J0, Omega_b, e, j are those of vm_drum_rate. With x = e phi/(J0 Omega_b), y = ln(1 +
-   x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and the unknown p = y/a the equation of vm_drum_time is
+   For the accuracy, the results NaN and the letters J0, Omega_b, e, j see vm_drum_rate. The method uses x, y, a, b, f:
+   x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t). Its unknown is p = y/a,
+   for which the equation of vm_drum_time becomes
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
-   Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
+   The left side is a convex function of p with the positive slope 1 + b f. Therefore the method converges from any
+   start value. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
     const vm_real precise = VM_EPSILON / 8; /* the relative error of phi that the last step may leave */
@@ -6403,12 +6476,12 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 }
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
-   The letters J0, Omega_b, e, j are those of vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and
-   f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) for x
-   = -exp(-f1/k1)/k1. It needs the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function is for
-   comparison; vm_drum_angle is better. Near e = 0 the solution by W loses all digits, because x approaches the branch
-   point of W. The code uses ln |x|, because x itself overflows or underflows near k1 = 0 (for k1 = 1e-3 it may be
-   1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate does. */
+   The letters J0, Omega_b, e, j are explained at vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b)
+   and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) with
+   x = -exp(-f1/k1)/k1. It needs the branch W_-1 of W for 0 < k1 < 1, and the branch W_0 for other k1. This function
+   serves only for comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits,
+   because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows near
+   k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate returns NaN. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -6419,7 +6492,7 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
     if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1;
-    if (l > -1 && k1 > 0) l = -1; /* only rounding can move l beyond the branch point -1 */
+    if (l > -1 && k1 > 0) l = -1; /* only rounding errors can make l larger than -1, the branch point of W */
     if (k1 < 0) w = vm_wright_omega(l);
     else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* e > 0 means k1 < 1, even if k1 has been rounded to 1 */
     else w = vm_lambert_w0_neg_exp(l);
@@ -6452,13 +6525,14 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
     return VM_OK;
 }
 
-/* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected.
-   With the fields k, delta, A of *s it is
-     a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
-   where `particular` is 0 for x and s->shift for y. a (m) is the amplitude and alpha (rad) the phase. They follow from
-   the start: at phi = 0 the deflection is a cos alpha + particular. The integral is (2k/3A) (1 - m^3) with
-   m^2 = 1 - A phi. It is computed as 2k/3 phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null
-   pointer and if 1 - A phi <= 0. */
+/* Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected.
+   With the fields k, delta, A of *s the deflection is
+     a (1 - A phi)^(-1/4) exp(-delta phi) cos(I + alpha) + particular/(1 - A phi),
+   where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y. The
+   amplitude a (m) and the phase alpha (rad) follow from the start: at phi = 0 the deflection is a cos alpha +
+   particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
+   (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null pointer and if 1 - A phi <=
+   0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;
