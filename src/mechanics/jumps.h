@@ -35,7 +35,7 @@ enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters name
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q;           /* attitude of the body that the jump changes; inertias are added along its axes */
+    vm_quat q;           /* attitude of the body that the jump changes; inertias are added in this body's axes */
     vmi_mat3 turn;       /* the rotation matrix of q */
     vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;

@@ -65,7 +65,7 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
-    vmi_step_rates history[2][VMI_HISTORY];         /* rates of earlier whole steps over each part */
+    vmi_step_rates history[2][VMI_HISTORY];         /* rates from earlier steps that covered all of a part */
     int latest[2];                                  /* index in history of the latest step; earlier ones come after it */
     int known[2];                                   /* number of earlier steps over each part that history holds */
     int status;

@@ -178,8 +178,8 @@ typedef struct VM_TAG(vmi_left_out) {
     vm_real J, psi;
 } vmi_left_out;
 
-/* The sizes of the first terms that the transformation of this order leaves out at t, where e[k] = |E_k|. The terms of
-   the next weight may vanish at t; therefore the terms of the weight after the next count, too. */
+/* The sizes of the first terms that the transformation of this order leaves out at t, where e[k] = |E_k|. The
+   largest of these terms may vanish at t; therefore the terms that are one weight higher count, too. */
 VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;

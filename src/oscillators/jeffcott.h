@@ -3,8 +3,8 @@
    A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), and F_e(rho)
    the shaft's elastic force at the deflection rho = |z|. The stiffness K_e(rho) is the quotient F_e(rho)/rho; the
    dissertation [1] writes F_e'(rho) for it, although it is no derivative. g is the gyroscopic constant of the remark
-   after (516). r is the share of the reactive force of mass that joins or leaves with the velocity u, and F_z is an
-   external force. The equation of motion is
+   after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive force m' (u - z')
+   that acts on the disc. F_z is an external force. The equation of motion is
        m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
    Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
    nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).

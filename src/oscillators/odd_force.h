@@ -66,9 +66,10 @@ struct VM_TAG(vmi_orbit) {
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
     vm_real lambda, m1;        /* rate of the argument of Jacobi's functions, and 1 - k^2 with their modulus k */
-    int pieces;                /* of other forces: equal pieces of 0 ... `size`, on each of which F is a series */
-    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* of other forces: Legendre series of F on the pieces */
-    vm_real above[VMI_ORBIT_PARTS];             /* of other forces: integral of F from the end of a piece to `size` */
+    int pieces;                /* for forces without a closed form: number of equal pieces of 0 ... `size`; a
+                                  series gives F on each piece */
+    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* for such forces: Legendre series of F on each piece */
+    vm_real above[VMI_ORBIT_PARTS];             /* for such forces: integral of F from each piece's end to `size` */
 };
 
 /* A point of an orbit, 0 <= theta <= pi/2; theta = 0 is the turning point with the largest |x|. x is positive. */

@@ -101,16 +101,16 @@ VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
 
 /* Raises *edge to the relative difference between f and its value by a series, if this difference is larger than *edge.
-   by_series is the value of the series, which is the series of 1/f with `reciprocal`, and of f without. */
+   by_series is the value that the series gives: for 1/f if `reciprocal` is 1, for f if it is 0. */
 VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
 {
     const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
     if (!(miss <= *edge)) *edge = miss;
 }
 
-/* Raises *edge to the larger of the relative differences between a law and its series at both ends of the panel. With
-   `reciprocal` the series is that of 1/f. Only this test notices a kink between an end and the nearest point of Gauss'
-   rule. */
+/* Raises *edge to the larger of the relative differences between a law and its series at both ends of the panel. If
+   `reciprocal` is 1, the series gives 1/f, where f is the law. Only this test notices a kink between an end and the
+   nearest point of Gauss' rule. */
 VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
                           const vm_real *series, vm_real *edge)
 {

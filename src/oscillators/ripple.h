@@ -29,8 +29,8 @@
 #include "../base/scalars.h"
 #include "constant_mass.h"
 
-/* Numbers of terms: TERMS in each polynomial, KEPT in the Chebyshev series of a power w^i, SERIES in the power series
-   in w or y */
+/* Numbers of terms of each polynomial (TERMS), of the Chebyshev series of each power w^i (KEPT), and of each power
+   series in w or y (SERIES), where w = |ca|^(alpha+1) and y = sa^2 */
 #if VM_MANT_DIG > 24
 enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
 #else

@@ -30,8 +30,9 @@
    difference of the two runs gives the error. With F the averaged equations of the first three routes are integrated,
    too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
 
-   Choice. vm_osc_within takes the first of these seven solutions whose estimate is within the tolerance. Where none is,
-   or where F is given, it integrates: by collocation if amplitude and phase describe the motion, otherwise by rk87.
+   Choice. vm_osc_within takes the first of these seven solutions whose estimated error is within the tolerance. If
+   there is none, or a force F is given, it integrates numerically: by collocation if amplitude and phase describe the
+   motion, otherwise by rk87.
 
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
@@ -263,8 +264,9 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
     return vmi_osc_start(plan);
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) by a given route. It is for a single value of t. Arguments, result
-   and statuses are those of vm_osc_plan_by_route; it also returns the statuses of vm_osc_plan_init. */
+/* Computes x(t), x'(t) at time t (s, either sign) by a given route. Use it for a single t; for several, make a plan.
+   Arguments, result and statuses are those of vm_osc_plan_by_route; it also returns the statuses of
+   vm_osc_plan_init. */
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
@@ -276,8 +278,8 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
     return vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance. It is for a single value of t, by the cheapest
-   route. Arguments, result and statuses are those of vm_osc_plan_within; it also returns the statuses of
+/* Computes x(t), x'(t) at time t (s, either sign) within a tolerance, by the cheapest route. Use it for a single t; for
+   several, make a plan. Arguments, result and statuses are those of vm_osc_plan_within; it also returns the statuses of
    vm_osc_plan_init. */
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {

@@ -209,8 +209,8 @@ VM_API void vmi_vdp_find_constants(vmi_vdp_ripple *v, const vmi_ripple *r)
     v->constant = g / 2 * Z + H - (alpha + 3) * n / (2 * (alpha + 7)) * (VM_C(1.) / 6 + 1 / (alpha + 15)) * m6;
 }
 
-/* Prepares the alpha of r, which must have its polynomials. The mean of S^2 is its integral over a quarter of the
-   period, taken from both ends of the quarter up to the phase where sa^2 = 1/2. */
+/* Computes *v for the alpha of *r, whose polynomials must be ready. For the mean of S^2 it integrates S^2 over a
+   quarter of the period, which it splits at the phase where sa^2 = 1/2. */
 VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
@@ -298,8 +298,8 @@ VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple
 
 /* -- The mean motion -- */
 
-/* The rate of ln J divided by W e, without its first term F. These are the terms of order epsilon^2 in the equation of
-   (ln J)' at the top of this file. */
+/* Returns (ln J)'/(W e) - F, which is of order epsilon^2. Multiplied by W e, it gives all terms but the first, W F e,
+   in the equation of (ln J)' at the top of this file. */
 VM_API vm_real vmi_vdp_mean_second(const vmi_vdp_ripple *v, const vmi_vdp_disturbance *now)
 {
     return v->K3 * now->e * now->e + v->K1 * now->e1 + v->KQ * now->Q0 + v->KE * now->E0;

@@ -129,8 +129,8 @@ VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
 
 /* -- The start -- */
 
-/* Starts the mean motion at the state r->A, r->psi, r->W of the reduction, where sa or ca is 0. mean->t and mean->now
-   must already belong to the time of this state. The errors that the start causes are added to those in *mean. */
+/* Starts the mean motion at the reduced state (r->A, r->psi, r->W), a point where sa or ca is 0. mean->t and mean->now
+   must already be set for the time of this state. The errors that the start causes are added to those in *mean. */
 VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi_vdp_mean *mean)
 {
     const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
@@ -279,8 +279,8 @@ typedef struct VM_TAG(vmi_vdp_nodes) {
     vm_real rate[VMI_GAUSS];
 } vmi_vdp_nodes;
 
-/* ln of r = exp(-2 integral of p dt) over a time in which the mass changes by the factor exp(ln_m), and the integral
-   of dt/m is `way` */
+/* Returns ln r, where r = exp(-2 integral of p dt), for an interval of time in which the mass changes by the factor
+   exp(ln_m). `way` is the integral of dt/m over this interval. */
 VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real way)
 {
     vm_real ln_A, ln_Om;
@@ -452,8 +452,8 @@ VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_
 
 /* -- The walk -- */
 
-/* Sets the rates of *mean for its time. side is the direction of the walk, 1 forward, -1 backward in time; where
-   derivatives jump, their values on the side from which the walk comes are taken. */
+/* Sets mean->now for the time mean->t. side is the direction of the walk, 1 forward, -1 backward in time. Where
+   derivatives of the mass jump at this time, it takes their values on the side that the walk has already covered. */
 VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(&p->osc), way = VM_FABS(mean->t);
@@ -462,8 +462,8 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
     return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
 }
 
-/* Takes the mean motion past its time, a point of a table. It goes back to the last phase before the point where sa or
-   ca is 0, and from there by the exact equations to the first such phase after the point. */
+/* Takes the mean motion past mean->t, the time of a table point. It goes back to the last phase before this time at
+   which sa or ca is 0, and from there by the exact equations to the first such phase after this time. */
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
@@ -472,7 +472,8 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the points are too close */
+    /* The way back must not pass the table point before this one, or t = 0: the two would be too close together. */
+    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED;
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);
         if (status) return status;

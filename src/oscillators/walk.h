@@ -207,9 +207,10 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + phase_matters * (1 + 1 / phase) / phase;
 }
 
-/* Adds the panel's part to mean->change, the integrals of |d^i E_0/dpsi^i|, where the root mean square takes the place
-   of the absolute value, and to mean->third. Coefficients of E_0 that are as small as rounding errors are set to 0
-   first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
+/* Adds what the panel contributes to mean->change and to mean->third, the bound of what order five leaves out of psi.
+   For each integral of |d^i E_0/dpsi^i| in mean->change it takes the root mean square over the panel instead of the
+   absolute value. Before that, it sets coefficients of E_0 to 0 if they are as small as rounding errors, and adds their
+   integral to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], phase_length = W * VM_FABS(length);
@@ -270,8 +271,8 @@ VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, 
     return VM_OK;
 }
 
-/* Sets the fields now, ln_A and ratio of *mean for the time t. Where the laws' derivatives jump at t, their values on
-   the side from which the walk comes are taken; side is 1 forward, -1 backward in time. */
+/* Sets `now`, `ln_A` and `ratio` of *mean for the time t. Where derivatives of the laws jump at t, it takes their
+   values on the side of t that the walk has already covered. side is 1 forward, -1 backward in time. */
 VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
