@@ -66,10 +66,10 @@ struct VM_TAG(vmi_orbit) {
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
     vm_real lambda, m1;        /* rate of the argument of Jacobi's functions, and 1 - k^2 with their modulus k */
-    int pieces;                /* for forces without a closed form: number of equal pieces of 0 ... `size`; a
-                                  series gives F on each piece */
-    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* for such forces: Legendre series of F on each piece */
-    vm_real above[VMI_ORBIT_PARTS];             /* for such forces: integral of F from each piece's end to `size` */
+    int pieces;                /* for a user's force: number of equal pieces of 0 ... `size`; a series gives F
+                                  on each piece */
+    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* for a user's force: Legendre series of F on each piece */
+    vm_real above[VMI_ORBIT_PARTS];             /* for a user's force: integral of F from a piece's end to `size` */
 };
 
 /* A point of an orbit, 0 <= theta <= pi/2; theta = 0 is the turning point with the largest |x|. x is positive. */

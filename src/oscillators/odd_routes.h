@@ -135,7 +135,7 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 }
 
 /* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. Where there is no
-   vibration the amplitude is NaN, and the units of the run take the places of the other two. */
+   vibration, the amplitude is NaN, *swing is c->length and *vmax is c->velocity. */
 VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -211,8 +211,8 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
     return VM_OK;
 }
 
-/* The motion at t by rk87. Pairs of runs with stricter and stricter tolerances follow each other until the estimated
-   error is within the tolerance. A pair that is not better than the best one halves the longest step; after three such
+/* Computes the motion at t by rk87. It makes pairs of runs with stricter and stricter tolerances until the estimated
+   error is within `tolerance`. A pair that is not better than the best one halves the longest step; after three such
    pairs the best one is the result. */
 VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
@@ -248,7 +248,7 @@ VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance,
 
 /* -- Routes -- */
 
-/* Checks what all calls with a plan share, and replaces a tolerance of 0 by the default. */
+/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
 VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance,
                               const vm_odd_motion *motion)
 {
@@ -318,8 +318,8 @@ VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance
 }
 
 /* Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan.
-   It is for a single value of t. Arguments, result and statuses are those of vm_odd_plan_within and of
-   vm_odd_plan_init. */
+   Use it for a single t; for several, make a plan. Arguments, result and statuses are those of vm_odd_plan_within and
+   of vm_odd_plan_init. */
 VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_plan plan;

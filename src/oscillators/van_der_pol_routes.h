@@ -106,8 +106,8 @@ VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *
 
 /* -- One route -- */
 
-/* Integrates the exact equations to the tolerance, by a function of oscillators/routes.h. The term -c x^2 x' is the
-   further force. */
+/* Integrates the exact equations to the tolerance, by a function of oscillators/routes.h. The term -c x^2 x' takes
+   the place of the force F of that file. */
 VM_API int vmi_vdp_integrate(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan exact = p->osc;
@@ -212,10 +212,10 @@ typedef struct VM_TAG(vm_vdp_cycle) {
     int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
 } vm_vdp_cycle;
 
-/* Writes the coefficients of epsilon^2 in two series in epsilon = feed/(m W): *kx in that of the largest x, *kw in that
-   of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the code has them for
-   epsilon = 1. The largest x is reached where x' = 0, that is V = p x. The phase there is `late` times epsilon; the
-   phase 0 has V = 0. */
+/* Writes two coefficients of epsilon^2, where epsilon = feed/(m W): *kx belongs to the power series of the largest x in
+   epsilon, *kw to that of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the
+   code has them for epsilon = 1. The largest x is reached where x' = 0, that is V = p x. The phase there is `late`
+   times epsilon; the phase 0 has V = 0. */
 VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
 {
     const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);

@@ -321,7 +321,7 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
     panel->first_ln_A = 1 + gain * length * panel->r[0]; /* y at the end of the panel */
 }
 
-/* Computes the mean motion of order three at the nodes, from the series `second` of the terms of second order. */
+/* Computes the mean motion of order three at the nodes. `second` is the Legendre series of nodes->second. */
 VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
                                  const vmi_osc_panel_laws *at, const vm_real *second, vmi_vdp_nodes *nodes,
                                  vmi_vdp_panel *panel)
