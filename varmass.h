@@ -414,6 +414,20 @@
      scenes/check: what can be wrong with a scene
        vm_scene_check                 The first thing that is wrong with a scene, or VM_OK
 
+     scenes/points: points of the bodies of a scene
+       vm_scene_point_at              The position and velocity of a point of a body in the state y, in inertial axes
+
+     scenes/springs: springs and dampers between points of bodies
+       vm_effect_point_spring         A spring and a damper between a point of a body and a point of the body `other`, or of the ground
+
+     scenes/joints: pins and rods between points of bodies
+       vm_joint_pin                   A pin between the point `at` of a body and the point other_at of the body `other`, or of the ground
+       vm_joint_rod                   A rigid rod without mass between the point `at` of a body and the point other_at of the body `other`, or of the ground
+       vm_effect_joints               The joints of a scene, solved together
+
+     scenes/contact: contact of bodies with the ground
+       vm_effect_contact              Contact of a body with the ground
+
      scenes/start: the start of a scene
        vm_scene_start                 Start of a scene at time t
 
@@ -509,7 +523,9 @@ enum {
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
     VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) makes the effective mass M + M'(v) (reactive v - u) <= 0 */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
-    VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
+    VM_BAD_STIFFNESS = -32,      /* a stiffness is not positive */
+    VM_BAD_POINT = -33,          /* scenes: a force at this point would turn a body about an axis without inertia */
+    VM_NOT_JOINED = -34          /* scenes: the points of a joint are apart, or move apart, at the start */
 };
 
 /* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
@@ -557,6 +573,8 @@ VM_API const char *vm_strerror(int status)
         return "M + M'(v) (reactive v - u) of the mass law M(v) is not positive: no force accelerates it";
     case VM_NOT_STARTED: return "the scene was not started, or was changed after its start: call vm_scene_start";
     case VM_BAD_STIFFNESS: return "a stiffness is not positive";
+    case VM_BAD_POINT: return "a point body has no other point, and a rod only those on its axis: choose such a point";
+    case VM_NOT_JOINED: return "the points of a joint are apart, or move apart, at the start: let the bodies fit";
     default: return "unknown status";
     }
 }
@@ -13257,6 +13275,8 @@ struct VM_TAG(vm_scene_body) {
     int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
+    vm_vec3 centre; /* m, body axes: how far jumps have moved the mass centre (points.h) */
+    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or it adds to `centre` */
 };
 
 /* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
@@ -13277,7 +13297,8 @@ typedef struct VM_TAG(vm_mass_law_values) {
 enum {
     VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
-    VMI_ORDER_LINK = 2 /* links stand last, since the force of a link depends on all other forces on its ends */
+    VMI_ORDER_LINK = 2, /* links stand last, since the force of a link depends on all other forces on its ends */
+    VMI_ORDER_JOINTS = 3 /* joints stand last, as links; their own check looks at all their bodies */
 };
 
 /* What an effect needs of the mass of its body */
@@ -13315,6 +13336,8 @@ struct VM_TAG(vm_effect) {
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
+    int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect); /* NULL, or a check that needs the bodies */
+    const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
 
 /* What a jump event does */
@@ -13661,15 +13684,15 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
-   includes the dummy moments of b->invertible; therefore the equations can be solved for a rod, too. The spin of a
-   rod about its own axis stays constant, since no load turns the rod about this axis. */
-VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
+/* Solves Euler's equations I omega' = torque - omega x I omega. omega and the rates are in body axes, torque in inertial
+   axes. The matrix of the linear equations includes the dummy moments of b->invertible; therefore the equations can be
+   solved for a rod, too. The spin of a rod about its own axis stays constant, since no load turns the rod about this
+   axis. */
+VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
-    const vm_vec3 torque = vmi_times_transposed(axes, vmi_get3(b->load.force + 3));
     vm_real a[9];
-    vmi_set3(rates, vmi_sub(torque, vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
+    vmi_set3(rates, vmi_sub(vmi_times_transposed(axes, torque), vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
     a[0] = i->xx;
     a[4] = i->yy;
     a[8] = i->zz;
@@ -13687,7 +13710,7 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     const vmi_mat3 axes = vmi_rotation(q);
     vmi_point_body_accelerate(b, state, rates);
     vmi_attitude_rates(q, vmi_quat_square(q), omega, rates + VMI_FREE_Q);
-    return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
+    return vmi_free_euler(b, &axes, vmi_get3(b->load.force + 3), omega, rates + VMI_FREE_OMEGA);
 }
 
 /* The inertia with a dummy moment about each axis that has none, so that it can be inverted. No torque acts about such
@@ -15050,6 +15073,16 @@ VM_API int vmi_link_check(const vm_effect *e)
     return VM_DOMAIN;
 }
 
+/* Checks the ends of a link. It holds mass centres, so that it cannot act on a growing body, whose mass centre moves in
+   the body. */
+VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
+{
+    if (e->other == e->body) return VM_SAME_BODY;
+    if (s->bodies[e->body].grows) return VM_BAD_MOTION;
+    if (e->other >= 0 && s->bodies[e->other].grows) return VM_BAD_MOTION;
+    return VM_OK;
+}
+
 /* A rigid link of a given length, or a cord, which can only pull. The link holds the mass centre of `body`, a point
    or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other
    mass centre is that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the
@@ -15072,6 +15105,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
     e.other_motions = VMI_ALL_MOTIONS & ~(1 << VM_AXLE);
     e.order = VMI_ORDER_LINK;
     e.check = vmi_link_check;
+    e.check_in_scene = vmi_link_check_ends;
     e.point = point;
     e.ctx = ctx;
     return e;
@@ -15157,7 +15191,7 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
 }
 
 /* Updates the field `idle` of all effects. An effect is idle if its body, or the body that takes the reaction, is not
-   present, or if the effect is switched off. */
+   present, or if the effect is switched off. Joints leave out those whose bodies are not present themselves. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
@@ -15165,7 +15199,7 @@ VM_API void vmi_scene_presence(vm_scene *s)
         vm_effect *e = s->effects + i;
         const int away = s->bodies[e->body].away || (e->other >= 0 && s->bodies[e->other].away);
         e->idle &= VMI_IDLE_SWITCHED_OFF;
-        if (away) e->idle |= VMI_IDLE_BODY_AWAY;
+        if (away && e->order != VMI_ORDER_JOINTS) e->idle |= VMI_IDLE_BODY_AWAY;
     }
 }
 
@@ -15334,17 +15368,14 @@ VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
     return VM_OK;
 }
 
-/* Checks that the bodies of an effect have motions on which it can act. A link holds mass centres, so that it cannot
-   act on a growing body, whose mass centre moves in the body. */
+/* Checks that the bodies of an effect have motions on which it can act */
 VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 {
     const vm_scene_body *b = s->bodies + e->body, *other = e->other == VM_GROUND ? NULL : s->bodies + e->other;
     if (!(e->motions >> b->motion & 1)) return VM_BAD_MOTION;
     if (e->not_on_angle && b->motion == VM_PLANE && e->coordinate == 2) return VM_NOT_ON_ANGLE;
     if (other && !(e->other_motions >> other->motion & 1)) return VM_BAD_MOTION;
-    if (e->order != VMI_ORDER_LINK) return VM_OK;
-    if (other == b) return VM_SAME_BODY;
-    if (b->grows || (other && other->grows)) return VM_BAD_MOTION;
+    if (e->check_in_scene) return e->check_in_scene(s, e);
     return VM_OK;
 }
 
@@ -15439,6 +15470,7 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
      VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;
      VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      for an index that does not exist;
      VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   for the list of effects;
+     VM_BAD_POINT, VM_NOT_JOINED      for points at which springs, joints and contacts act;
      VM_BAD_TIMES           if the times of output do not increase. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 {
@@ -15465,6 +15497,695 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
         return status;
     }
     return VM_OK;
+}
+
+#endif
+/* scenes/points.h - points of the bodies of a scene
+
+   Springs, joints and contacts act at points of bodies. A point is given by the vector from the mass centre of the body
+   at the start, in body axes, so that it moves and turns with the body. On an axle the vector leads from the axle,
+   which stands in the origin. In the plane the third number is a height above the plane. Points of the ground are given
+   by their position. A point body has only one point, the zero vector, and a rod only those on its own axis
+   (VM_BAD_POINT).
+
+       vm_vec3 tip = {0.5, 0, 0}, r, v;
+       vm_scene_point_at(&scene, 0, tip, y, &r, &v); // position and velocity of a point of body 0 in the state y
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_POINTS_H
+#define VARMASS_SCENES_POINTS_H
+
+/* A point of a body or of the ground, and how the body moves */
+typedef struct VM_TAG(vmi_body_point) {
+    vm_vec3 arm;   /* m, inertial axes: from the mass centre (on an axle from the axle) to the point */
+    vm_vec3 r;     /* m: position of the point */
+    vm_vec3 v;     /* m/s: velocity of the point */
+    vm_vec3 omega; /* rad/s, inertial axes: angular velocity of the body */
+    vmi_mat3 axes; /* the body axes in inertial axes */
+} vmi_body_point;
+
+/* The axes of a body in its state */
+VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
+{
+    vmi_mat3 axes;
+    vm_real s = 0, c = 1;
+    if (b->motion == VM_FREE) return vmi_rotation(vmi_get_quat(state + VMI_FREE_Q));
+    if (b->motion == VM_PLANE) vmi_sincos(state[VMI_PLANE_ANGLE], &s, &c);
+    if (b->motion == VM_AXLE) vmi_sincos(state[0], &s, &c);
+    axes.x = vmi_vec3(c, s, 0);
+    axes.y = vmi_vec3(-s, c, 0);
+    axes.z = vmi_vec3(0, 0, 1);
+    return axes;
+}
+
+/* Computes the position and the velocity of the point `at` of a body. The velocity is that of the material: a growing
+   body moves with the velocity v of its state at its present mass centre. */
+VM_API void vmi_point_of_body(const vm_scene_body *b, vm_vec3 at, const vm_real *state, vmi_body_point *p)
+{
+    const vm_real *rates = state + b->positions;
+    p->axes = vmi_point_axes(b, state);
+    p->omega = vmi_scene_turning(b, rates);
+    if (b->motion == VM_FREE) p->omega = vmi_times(&p->axes, p->omega);
+    p->arm = vmi_times(&p->axes, vmi_sub(at, b->grows ? vmi_growth_centre(b, state) : b->centre));
+    p->r = vmi_add(vmi_scene_moving(b, state), p->arm);
+    p->v = vmi_add(vmi_scene_moving(b, rates), vmi_cross(p->omega, p->arm));
+}
+
+/* Computes a point of a body of the scene in the state y, or of the ground, which rests */
+VM_API void vmi_point_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_body_point *p)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    if (body >= 0) {
+        vmi_point_of_body(s->bodies + body, at, y + s->bodies[body].at, p);
+        return;
+    }
+    p->arm = p->v = p->omega = zero;
+    p->r = at;
+    p->axes.x = vmi_vec3(1, 0, 0);
+    p->axes.y = vmi_vec3(0, 1, 0);
+    p->axes.z = vmi_vec3(0, 0, 1);
+}
+
+/* Adds the force f at a point of a body to the load of the body */
+VM_API void vmi_point_push(vm_scene_body *b, const vmi_body_point *p, vm_vec3 f)
+{
+    if (b->motion == VM_LINE) b->load.force[0] += f.x;
+    else vmi_scene_add(b, b->load.force, f, vmi_cross(p->arm, f));
+}
+
+/* Whether a body has inertia against every force at the point `at`. Forces turn a body about all axes normal to `at`.
+   If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same dummy
+   moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these axes is
+   k at^2 - at (hollow at)/dummy, and must be 0 but for rounding errors. */
+VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
+{
+    const vm_real noise = 64 * VM_EPSILON;
+    vm_inertia whole, hollow;
+    vm_real trace, square;
+    if (b->motion == VM_POINT) return at.x == 0 && at.y == 0 && at.z == 0;
+    if (b->motion != VM_FREE) return 1;
+    whole = vmi_invertible_inertia(&b->start.inertia);
+    hollow = vmi_inertia_plus(whole, -1, b->start.inertia);
+    trace = hollow.xx + hollow.yy + hollow.zz;
+    square = vmi_dot(at, at);
+    return trace * square - vmi_dot(at, vmi_inertia_times(&hollow, at)) <= noise * (trace * square);
+}
+
+/* Notes that a jump has moved the mass centre of a body by `step`, in inertial axes: its points stay where they are */
+VM_API void vmi_point_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
+{
+    const vmi_mat3 axes = vmi_point_axes(b, state);
+    b->centre = vmi_add(b->centre, vmi_times_transposed(&axes, step));
+}
+
+/* Checks a point of a body of the scene, or of the ground, and lets jumps of the body call vmi_point_shift. The scene
+   has checked its bodies before. */
+VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
+{
+    if (!vmi_vec3_is_finite(at)) return VM_NOT_FINITE;
+    if (body == VM_GROUND) return VM_OK;
+    if (vmi_scene_check_coordinate(s, body, 0)) return VM_NO_SUCH_BODY;
+    s->bodies[body].shift = vmi_point_shift;
+    return vmi_point_is_possible(s->bodies + body, at) ? VM_OK : VM_BAD_POINT;
+}
+
+/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is the vector from the mass
+   centre at the start to the point, in body axes; on an axle it leads from the axle. The scene must have been started.
+   *r in m and *v in m/s are NaN if no body has this index, if scene or y is NULL, and before a start. If r or v is
+   NULL, nothing is written. */
+VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 *r, vm_vec3 *v)
+{
+    vmi_body_point p;
+    if (!r || !v) return;
+    *r = *v = vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    if (!scene || !scene->bodies || !scene->size || !y || body < 0 || body >= scene->n_bodies) return;
+    vmi_point_now(scene, body, at, y, &p);
+    *r = p.r;
+    *v = p.v;
+}
+
+#endif
+/* scenes/springs.h - springs and dampers between points of bodies
+
+   A spring and a damper, side by side, act along the straight line between a point of a body and a point of another
+   body or of the ground, in the plane and in space. They push or pull with the same force at both points, and turn the
+   bodies about their mass centres. points.h explains how a point is given.
+
+       vm_point_spring strut = {{0.5, 0, 0}, {2, 1, 0}, 1000, 5, 0.3};          // 1000 N/m, 5 N s/m, 0.3 m long
+       vm_effect effects[] = {vm_effect_point_spring(0, VM_GROUND, &strut)};    // from a point of body 0 to (2, 1, 0)
+
+   The budget of the scene has the work of the force, which is the energy that the spring gives back less the energy
+   that the damper takes out. A spring of the present length l stores k (l - rest)^2/2.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_SPRINGS_H
+#define VARMASS_SCENES_SPRINGS_H
+
+/* A spring and a damper between two points */
+typedef struct VM_TAG(vm_point_spring) {
+    vm_vec3 at;        /* m, body axes: the point of the body */
+    vm_vec3 other_at;  /* m: the point of the other body, in its axes, or of the ground */
+    vm_real stiffness; /* N/m: stiffness k, of either sign */
+    vm_real damping;   /* N s/m: damping; > 0 takes energy out */
+    vm_real rest;      /* m: length of the spring without force, >= 0 */
+} vm_point_spring;
+
+/* Computes the force on the first point; d and v are its position and velocity relative to the second point. If the
+   points coincide, a spring whose rest is 0 has no force, and the damper acts against the velocity; any other spring
+   has no direction (VM_SINGULAR). */
+VM_API int vmi_point_spring_force(const vm_point_spring *spring, vm_vec3 d, vm_vec3 v, vm_vec3 *f)
+{
+    const vm_real length = vmi_norm2(d);
+    vm_vec3 along;
+    vm_real pull;
+    *f = vmi_scale(-spring->damping, v);
+    if (length == 0) return spring->rest == 0 || spring->stiffness == 0 ? VM_OK : VM_SINGULAR;
+    along = vmi_over(d, length);
+    pull = spring->stiffness * (length - spring->rest) + spring->damping * vmi_dot(along, v);
+    *f = vmi_scale(-pull, along);
+    return VM_OK;
+}
+
+VM_API void vmi_apply_point_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_point_spring *spring = (const vm_point_spring *)e->parts;
+    vmi_body_point here, there;
+    vm_vec3 f;
+    (void)t;
+    vmi_point_now(s, e->body, spring->at, y, &here);
+    vmi_point_now(s, e->other, spring->other_at, y, &there);
+    if (vmi_point_spring_force(spring, vmi_sub(here.r, there.r), vmi_sub(here.v, there.v), &f)) s->status = VM_SINGULAR;
+    vmi_point_push(s->bodies + e->body, &here, f);
+    if (e->other >= 0) vmi_point_push(s->bodies + e->other, &there, vmi_scale(-1, f));
+}
+
+VM_API int vmi_point_spring_check(const vm_scene *s, const vm_effect *e)
+{
+    const vm_point_spring *spring = (const vm_point_spring *)e->parts;
+    int status = vmi_point_check(s, e->body, spring->at);
+    status = vmi_first_error(status, vmi_point_check(s, e->other, spring->other_at));
+    if (!VM_IS_FINITE(spring->stiffness) || !VM_IS_FINITE(spring->damping) || !VM_IS_FINITE(spring->rest))
+        status = vmi_first_error(status, VM_NOT_FINITE);
+    if (spring->rest < 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (e->body == e->other) status = vmi_first_error(status, VM_SAME_BODY);
+    return status;
+}
+
+/* A spring and a damper between a point of a body and a point of the body `other`, or of the ground. *spring is not
+   copied: if an event changes it, the run continues with the change. With the length l of the spring, the tension is
+   stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE,
+   VM_DOMAIN if rest < 0, VM_SAME_BODY for a spring of a body with itself, and VM_BAD_POINT for a point that the body
+   cannot have (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest is 0. */
+VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spring *spring)
+{
+    vm_effect e = vmi_effect_between(body, 0, other, 0, spring ? vmi_apply_point_spring : NULL);
+    e.parts = spring;
+    e.check_in_scene = vmi_point_spring_check;
+    return e;
+}
+
+#endif
+/* scenes/joints.h - pins and rods between points of bodies
+
+   A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a ball
+   joint. A rod holds the distance of two points. All joints of a scene stand in one list and are solved together, by
+   Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains how
+   a point is given.
+
+       vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
+       vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
+       vm_real room[VM_JOINTS_WORK(1)];                                  // for one joint
+       vm_joints joints = {list, 1, 10, room, VM_LENGTH(room)};          // deviations decrease as exp(-10 t)
+       vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
+
+   The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey
+   C'' + 2 rate C' + rate^2 C = 0, as a link does. list[0].force is the reaction on body 0 at the last evaluation.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_JOINTS_H
+#define VARMASS_SCENES_JOINTS_H
+
+#include <string.h>
+
+enum { VMI_JOINT_ROWS = 3 }; /* most equations that a joint has */
+
+/* The number of elements of the work array of n joints */
+#define VM_JOINTS_WORK(n) (3 * (n) * (3 * (n) + 2))
+
+/* One equation of a joint: along * C'' is given. Index 0 belongs to the body, index 1 to the other one. For a force of
+   1 N along `along` on the body, and the opposite force on the other one, `turn` is the torque, `move` the acceleration
+   of the mass centre, and `spin` the angular acceleration. */
+typedef struct VM_TAG(vmi_joint_row) {
+    vm_vec3 along;            /* unit vector, inertial axes */
+    vm_vec3 turn[2];          /* m: torque per N */
+    vm_vec3 move[2];          /* 1/kg */
+    vm_vec3 spin[2];          /* 1/(kg m) */
+    vm_real gap;              /* m: C, the deviation from the condition of the joint */
+    vm_real gap_rate;         /* m/s: C' */
+    vm_real gap_acceleration; /* m/s^2: C'' without the joints */
+} vmi_joint_row;
+
+/* An end of a joint: its point, and the acceleration of this point without the joints */
+typedef struct VM_TAG(vmi_joint_end) {
+    vmi_body_point point;
+    vm_vec3 a; /* m/s^2 */
+} vmi_joint_end;
+
+typedef struct VM_TAG(vm_joint) vm_joint;
+
+/* A joint. vm_joint_pin or vm_joint_rod makes it; the caller changes no field. */
+struct VM_TAG(vm_joint) {
+    /* fields set by the constructor */
+    void (*equations)(vm_joint *joint, const vm_scene *scene, const vmi_joint_end *ends); /* writes the equations */
+    int body, other;      /* indices of the bodies; `other` may be VM_GROUND */
+    vm_vec3 at, other_at; /* m: the points of the bodies, in their axes */
+    vm_real length;       /* m: length of a rod */
+    /* fields for the caller to read, set by each evaluation; all 0 while a body is not present */
+    vm_vec3 force; /* N, inertial axes: reaction on the body; the other one has the opposite reaction */
+    /* fields of the last evaluation */
+    int n_rows; /* number of equations */
+    vmi_joint_row row[VMI_JOINT_ROWS];
+};
+
+/* The joints of a scene, all in one list */
+typedef struct VM_TAG(vm_joints) {
+    vm_joint *joints; /* array of n_joints joints */
+    int n_joints;
+    vm_real rate;  /* 1/s: deviations decrease as exp(-rate t); > 0 */
+    vm_real *work; /* array of VM_JOINTS_WORK(n_joints) numbers */
+    int work_size; /* number of elements of work, which vm_scene_start checks; 0 means no check */
+} vm_joints;
+
+/* The mass, or on an axle the inertia, that resists acceleration */
+VM_INLINE vm_real vmi_joint_mass(const vm_scene_body *b)
+{
+    if (b->motion > VM_AXLE) return b->load.mass;
+    return b->load.mass + b->load.extra_mass;
+}
+
+/* The acceleration of the mass centre by a force */
+VM_API vm_vec3 vmi_joint_move(const vm_scene_body *b, vm_vec3 force)
+{
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
+    if (b->motion == VM_LINE) force.y = 0;
+    if (b->motion == VM_LINE || b->motion == VM_PLANE) force.z = 0;
+    return vmi_over(force, vmi_joint_mass(b));
+}
+
+/* The angular acceleration I^-1 (torque - omega x I omega) of a body in inertial axes. The inertia of a free body is
+   that of its last evaluation. */
+VM_API vm_vec3 vmi_joint_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega)
+{
+    vm_real rates[3];
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, torque.z / vmi_joint_mass(b));
+    if (b->motion == VM_PLANE) return vmi_vec3(0, 0, torque.z / b->inertia.zz);
+    if (b->motion != VM_FREE) return vmi_vec3(0, 0, 0);
+    if (vmi_free_euler(b, axes, torque, vmi_times_transposed(axes, omega), rates)) return vmi_vec3(VM_NAN, 0, 0);
+    return vmi_times(axes, vmi_get3(rates));
+}
+
+/* Computes an end of a joint with the acceleration of its point without the joints,
+     a + alpha x arm + omega x (omega x arm - drift).
+   drift is the velocity of the mass centre of a growing body relative to the body: a is the rate of the velocity of
+   the material at the mass centre, and this material changes. */
+VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
+{
+    const vmi_body_point *p = &end->point;
+    const vm_scene_body *b = s->bodies + body;
+    vm_vec3 alpha, moving;
+    vmi_point_now(s, body, at, y, &end->point);
+    end->a = vmi_vec3(0, 0, 0);
+    if (body < 0) return;
+    alpha = vmi_joint_spin(b, &p->axes, vmi_scene_turning(b, b->load.force), p->omega);
+    moving = vmi_cross(p->omega, p->arm);
+    if (b->grows) moving = vmi_sub(moving, b->load.drift);
+    end->a = vmi_joint_move(b, vmi_scene_moving(b, b->load.force));
+    end->a = vmi_add(end->a, vmi_add(vmi_cross(alpha, p->arm), vmi_cross(p->omega, moving)));
+}
+
+/* Begins a further equation of a joint, with the response of both bodies to the force 1 along a unit vector */
+VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends, vm_vec3 along)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const int bodies[2] = {joint->body, joint->other};
+    vmi_joint_row *row = joint->row + joint->n_rows++;
+    int i;
+    row->along = along;
+    for (i = 0; i < 2; i++) {
+        const vmi_body_point *p = &ends[i].point;
+        row->turn[i] = row->move[i] = row->spin[i] = zero;
+        if (bodies[i] < 0) continue;
+        row->turn[i] = vmi_cross(p->arm, along);
+        row->move[i] = vmi_joint_move(s->bodies + bodies[i], along);
+        row->spin[i] = vmi_joint_spin(s->bodies + bodies[i], &p->axes, row->turn[i], zero);
+    }
+    return row;
+}
+
+/* -- The kinds of joints -- */
+
+/* Whether a body can move across the plane of x and y */
+VM_API int vmi_joint_is_in_space(const vm_scene *s, int body)
+{
+    return body >= 0 && (s->bodies[body].motion == VM_POINT || s->bodies[body].motion == VM_FREE);
+}
+
+/* A pin has an equation for each direction in which one of its points can move: C is the vector between the points */
+VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
+{
+    const int in_space = vmi_joint_is_in_space(s, joint->body) || vmi_joint_is_in_space(s, joint->other);
+    const vm_vec3 C = vmi_sub(ends[0].point.r, ends[1].point.r), v = vmi_sub(ends[0].point.v, ends[1].point.v);
+    const vm_vec3 a = vmi_sub(ends[0].a, ends[1].a);
+    const int n = in_space ? 3 : 2;
+    int i;
+    for (i = 0; i < n; i++) {
+        const vm_vec3 along = vmi_vec3((vm_real)(i == 0), (vm_real)(i == 1), (vm_real)(i == 2));
+        vmi_joint_row *row = vmi_joint_add_row(joint, s, ends, along);
+        row->gap = vmi_dot(along, C);
+        row->gap_rate = vmi_dot(along, v);
+        row->gap_acceleration = vmi_dot(along, a);
+    }
+}
+
+/* A rod has one equation, C = (d^2 - length^2)/(2 |d|) with the vector d between its points. While it acts, |d| is
+   nearly constant; C' = d v/|d| and C'' = (d a + v^2)/|d|, as for a link. */
+VM_API void vmi_rod_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
+{
+    const vm_vec3 d = vmi_sub(ends[0].point.r, ends[1].point.r), v = vmi_sub(ends[0].point.v, ends[1].point.v);
+    const vm_real l = vmi_norm2(d);
+    vmi_joint_row *row = vmi_joint_add_row(joint, s, ends, vmi_over(d, l));
+    row->gap = (l - joint->length) * (l + joint->length) / (2 * l);
+    row->gap_rate = vmi_dot(row->along, v);
+    row->gap_acceleration = vmi_dot(row->along, vmi_sub(ends[0].a, ends[1].a)) + vmi_dot(v, v) / l;
+}
+
+/* A pin between the point `at` of a body and the point other_at of the body `other`, or of the ground. In the plane it
+   is a hinge, in space a ball joint. */
+VM_API vm_joint vm_joint_pin(int body, vm_vec3 at, int other, vm_vec3 other_at)
+{
+    vm_joint joint;
+    memset(&joint, 0, sizeof joint);
+    joint.equations = vmi_pin_equations;
+    joint.body = body;
+    joint.other = other;
+    joint.at = at;
+    joint.other_at = other_at;
+    joint.length = 1; /* any positive number */
+    return joint;
+}
+
+/* A rigid rod without mass between the point `at` of a body and the point other_at of the body `other`, or of the
+   ground. It holds the distance of the points at `length` (m), by a force along the line between them. */
+VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, vm_real length)
+{
+    vm_joint joint = vm_joint_pin(body, at, other, other_at);
+    joint.equations = vmi_rod_equations;
+    joint.length = length;
+    return joint;
+}
+
+/* -- The solution -- */
+
+/* The acceleration that the force of the equation `by`, of the joint j, adds to the equation `row` of the joint i */
+VM_API vm_real vmi_joint_coupling(const vm_joint *i, const vmi_joint_row *row, const vm_joint *j,
+                                  const vmi_joint_row *by)
+{
+    const int bodies[2] = {i->body, i->other}, others[2] = {j->body, j->other};
+    vm_real sum = 0;
+    int k, m;
+    for (k = 0; k < 2; k++)
+        for (m = 0; m < 2; m++) {
+            vm_real part;
+            if (bodies[k] < 0 || bodies[k] != others[m]) continue;
+            part = vmi_dot(row->along, by->move[m]) + vmi_dot(row->turn[k], by->spin[m]);
+            sum += k == m ? part : -part;
+        }
+    return sum;
+}
+
+/* Writes the equations of all joints whose bodies are present, and returns their number */
+VM_API int vmi_joints_equations(const vm_joints *joints, const vm_scene *s, const vm_real *y)
+{
+    int i, n = 0;
+    for (i = 0; i < joints->n_joints; i++) {
+        vm_joint *joint = joints->joints + i;
+        vmi_joint_end ends[2];
+        joint->n_rows = 0;
+        joint->force = vmi_vec3(0, 0, 0);
+        if (s->bodies[joint->body].away || (joint->other >= 0 && s->bodies[joint->other].away)) continue;
+        vmi_joint_end_now(s, joint->body, joint->at, y, ends);
+        vmi_joint_end_now(s, joint->other, joint->other_at, y, ends + 1);
+        joint->equations(joint, s, ends);
+        n += joint->n_rows;
+    }
+    return n;
+}
+
+/* Writes to row k of the n x n matrix how the forces of all equations accelerate the equation `row` of a joint */
+VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint, const vmi_joint_row *row, vm_real *a)
+{
+    int j, m, at = 0;
+    for (j = 0; j < joints->n_joints; j++) {
+        const vm_joint *other = joints->joints + j;
+        for (m = 0; m < other->n_rows; m++) a[at++] = vmi_joint_coupling(joint, row, other, other->row + m);
+    }
+}
+
+/* Writes the matrix and the right-hand side of the n equations for the forces to the work array */
+VM_API void vmi_joints_system(const vm_joints *joints, int n)
+{
+    const vm_real rate = joints->rate;
+    vm_real *a = joints->work, *b = a + n * n;
+    int i, k, at = 0;
+    for (i = 0; i < joints->n_joints; i++) {
+        const vm_joint *joint = joints->joints + i;
+        for (k = 0; k < joint->n_rows; k++) {
+            const vmi_joint_row *row = joint->row + k;
+            vmi_joints_matrix_row(joints, joint, row, a + at * n);
+            b[at] = -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
+            at++;
+        }
+    }
+}
+
+/* Adds the forces of a joint to the loads of its bodies. `forces` are the forces of its equations. */
+VM_API void vmi_joint_push(vm_joint *joint, const vm_real *y, vm_scene *s, const vm_real *forces)
+{
+    vmi_body_point p;
+    int k;
+    for (k = 0; k < joint->n_rows; k++) joint->force = vmi_add(joint->force, vmi_scale(forces[k], joint->row[k].along));
+    vmi_point_now(s, joint->body, joint->at, y, &p);
+    vmi_point_push(s->bodies + joint->body, &p, joint->force);
+    if (joint->other < 0) return;
+    vmi_point_now(s, joint->other, joint->other_at, y, &p);
+    vmi_point_push(s->bodies + joint->other, &p, vmi_scale(-1, joint->force));
+}
+
+VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    const int n = vmi_joints_equations(joints, s, y);
+    const vm_real *forces = joints->work + n * n;
+    int i, status;
+    (void)t;
+    vmi_joints_system(joints, n);
+    status = vmi_all_finite(n * n + n, joints->work) ? VM_OK : VM_NOT_FINITE;
+    if (!status) status = vmi_solve_mass(n, joints->work, joints->work + n * n, joints->work + n * n + n);
+    if (status) {
+        s->status = status;
+        return;
+    }
+    for (i = 0; i < joints->n_joints; i++) {
+        vm_joint *joint = joints->joints + i;
+        vmi_joint_push(joint, y, s, forces);
+        forces += joint->n_rows;
+    }
+}
+
+/* -- Checks -- */
+
+/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. `size` and `speed` are
+   sums of the lengths and velocities of which the position and velocity of the point are composed. */
+VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
+                                   vm_real *speed)
+{
+    enum { MOST = 13 + 1 + 3 + 6 }; /* the numbers of a free body, its mass, its mass centre and its inertia */
+    vm_real state[MOST] = {0};
+    vmi_body_point *p = &end->point;
+    end->a = vmi_vec3(0, 0, 0);
+    if (body >= 0) {
+        vm_scene_body now = s->bodies[body];
+        now.centre = vmi_vec3(0, 0, 0);
+        now.put(&now, &now.start, now.angle, state);
+        vmi_point_of_body(&now, at, state, p);
+    } else vmi_point_now(s, body, at, NULL, p);
+    *size += vmi_norm1(p->r) + vmi_norm1(p->arm);
+    *speed += vmi_norm1(p->v) + vmi_norm1(p->omega) * vmi_norm1(p->arm);
+}
+
+/* Whether the bodies fit a joint at the start: the gap and its rate are 0 but for a small fraction of the lengths and
+   velocities of which they are composed */
+VM_API int vmi_joint_fits(vm_joint *joint, const vm_scene *s)
+{
+    const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
+    vm_real size = 0, speed = 0;
+    vmi_joint_end ends[2];
+    int k;
+    vmi_joint_end_at_start(s, joint->body, joint->at, ends, &size, &speed);
+    vmi_joint_end_at_start(s, joint->other, joint->other_at, ends + 1, &size, &speed);
+    joint->n_rows = 0;
+    joint->equations(joint, s, ends);
+    for (k = 0; k < joint->n_rows; k++) {
+        const vmi_joint_row *row = joint->row + k;
+        if (!(VM_FABS(row->gap) <= loose * size && VM_FABS(row->gap_rate) <= loose * speed)) return 0;
+    }
+    return 1;
+}
+
+VM_API int vmi_joint_check(vm_joint *joint, const vm_scene *s)
+{
+    int status = vmi_first_error(vmi_point_check(s, joint->body, joint->at),
+                                 vmi_point_check(s, joint->other, joint->other_at));
+    if (joint->body < 0) status = vmi_first_error(status, VM_NO_SUCH_BODY);
+    if (!VM_IS_FINITE(joint->length)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (joint->length <= 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (joint->body == joint->other) status = vmi_first_error(status, VM_SAME_BODY);
+    if (!joint->equations) status = VM_BAD_ARGUMENT;
+    if (status) return status;
+    if (s->bodies[joint->body].absent || (joint->other >= 0 && s->bodies[joint->other].absent)) return VM_OK;
+    return vmi_joint_fits(joint, s) ? VM_OK : VM_NOT_JOINED;
+}
+
+/* Enters in the lists of effects on the bodies of joints that a link stands there, with `enter` = 1; else returns
+   VM_TWO_LINKS if a link or another list of joints already stands there. */
+VM_API int vmi_joints_enter_links(const vm_joints *joints, const vm_scene *s, int enter)
+{
+    const int link = 1 << VMI_ORDER_LINK;
+    int i, k;
+    for (i = 0; i < joints->n_joints; i++) {
+        const int bodies[2] = {joints->joints[i].body, joints->joints[i].other};
+        for (k = 0; k < 2; k++) {
+            if (bodies[k] < 0) continue;
+            if (enter) s->bodies[bodies[k]].listed_orders |= link;
+            else if (s->bodies[bodies[k]].listed_orders & link) return VM_TWO_LINKS;
+        }
+    }
+    return VM_OK;
+}
+
+VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    int i, status = VM_OK;
+    if (!joints->work) return VM_BAD_ARGUMENT;
+    for (i = 0; i < joints->n_joints; i++) status = vmi_first_error(status, vmi_joint_check(joints->joints + i, s));
+    if (!VM_IS_FINITE(joints->rate)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (joints->rate <= 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (joints->work_size && joints->work_size < VM_JOINTS_WORK(joints->n_joints))
+        status = vmi_first_error(status, VM_SHORT_ARRAY);
+    if (!status) status = vmi_joints_enter_links(joints, s, 0);
+    if (!status) status = vmi_joints_enter_links(joints, s, 1);
+    return status;
+}
+
+/* The joints of a scene, solved together. *joints and its arrays are not copied and must stay where they are. The
+   effect stands after all other effects on the bodies of the joints. With n equations (2 a pin in the plane, 3 in
+   space, 1 a rod) an evaluation takes about n^3/3 multiplications for the solution. A high rate makes the equations
+   stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE, VM_DOMAIN if rate
+   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_SAME_BODY for a joint of a body with
+   itself, VM_BAD_POINT for a point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the
+   start or move apart, VM_TWO_LINKS if a body has a link or joints of another list, too, and VM_LINK_NOT_LAST if
+   another effect on one of the bodies follows. A run ends with VM_SINGULAR if joints are redundant, contradict each
+   other or hold what cannot move, if a mechanism reaches a position in which it is locked, and with VM_NOT_FINITE if
+   the points of a rod coincide. A joint does not act while one of its bodies is not present. */
+VM_API vm_effect vm_effect_joints(const vm_joints *joints)
+{
+    const int is_list = joints && joints->joints && joints->n_joints > 0;
+    const int body = is_list ? joints->joints[0].body : 0;
+    vm_effect e = vmi_effect(body, 0, is_list ? vmi_apply_joints : NULL);
+    e.order = VMI_ORDER_JOINTS;
+    e.parts = joints;
+    e.check_in_scene = vmi_joints_check;
+    return e;
+}
+
+#endif
+/* scenes/contact.h - contact of bodies with the ground
+
+   The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball of a radius
+   about this point, touches the ground where its height is negative. The ground then pushes along the normal with the
+   force stiffness * depth - damping * (velocity along the normal). It never pulls and has no friction.
+
+       vm_contact wheel = {{0, 0, 0}, 0.3, {0, 0, 0}, {0, 1, 0}, 1e5, 300}; // 0.3 m radius; y points up
+       vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_contact(0, &wheel)};
+       vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
+
+   vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
+   impulse takes away the velocity of the point along the normal. Afterwards the body rests on the stiffness.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_CONTACT_H
+#define VARMASS_SCENES_CONTACT_H
+
+/* A point of a body, or a ball about it, and the ground on which it comes down */
+typedef struct VM_TAG(vm_contact) {
+    vm_vec3 at;        /* m, body axes: the point of the body */
+    vm_real radius;    /* m: radius of a ball about the point, >= 0 */
+    vm_vec3 on;        /* m: a point of the ground */
+    vm_vec3 normal;    /* direction out of the ground, of any length > 0 */
+    vm_real stiffness; /* N/m, >= 0 */
+    vm_real damping;   /* N s/m, >= 0 */
+} vm_contact;
+
+/* Height of the ball over the ground; it is negative where the ball touches the ground. *p is the point of the body,
+   and *normal becomes the unit vector out of the ground. */
+VM_API vm_real vmi_contact_height(const vm_contact *contact, const vmi_body_point *p, vm_vec3 *normal)
+{
+    *normal = vmi_over(contact->normal, vmi_norm2(contact->normal));
+    return vmi_dot(vmi_sub(p->r, contact->on), *normal) - contact->radius;
+}
+
+VM_API void vmi_apply_contact(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vmi_body_point p;
+    vm_vec3 normal;
+    vm_real height, force;
+    (void)t;
+    vmi_point_now(s, e->body, contact->at, y, &p);
+    height = vmi_contact_height(contact, &p, &normal);
+    if (height >= 0) return;
+    force = -contact->stiffness * height - contact->damping * vmi_dot(p.v, normal);
+    if (force > 0) vmi_point_push(s->bodies + e->body, &p, vmi_scale(force, normal));
+    if (!VM_IS_FINITE(force)) s->status = VM_NOT_FINITE;
+}
+
+VM_API int vmi_contact_check_parts(const vm_scene *s, int body, const vm_contact *contact)
+{
+    int status = vmi_point_check(s, body, contact->at);
+    if (!VM_IS_FINITE(contact->radius) || !VM_IS_FINITE(contact->stiffness) || !VM_IS_FINITE(contact->damping) ||
+        !vmi_vec3_is_finite(contact->on) || !vmi_vec3_is_finite(contact->normal))
+        status = vmi_first_error(status, VM_NOT_FINITE);
+    if (contact->radius < 0 || contact->stiffness < 0 || contact->damping < 0 || vmi_norm2(contact->normal) == 0)
+        status = vmi_first_error(status, VM_DOMAIN);
+    return status;
+}
+
+VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
+{
+    return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
+}
+
+/* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
+   event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
+   VM_NOT_FINITE, VM_DOMAIN if radius, stiffness or damping is negative or the normal is 0, and VM_BAD_POINT for a point
+   that the body cannot have (points.h). */
+VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
+{
+    vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
+    e.parts = contact;
+    e.check_in_scene = vmi_contact_check;
+    return e;
 }
 
 #endif
@@ -15546,6 +16267,7 @@ VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
         b->mass_at = at + vmi_scene_mass_at(b);
         b->away = b->absent;
         b->law_offset = 0;
+        b->centre = vmi_vec3(0, 0, 0);
         for (k = 0; k < vmi_scene_body_size(b); k++) y[at++] = 0;
         vmi_scene_put(s, i, &b->start, b->angle, y);
     }
@@ -16065,13 +16787,14 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* After a jump has moved the mass centre of a growing body to r, updates its position in body axes, which is in the
-   state */
+/* After a jump has moved the mass centre of a body to r, updates its position in body axes: that of a growing body,
+   which is in the state, and that of a body at whose points an effect acts */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
-    const vm_scene_body *b = s->bodies + body;
+    vm_scene_body *b = s->bodies + body;
     vm_real *state = y + b->at;
     vm_vec3 step;
+    if (b->shift) b->shift(b, vmi_sub(r, vmi_scene_moving(b, state)), state);
     if (!b->grows) return;
     step = vmi_times_transposed(&b->axes, vmi_sub(r, vmi_scene_moving(b, state)));
     vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
@@ -16091,6 +16814,7 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_shift_centre(s, e->jump_body, result->r, y);
     if (part_or_NULL) {
         other->noted_mass = part_or_NULL->mass;
+        other->centre = vmi_vec3(0, 0, 0);
         if (other->grows) vmi_growth_put_centre(other, vmi_vec3(0, 0, 0), y + other->at);
         vmi_scene_put(s, e->other, part_or_NULL, angle + other->angle, y);
     }

@@ -132,13 +132,14 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* After a jump has moved the mass centre of a growing body to r, updates its position in body axes, which is in the
-   state */
+/* After a jump has moved the mass centre of a body to r, updates its position in body axes: that of a growing body,
+   which is in the state, and that of a body at whose points an effect acts */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
-    const vm_scene_body *b = s->bodies + body;
+    vm_scene_body *b = s->bodies + body;
     vm_real *state = y + b->at;
     vm_vec3 step;
+    if (b->shift) b->shift(b, vmi_sub(r, vmi_scene_moving(b, state)), state);
     if (!b->grows) return;
     step = vmi_times_transposed(&b->axes, vmi_sub(r, vmi_scene_moving(b, state)));
     vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
@@ -158,6 +159,7 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_shift_centre(s, e->jump_body, result->r, y);
     if (part_or_NULL) {
         other->noted_mass = part_or_NULL->mass;
+        other->centre = vmi_vec3(0, 0, 0);
         if (other->grows) vmi_growth_put_centre(other, vmi_vec3(0, 0, 0), y + other->at);
         vmi_scene_put(s, e->other, part_or_NULL, angle + other->angle, y);
     }
