@@ -13337,6 +13337,7 @@ struct VM_TAG(vm_effect) {
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
     int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect); /* NULL, or a check that needs the bodies */
+    int (*settle)(const vm_effect *effect, vm_real *y, vm_scene *scene); /* NULL, or gives impulses after a jump */
     const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
 
@@ -15719,7 +15720,8 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
 
    The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey
-   C'' + 2 rate C' + rate^2 C = 0, as a link does. list[0].force is the reaction on body 0 at the last evaluation.
+   C'' + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a body, impulses of the joints take away the velocities
+   with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last evaluation.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H
@@ -15811,11 +15813,12 @@ VM_API vm_vec3 vmi_joint_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_v
 VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
 {
     const vmi_body_point *p = &end->point;
-    const vm_scene_body *b = s->bodies + body;
+    const vm_scene_body *b;
     vm_vec3 alpha, moving;
     vmi_point_now(s, body, at, y, &end->point);
     end->a = vmi_vec3(0, 0, 0);
     if (body < 0) return;
+    b = s->bodies + body;
     alpha = vmi_joint_spin(b, &p->axes, vmi_scene_turning(b, b->load.force), p->omega);
     moving = vmi_cross(p->omega, p->arm);
     if (b->grows) moving = vmi_sub(moving, b->load.drift);
@@ -15951,29 +15954,46 @@ VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint
     }
 }
 
-/* Writes the matrix and the right-hand side of the n equations for the forces to the work array */
-VM_API void vmi_joints_system(const vm_joints *joints, int n)
+/* What the forces of an equation have to bring about: the acceleration that C lacks, so that
+   C'' + 2 rate C' + rate^2 C = 0, or for impulses the velocity that it lacks, so that C' = 0 */
+enum { VMI_JOINT_FORCES, VMI_JOINT_IMPULSES };
+
+VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wanted)
 {
-    const vm_real rate = joints->rate;
+    if (wanted == VMI_JOINT_IMPULSES) return -row->gap_rate;
+    return -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
+}
+
+/* Solves the n equations for the forces, or for the impulses. They replace the numbers of the work array from n^2 on.
+   Returns VM_SINGULAR, VM_NOT_FINITE or VM_OK. */
+VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
+{
     vm_real *a = joints->work, *b = a + n * n;
     int i, k, at = 0;
     for (i = 0; i < joints->n_joints; i++) {
         const vm_joint *joint = joints->joints + i;
         for (k = 0; k < joint->n_rows; k++) {
-            const vmi_joint_row *row = joint->row + k;
-            vmi_joints_matrix_row(joints, joint, row, a + at * n);
-            b[at] = -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
-            at++;
+            vmi_joints_matrix_row(joints, joint, joint->row + k, a + at * n);
+            b[at++] = vmi_joint_lacks(joint->row + k, joints->rate, wanted);
         }
     }
+    if (!vmi_all_finite(n * n + n, a)) return VM_NOT_FINITE;
+    return vmi_solve_mass(n, a, b, b + n);
 }
 
-/* Adds the forces of a joint to the loads of its bodies. `forces` are the forces of its equations. */
-VM_API void vmi_joint_push(vm_joint *joint, const vm_real *y, vm_scene *s, const vm_real *forces)
+/* The force of a joint on its body, from the forces of its equations */
+VM_API vm_vec3 vmi_joint_force(const vm_joint *joint, const vm_real *forces)
+{
+    vm_vec3 sum = {0, 0, 0};
+    int k;
+    for (k = 0; k < joint->n_rows; k++) sum = vmi_add(sum, vmi_scale(forces[k], joint->row[k].along));
+    return sum;
+}
+
+/* Adds the force of a joint to the loads of its bodies */
+VM_API void vmi_joint_push(const vm_joint *joint, const vm_real *y, vm_scene *s)
 {
     vmi_body_point p;
-    int k;
-    for (k = 0; k < joint->n_rows; k++) joint->force = vmi_add(joint->force, vmi_scale(forces[k], joint->row[k].along));
     vmi_point_now(s, joint->body, joint->at, y, &p);
     vmi_point_push(s->bodies + joint->body, &p, joint->force);
     if (joint->other < 0) return;
@@ -15984,22 +16004,63 @@ VM_API void vmi_joint_push(vm_joint *joint, const vm_real *y, vm_scene *s, const
 VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_joints *joints = (const vm_joints *)e->parts;
-    const int n = vmi_joints_equations(joints, s, y);
+    const int n = vmi_joints_equations(joints, s, y), status = vmi_joints_solve(joints, n, VMI_JOINT_FORCES);
     const vm_real *forces = joints->work + n * n;
-    int i, status;
+    int i;
     (void)t;
-    vmi_joints_system(joints, n);
-    status = vmi_all_finite(n * n + n, joints->work) ? VM_OK : VM_NOT_FINITE;
-    if (!status) status = vmi_solve_mass(n, joints->work, joints->work + n * n, joints->work + n * n + n);
-    if (status) {
-        s->status = status;
-        return;
-    }
+    if (status) s->status = status;
+    if (status) return;
     for (i = 0; i < joints->n_joints; i++) {
         vm_joint *joint = joints->joints + i;
-        vmi_joint_push(joint, y, s, forces);
+        if (joint->n_rows == 0) continue;
+        joint->force = vmi_joint_force(joint, forces);
+        vmi_joint_push(joint, y, s);
         forces += joint->n_rows;
     }
+}
+
+/* Gives an impulse at a point of a body, which changes its velocities in the state y */
+VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const vm_scene_body *b;
+    vm_real *velocities;
+    vmi_body_point p;
+    vm_vec3 move, spin;
+    if (body < 0) return;
+    b = s->bodies + body;
+    velocities = y + b->at + b->positions;
+    vmi_point_now(s, body, at, y, &p);
+    move = vmi_joint_move(b, impulse);
+    spin = vmi_joint_spin(b, &p.axes, vmi_cross(p.arm, impulse), zero);
+    if (b->motion == VM_FREE) spin = vmi_times_transposed(&p.axes, spin);
+    if (b->motion == VM_LINE) velocities[0] += move.x;
+    else vmi_scene_add(b, velocities, move, spin);
+}
+
+/* After a jump, gives the impulses of the joints that stop the points of each joint from moving apart, and adds those
+   from the ground to the budget. The equations are those of the last evaluation. */
+VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    const vm_real *impulses;
+    int i, n = 0, status;
+    for (i = 0; i < joints->n_joints; i++) n += joints->joints[i].n_rows;
+    impulses = joints->work + n * n;
+    status = vmi_joints_solve(joints, n, VMI_JOINT_IMPULSES);
+    if (status) return status;
+    for (i = 0; i < joints->n_joints; i++) {
+        const vm_joint *joint = joints->joints + i;
+        const vm_vec3 impulse = vmi_joint_force(joint, impulses);
+        impulses += joint->n_rows;
+        if (joint->n_rows == 0) continue;
+        vmi_joint_kick(s, joint->body, joint->at, impulse, y);
+        vmi_joint_kick(s, joint->other, joint->other_at, vmi_scale(-1, impulse), y);
+        if (joint->other >= 0 || !s->budget) continue;
+        s->budget->impulse = vmi_add(s->budget->impulse, impulse);
+        s->budget->angular_impulse = vmi_add(s->budget->angular_impulse, vmi_cross(joint->other_at, impulse));
+    }
+    return VM_OK;
 }
 
 /* -- Checks -- */
@@ -16106,6 +16167,7 @@ VM_API vm_effect vm_effect_joints(const vm_joints *joints)
     e.order = VMI_ORDER_JOINTS;
     e.parts = joints;
     e.check_in_scene = vmi_joints_check;
+    e.settle = vmi_joints_settle;
     return e;
 }
 
@@ -16823,20 +16885,34 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_hold_masses(s, t, y);
 }
 
+/* Lets effects that hold bodies together give their impulses after a jump. The loads have been evaluated. */
+VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < s->n_effects; i++) {
+        const vm_effect *e = s->effects + i;
+        if (e->settle && !e->idle) status = vmi_first_error(status, e->settle(e, y, s));
+    }
+    return status;
+}
+
 /* Writes the bodies after a jump into the state, and adds to the budget the energy that the jump adds and the impulse
-   from outside */
-VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+   from outside. Returns VM_OK, or the status of an effect that cannot hold the bodies together. */
+VM_API int vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
     vm_budget *budget = s->budget;
     vm_budget before, after;
+    int status;
     if (budget) budget->totals(s, y, &before);
     vmi_scene_put_jump(e, t, y, result, part_or_NULL);
-    if (!budget) return;
+    status = vmi_scene_settle(s, y);
+    if (!budget) return status;
     budget->totals(s, y, &after);
     budget->jump_energy += after.energy - before.energy;
     budget->impulse = vmi_add(budget->impulse, e->external.linear);
     budget->angular_impulse = vmi_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    return status;
 }
 
 VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
@@ -16849,8 +16925,7 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
-    vmi_scene_jump(e, t, y, &rest, &part);
-    return VM_OK;
+    return vmi_scene_jump(e, t, y, &rest, &part);
 }
 
 /* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
@@ -16903,8 +16978,7 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
     if (status < 0) return status;
-    vmi_scene_jump(e, t, y, &whole, NULL);
-    return VM_OK;
+    return vmi_scene_jump(e, t, y, &whole, NULL);
 }
 
 /* The event attaches a body to another body on the same line or axle. The body `added` becomes a part of `body` and is

@@ -12,7 +12,8 @@
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
 
    The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey
-   C'' + 2 rate C' + rate^2 C = 0, as a link does. list[0].force is the reaction on body 0 at the last evaluation.
+   C'' + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a body, impulses of the joints take away the velocities
+   with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last evaluation.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H
@@ -115,11 +116,12 @@ VM_API vm_vec3 vmi_joint_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_v
 VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
 {
     const vmi_body_point *p = &end->point;
-    const vm_scene_body *b = s->bodies + body;
+    const vm_scene_body *b;
     vm_vec3 alpha, moving;
     vmi_point_now(s, body, at, y, &end->point);
     end->a = vmi_vec3(0, 0, 0);
     if (body < 0) return;
+    b = s->bodies + body;
     alpha = vmi_joint_spin(b, &p->axes, vmi_scene_turning(b, b->load.force), p->omega);
     moving = vmi_cross(p->omega, p->arm);
     if (b->grows) moving = vmi_sub(moving, b->load.drift);
@@ -255,29 +257,46 @@ VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint
     }
 }
 
-/* Writes the matrix and the right-hand side of the n equations for the forces to the work array */
-VM_API void vmi_joints_system(const vm_joints *joints, int n)
+/* What the forces of an equation have to bring about: the acceleration that C lacks, so that
+   C'' + 2 rate C' + rate^2 C = 0, or for impulses the velocity that it lacks, so that C' = 0 */
+enum { VMI_JOINT_FORCES, VMI_JOINT_IMPULSES };
+
+VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wanted)
 {
-    const vm_real rate = joints->rate;
+    if (wanted == VMI_JOINT_IMPULSES) return -row->gap_rate;
+    return -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
+}
+
+/* Solves the n equations for the forces, or for the impulses. They replace the numbers of the work array from n^2 on.
+   Returns VM_SINGULAR, VM_NOT_FINITE or VM_OK. */
+VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
+{
     vm_real *a = joints->work, *b = a + n * n;
     int i, k, at = 0;
     for (i = 0; i < joints->n_joints; i++) {
         const vm_joint *joint = joints->joints + i;
         for (k = 0; k < joint->n_rows; k++) {
-            const vmi_joint_row *row = joint->row + k;
-            vmi_joints_matrix_row(joints, joint, row, a + at * n);
-            b[at] = -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
-            at++;
+            vmi_joints_matrix_row(joints, joint, joint->row + k, a + at * n);
+            b[at++] = vmi_joint_lacks(joint->row + k, joints->rate, wanted);
         }
     }
+    if (!vmi_all_finite(n * n + n, a)) return VM_NOT_FINITE;
+    return vmi_solve_mass(n, a, b, b + n);
 }
 
-/* Adds the forces of a joint to the loads of its bodies. `forces` are the forces of its equations. */
-VM_API void vmi_joint_push(vm_joint *joint, const vm_real *y, vm_scene *s, const vm_real *forces)
+/* The force of a joint on its body, from the forces of its equations */
+VM_API vm_vec3 vmi_joint_force(const vm_joint *joint, const vm_real *forces)
+{
+    vm_vec3 sum = {0, 0, 0};
+    int k;
+    for (k = 0; k < joint->n_rows; k++) sum = vmi_add(sum, vmi_scale(forces[k], joint->row[k].along));
+    return sum;
+}
+
+/* Adds the force of a joint to the loads of its bodies */
+VM_API void vmi_joint_push(const vm_joint *joint, const vm_real *y, vm_scene *s)
 {
     vmi_body_point p;
-    int k;
-    for (k = 0; k < joint->n_rows; k++) joint->force = vmi_add(joint->force, vmi_scale(forces[k], joint->row[k].along));
     vmi_point_now(s, joint->body, joint->at, y, &p);
     vmi_point_push(s->bodies + joint->body, &p, joint->force);
     if (joint->other < 0) return;
@@ -288,22 +307,63 @@ VM_API void vmi_joint_push(vm_joint *joint, const vm_real *y, vm_scene *s, const
 VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_joints *joints = (const vm_joints *)e->parts;
-    const int n = vmi_joints_equations(joints, s, y);
+    const int n = vmi_joints_equations(joints, s, y), status = vmi_joints_solve(joints, n, VMI_JOINT_FORCES);
     const vm_real *forces = joints->work + n * n;
-    int i, status;
+    int i;
     (void)t;
-    vmi_joints_system(joints, n);
-    status = vmi_all_finite(n * n + n, joints->work) ? VM_OK : VM_NOT_FINITE;
-    if (!status) status = vmi_solve_mass(n, joints->work, joints->work + n * n, joints->work + n * n + n);
-    if (status) {
-        s->status = status;
-        return;
-    }
+    if (status) s->status = status;
+    if (status) return;
     for (i = 0; i < joints->n_joints; i++) {
         vm_joint *joint = joints->joints + i;
-        vmi_joint_push(joint, y, s, forces);
+        if (joint->n_rows == 0) continue;
+        joint->force = vmi_joint_force(joint, forces);
+        vmi_joint_push(joint, y, s);
         forces += joint->n_rows;
     }
+}
+
+/* Gives an impulse at a point of a body, which changes its velocities in the state y */
+VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const vm_scene_body *b;
+    vm_real *velocities;
+    vmi_body_point p;
+    vm_vec3 move, spin;
+    if (body < 0) return;
+    b = s->bodies + body;
+    velocities = y + b->at + b->positions;
+    vmi_point_now(s, body, at, y, &p);
+    move = vmi_joint_move(b, impulse);
+    spin = vmi_joint_spin(b, &p.axes, vmi_cross(p.arm, impulse), zero);
+    if (b->motion == VM_FREE) spin = vmi_times_transposed(&p.axes, spin);
+    if (b->motion == VM_LINE) velocities[0] += move.x;
+    else vmi_scene_add(b, velocities, move, spin);
+}
+
+/* After a jump, gives the impulses of the joints that stop the points of each joint from moving apart, and adds those
+   from the ground to the budget. The equations are those of the last evaluation. */
+VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    const vm_real *impulses;
+    int i, n = 0, status;
+    for (i = 0; i < joints->n_joints; i++) n += joints->joints[i].n_rows;
+    impulses = joints->work + n * n;
+    status = vmi_joints_solve(joints, n, VMI_JOINT_IMPULSES);
+    if (status) return status;
+    for (i = 0; i < joints->n_joints; i++) {
+        const vm_joint *joint = joints->joints + i;
+        const vm_vec3 impulse = vmi_joint_force(joint, impulses);
+        impulses += joint->n_rows;
+        if (joint->n_rows == 0) continue;
+        vmi_joint_kick(s, joint->body, joint->at, impulse, y);
+        vmi_joint_kick(s, joint->other, joint->other_at, vmi_scale(-1, impulse), y);
+        if (joint->other >= 0 || !s->budget) continue;
+        s->budget->impulse = vmi_add(s->budget->impulse, impulse);
+        s->budget->angular_impulse = vmi_add(s->budget->angular_impulse, vmi_cross(joint->other_at, impulse));
+    }
+    return VM_OK;
 }
 
 /* -- Checks -- */
@@ -410,6 +470,7 @@ VM_API vm_effect vm_effect_joints(const vm_joints *joints)
     e.order = VMI_ORDER_JOINTS;
     e.parts = joints;
     e.check_in_scene = vmi_joints_check;
+    e.settle = vmi_joints_settle;
     return e;
 }
 

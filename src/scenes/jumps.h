@@ -168,20 +168,34 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_hold_masses(s, t, y);
 }
 
+/* Lets effects that hold bodies together give their impulses after a jump. The loads have been evaluated. */
+VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < s->n_effects; i++) {
+        const vm_effect *e = s->effects + i;
+        if (e->settle && !e->idle) status = vmi_first_error(status, e->settle(e, y, s));
+    }
+    return status;
+}
+
 /* Writes the bodies after a jump into the state, and adds to the budget the energy that the jump adds and the impulse
-   from outside */
-VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+   from outside. Returns VM_OK, or the status of an effect that cannot hold the bodies together. */
+VM_API int vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
     vm_budget *budget = s->budget;
     vm_budget before, after;
+    int status;
     if (budget) budget->totals(s, y, &before);
     vmi_scene_put_jump(e, t, y, result, part_or_NULL);
-    if (!budget) return;
+    status = vmi_scene_settle(s, y);
+    if (!budget) return status;
     budget->totals(s, y, &after);
     budget->jump_energy += after.energy - before.energy;
     budget->impulse = vmi_add(budget->impulse, e->external.linear);
     budget->angular_impulse = vmi_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    return status;
 }
 
 VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
@@ -194,8 +208,7 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
-    vmi_scene_jump(e, t, y, &rest, &part);
-    return VM_OK;
+    return vmi_scene_jump(e, t, y, &rest, &part);
 }
 
 /* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
@@ -248,8 +261,7 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
     if (status < 0) return status;
-    vmi_scene_jump(e, t, y, &whole, NULL);
-    return VM_OK;
+    return vmi_scene_jump(e, t, y, &whole, NULL);
 }
 
 /* The event attaches a body to another body on the same line or axle. The body `added` becomes a part of `body` and is
