@@ -425,9 +425,6 @@
        vm_joint_rod                   A rigid rod without mass between the point `at` of a body and the point other_at of the body `other`, or of the ground
        vm_effect_joints               The joints of a scene, solved together
 
-     scenes/contact: contact of bodies with the ground
-       vm_effect_contact              Contact of a body with the ground
-
      scenes/start: the start of a scene
        vm_scene_start                 Start of a scene at time t
 
@@ -452,6 +449,11 @@
        vm_then_attach_on_line         The event attaches a body to another body on the same line or axle
        vm_then_attach_in_plane        The event attaches a body to another body in the plane
        vm_then_attach                 The event attaches a body to another body; both may have any kind of motion
+
+     scenes/contact: contact of bodies with the ground
+       vm_effect_contact              Contact of a body with the ground
+       vm_event_contact               An event when a body comes down to the ground
+       vm_then_land                   The event of vm_event_contact becomes a stop without a bounce
 
      scenes/run: runs of a scene with its events and its output
        vm_scene_run                   Run of a scene from *t to t_end, with its events and its output */
@@ -13384,6 +13386,7 @@ struct VM_TAG(vm_event) {
     long seen;       /* number of crossings found by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
+    const void *parts; /* what the caller keeps for the event: a vm_contact */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
@@ -15574,6 +15577,52 @@ VM_API void vmi_point_push(vm_scene_body *b, const vmi_body_point *p, vm_vec3 f)
     else vmi_scene_add(b, b->load.force, f, vmi_cross(p->arm, f));
 }
 
+/* The mass, or on an axle the inertia, that resists acceleration */
+VM_INLINE vm_real vmi_point_mass(const vm_scene_body *b)
+{
+    if (b->motion > VM_AXLE) return b->load.mass;
+    return b->load.mass + b->load.extra_mass;
+}
+
+/* The acceleration of the mass centre by a force */
+VM_API vm_vec3 vmi_point_move(const vm_scene_body *b, vm_vec3 force)
+{
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
+    if (b->motion == VM_LINE) force.y = 0;
+    if (b->motion == VM_LINE || b->motion == VM_PLANE) force.z = 0;
+    return vmi_over(force, vmi_point_mass(b));
+}
+
+/* The angular acceleration I^-1 (torque - omega x I omega) of a body in inertial axes. The inertia of a free body is
+   that of its last evaluation. */
+VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega)
+{
+    vm_real rates[3];
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, torque.z / vmi_point_mass(b));
+    if (b->motion == VM_PLANE) return vmi_vec3(0, 0, torque.z / b->inertia.zz);
+    if (b->motion != VM_FREE) return vmi_vec3(0, 0, 0);
+    if (vmi_free_euler(b, axes, torque, vmi_times_transposed(axes, omega), rates)) return vmi_vec3(VM_NAN, 0, 0);
+    return vmi_times(axes, vmi_get3(rates));
+}
+
+/* Gives an impulse at a point of a body, which changes its velocities in the state y of the scene */
+VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
+{
+    const vm_vec3 zero = {0, 0, 0}, move = vmi_point_move(b, impulse);
+    vm_vec3 spin = vmi_point_spin(b, &p->axes, vmi_cross(p->arm, impulse), zero);
+    vm_real *velocities = y + b->at + b->positions;
+    if (b->motion == VM_FREE) spin = vmi_times_transposed(&p->axes, spin);
+    if (b->motion == VM_LINE) velocities[0] += move.x;
+    else vmi_scene_add(b, velocities, move, spin);
+}
+
+/* The acceleration of a point along a unit vector by a force of 1 N along this vector */
+VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 along)
+{
+    const vm_vec3 zero = {0, 0, 0}, turn = vmi_cross(p->arm, along);
+    return vmi_dot(along, vmi_point_move(b, along)) + vmi_dot(turn, vmi_point_spin(b, &p->axes, turn, zero));
+}
+
 /* Whether a body has inertia against every force at the point `at`. Forces turn a body about all axes normal to `at`.
    If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same dummy
    moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these axes is
@@ -15778,34 +15827,6 @@ typedef struct VM_TAG(vm_joints) {
     int work_size; /* number of elements of work, which vm_scene_start checks; 0 means no check */
 } vm_joints;
 
-/* The mass, or on an axle the inertia, that resists acceleration */
-VM_INLINE vm_real vmi_joint_mass(const vm_scene_body *b)
-{
-    if (b->motion > VM_AXLE) return b->load.mass;
-    return b->load.mass + b->load.extra_mass;
-}
-
-/* The acceleration of the mass centre by a force */
-VM_API vm_vec3 vmi_joint_move(const vm_scene_body *b, vm_vec3 force)
-{
-    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
-    if (b->motion == VM_LINE) force.y = 0;
-    if (b->motion == VM_LINE || b->motion == VM_PLANE) force.z = 0;
-    return vmi_over(force, vmi_joint_mass(b));
-}
-
-/* The angular acceleration I^-1 (torque - omega x I omega) of a body in inertial axes. The inertia of a free body is
-   that of its last evaluation. */
-VM_API vm_vec3 vmi_joint_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega)
-{
-    vm_real rates[3];
-    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, torque.z / vmi_joint_mass(b));
-    if (b->motion == VM_PLANE) return vmi_vec3(0, 0, torque.z / b->inertia.zz);
-    if (b->motion != VM_FREE) return vmi_vec3(0, 0, 0);
-    if (vmi_free_euler(b, axes, torque, vmi_times_transposed(axes, omega), rates)) return vmi_vec3(VM_NAN, 0, 0);
-    return vmi_times(axes, vmi_get3(rates));
-}
-
 /* Computes an end of a joint with the acceleration of its point without the joints,
      a + alpha x arm + omega x (omega x arm - drift).
    drift is the velocity of the mass centre of a growing body relative to the body: a is the rate of the velocity of
@@ -15819,10 +15840,10 @@ VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_
     end->a = vmi_vec3(0, 0, 0);
     if (body < 0) return;
     b = s->bodies + body;
-    alpha = vmi_joint_spin(b, &p->axes, vmi_scene_turning(b, b->load.force), p->omega);
+    alpha = vmi_point_spin(b, &p->axes, vmi_scene_turning(b, b->load.force), p->omega);
     moving = vmi_cross(p->omega, p->arm);
     if (b->grows) moving = vmi_sub(moving, b->load.drift);
-    end->a = vmi_joint_move(b, vmi_scene_moving(b, b->load.force));
+    end->a = vmi_point_move(b, vmi_scene_moving(b, b->load.force));
     end->a = vmi_add(end->a, vmi_add(vmi_cross(alpha, p->arm), vmi_cross(p->omega, moving)));
 }
 
@@ -15839,8 +15860,8 @@ VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, cons
         row->turn[i] = row->move[i] = row->spin[i] = zero;
         if (bodies[i] < 0) continue;
         row->turn[i] = vmi_cross(p->arm, along);
-        row->move[i] = vmi_joint_move(s->bodies + bodies[i], along);
-        row->spin[i] = vmi_joint_spin(s->bodies + bodies[i], &p->axes, row->turn[i], zero);
+        row->move[i] = vmi_point_move(s->bodies + bodies[i], along);
+        row->spin[i] = vmi_point_spin(s->bodies + bodies[i], &p->axes, row->turn[i], zero);
     }
     return row;
 }
@@ -16019,23 +16040,13 @@ VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm
     }
 }
 
-/* Gives an impulse at a point of a body, which changes its velocities in the state y */
+/* Gives an impulse at a point of a body or of the ground */
 VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
 {
-    const vm_vec3 zero = {0, 0, 0};
-    const vm_scene_body *b;
-    vm_real *velocities;
     vmi_body_point p;
-    vm_vec3 move, spin;
     if (body < 0) return;
-    b = s->bodies + body;
-    velocities = y + b->at + b->positions;
     vmi_point_now(s, body, at, y, &p);
-    move = vmi_joint_move(b, impulse);
-    spin = vmi_joint_spin(b, &p.axes, vmi_cross(p.arm, impulse), zero);
-    if (b->motion == VM_FREE) spin = vmi_times_transposed(&p.axes, spin);
-    if (b->motion == VM_LINE) velocities[0] += move.x;
-    else vmi_scene_add(b, velocities, move, spin);
+    vmi_point_kick(s->bodies + body, &p, impulse, y);
 }
 
 /* After a jump, gives the impulses of the joints that stop the points of each joint from moving apart, and adds those
@@ -16168,85 +16179,6 @@ VM_API vm_effect vm_effect_joints(const vm_joints *joints)
     e.parts = joints;
     e.check_in_scene = vmi_joints_check;
     e.settle = vmi_joints_settle;
-    return e;
-}
-
-#endif
-/* scenes/contact.h - contact of bodies with the ground
-
-   The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball of a radius
-   about this point, touches the ground where its height is negative. The ground then pushes along the normal with the
-   force stiffness * depth - damping * (velocity along the normal). It never pulls and has no friction.
-
-       vm_contact wheel = {{0, 0, 0}, 0.3, {0, 0, 0}, {0, 1, 0}, 1e5, 300}; // 0.3 m radius; y points up
-       vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_contact(0, &wheel)};
-       vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
-
-   vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
-   impulse takes away the velocity of the point along the normal. Afterwards the body rests on the stiffness.
-
-   Tests: tests/test_scene_joints.c. */
-#ifndef VARMASS_SCENES_CONTACT_H
-#define VARMASS_SCENES_CONTACT_H
-
-/* A point of a body, or a ball about it, and the ground on which it comes down */
-typedef struct VM_TAG(vm_contact) {
-    vm_vec3 at;        /* m, body axes: the point of the body */
-    vm_real radius;    /* m: radius of a ball about the point, >= 0 */
-    vm_vec3 on;        /* m: a point of the ground */
-    vm_vec3 normal;    /* direction out of the ground, of any length > 0 */
-    vm_real stiffness; /* N/m, >= 0 */
-    vm_real damping;   /* N s/m, >= 0 */
-} vm_contact;
-
-/* Height of the ball over the ground; it is negative where the ball touches the ground. *p is the point of the body,
-   and *normal becomes the unit vector out of the ground. */
-VM_API vm_real vmi_contact_height(const vm_contact *contact, const vmi_body_point *p, vm_vec3 *normal)
-{
-    *normal = vmi_over(contact->normal, vmi_norm2(contact->normal));
-    return vmi_dot(vmi_sub(p->r, contact->on), *normal) - contact->radius;
-}
-
-VM_API void vmi_apply_contact(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
-{
-    const vm_contact *contact = (const vm_contact *)e->parts;
-    vmi_body_point p;
-    vm_vec3 normal;
-    vm_real height, force;
-    (void)t;
-    vmi_point_now(s, e->body, contact->at, y, &p);
-    height = vmi_contact_height(contact, &p, &normal);
-    if (height >= 0) return;
-    force = -contact->stiffness * height - contact->damping * vmi_dot(p.v, normal);
-    if (force > 0) vmi_point_push(s->bodies + e->body, &p, vmi_scale(force, normal));
-    if (!VM_IS_FINITE(force)) s->status = VM_NOT_FINITE;
-}
-
-VM_API int vmi_contact_check_parts(const vm_scene *s, int body, const vm_contact *contact)
-{
-    int status = vmi_point_check(s, body, contact->at);
-    if (!VM_IS_FINITE(contact->radius) || !VM_IS_FINITE(contact->stiffness) || !VM_IS_FINITE(contact->damping) ||
-        !vmi_vec3_is_finite(contact->on) || !vmi_vec3_is_finite(contact->normal))
-        status = vmi_first_error(status, VM_NOT_FINITE);
-    if (contact->radius < 0 || contact->stiffness < 0 || contact->damping < 0 || vmi_norm2(contact->normal) == 0)
-        status = vmi_first_error(status, VM_DOMAIN);
-    return status;
-}
-
-VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
-{
-    return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
-}
-
-/* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
-   event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
-   VM_NOT_FINITE, VM_DOMAIN if radius, stiffness or damping is negative or the normal is 0, and VM_BAD_POINT for a point
-   that the body cannot have (points.h). */
-VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
-{
-    vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
-    e.parts = contact;
-    e.check_in_scene = vmi_contact_check;
     return e;
 }
 
@@ -17013,6 +16945,159 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
     event = vm_then_attach_on_line(event, body, added);
     event.jump = vmi_event_jump_any;
     event.motions = VMI_ALL_MOTIONS;
+    return event;
+}
+
+#endif
+/* scenes/contact.h - contact of bodies with the ground
+
+   The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball of a radius
+   about this point, touches the ground where its height is negative. The ground then pushes along the normal with the
+   force stiffness * depth - damping * (velocity along the normal). It never pulls and has no friction.
+
+       vm_contact wheel = {{0, 0, 0}, 0.3, {0, 0, 0}, {0, 1, 0}, 1e5, 300}; // 0.3 m radius; y points up
+       vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_contact(0, &wheel)};
+       vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
+
+   vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
+   impulse takes away the velocity of the point along the normal. Afterwards the body rests on the stiffness.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_CONTACT_H
+#define VARMASS_SCENES_CONTACT_H
+
+/* A point of a body, or a ball about it, and the ground on which it comes down */
+typedef struct VM_TAG(vm_contact) {
+    vm_vec3 at;        /* m, body axes: the point of the body */
+    vm_real radius;    /* m: radius of a ball about the point, >= 0 */
+    vm_vec3 on;        /* m: a point of the ground */
+    vm_vec3 normal;    /* direction out of the ground, of any length > 0 */
+    vm_real stiffness; /* N/m, >= 0 */
+    vm_real damping;   /* N s/m, >= 0 */
+} vm_contact;
+
+/* Height of the ball over the ground; it is negative where the ball touches the ground. *p is the point of the body,
+   and *normal becomes the unit vector out of the ground. */
+VM_API vm_real vmi_contact_height(const vm_contact *contact, const vmi_body_point *p, vm_vec3 *normal)
+{
+    *normal = vmi_over(contact->normal, vmi_norm2(contact->normal));
+    return vmi_dot(vmi_sub(p->r, contact->on), *normal) - contact->radius;
+}
+
+VM_API void vmi_apply_contact(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vmi_body_point p;
+    vm_vec3 normal;
+    vm_real height, force;
+    (void)t;
+    vmi_point_now(s, e->body, contact->at, y, &p);
+    height = vmi_contact_height(contact, &p, &normal);
+    if (height >= 0) return;
+    force = -contact->stiffness * height - contact->damping * vmi_dot(p.v, normal);
+    if (force > 0) vmi_point_push(s->bodies + e->body, &p, vmi_scale(force, normal));
+    if (!VM_IS_FINITE(force)) s->status = VM_NOT_FINITE;
+}
+
+VM_API int vmi_contact_check_parts(const vm_scene *s, int body, const vm_contact *contact)
+{
+    int status = vmi_point_check(s, body, contact->at);
+    if (!VM_IS_FINITE(contact->radius) || !VM_IS_FINITE(contact->stiffness) || !VM_IS_FINITE(contact->damping) ||
+        !vmi_vec3_is_finite(contact->on) || !vmi_vec3_is_finite(contact->normal))
+        status = vmi_first_error(status, VM_NOT_FINITE);
+    if (contact->radius < 0 || contact->stiffness < 0 || contact->damping < 0 || vmi_norm2(contact->normal) == 0)
+        status = vmi_first_error(status, VM_DOMAIN);
+    return status;
+}
+
+VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
+{
+    return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
+}
+
+/* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
+   event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
+   VM_NOT_FINITE, VM_DOMAIN if radius, stiffness or damping is negative or the normal is 0, and VM_BAD_POINT for a point
+   that the body cannot have (points.h). */
+VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
+{
+    vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
+    e.parts = contact;
+    e.check_in_scene = vmi_contact_check;
+    return e;
+}
+
+VM_API vm_real vmi_when_contact(const vm_event *e, vm_real t, const vm_real *y)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vmi_body_point p;
+    vm_vec3 normal;
+    (void)t;
+    vmi_point_now(e->scene, e->body, contact->at, y, &p);
+    return vmi_contact_height(contact, &p, &normal);
+}
+
+VM_API int vmi_contact_check_event(const vm_scene *s, const vm_event *e)
+{
+    return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
+}
+
+/* An event when a body comes down to the ground. Only the fields at, radius, on and normal of *contact matter, which
+   is not copied. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL, and the errors of vm_effect_contact. */
+VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
+{
+    vm_event e = vmi_event(body, 0, 0, -1);
+    e.when = contact ? vmi_when_contact : NULL;
+    e.parts = contact;
+    e.check = vmi_contact_check_event;
+    if (!contact) e.status = VM_BAD_ARGUMENT;
+    return e;
+}
+
+/* Takes away the velocity of the point along the normal by an impulse, which enters the budget. The body gets the
+   velocities that the impulse 1 along the normal gives it, times a factor. */
+VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vm_scene *s = e->scene;
+    vm_budget before, after;
+    vmi_body_point p;
+    vm_vec3 normal, impulse;
+    vm_real mobility, v;
+    vmi_scene_evaluate(s, t, y);
+    vmi_point_now(s, e->body, contact->at, y, &p);
+    vmi_contact_height(contact, &p, &normal);
+    v = vmi_dot(p.v, normal);
+    mobility = vmi_point_mobility(s->bodies + e->body, &p, normal);
+    if (v >= 0 || mobility == 0) return VM_OK;
+    impulse = vmi_scale(-v / mobility, normal);
+    if (s->budget) s->budget->totals(s, y, &before);
+    vmi_point_kick(s->bodies + e->body, &p, impulse, y);
+    if (!s->budget) return VM_OK;
+    s->budget->totals(s, y, &after);
+    s->budget->jump_energy += after.energy - before.energy;
+    s->budget->impulse = vmi_add(s->budget->impulse, impulse);
+    s->budget->angular_impulse = vmi_add(s->budget->angular_impulse, vmi_cross(p.r, impulse));
+    return VM_OK;
+}
+
+/* Checks a landing: reactions of links and joints would have to act in the same impulse */
+VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
+{
+    const int status = vmi_contact_check_event(s, e);
+    if (status) return status;
+    return s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1 ? VM_TWO_LINKS : VM_OK;
+}
+
+/* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point along
+   the normal, and the body keeps its other velocities as far as it is free. Afterwards
+   vm_effect_contact carries the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of vm_event_contact, and
+   VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
+VM_API vm_event vm_then_land(vm_event event)
+{
+    event.then = vmi_then_land;
+    event.check = vmi_land_check;
+    if (!event.parts) event.status = VM_BAD_ARGUMENT;
     return event;
 }
 

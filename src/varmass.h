@@ -163,11 +163,11 @@
 #include "scenes/points.h"
 #include "scenes/springs.h"
 #include "scenes/joints.h"
-#include "scenes/contact.h"
 #include "scenes/start.h"
 #include "scenes/balance.h"
 #include "scenes/events.h"
 #include "scenes/jumps.h"
+#include "scenes/contact.h"
 #include "scenes/run.h"
 
 #endif

@@ -19,6 +19,8 @@
 #include "../base/status.h"
 #include "../mechanics/vectors.h"
 #include "effects.h"
+#include "evaluate.h"
+#include "events.h"
 #include "points.h"
 #include "scene.h"
 
@@ -81,6 +83,80 @@ VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
     e.parts = contact;
     e.check_in_scene = vmi_contact_check;
     return e;
+}
+
+VM_API vm_real vmi_when_contact(const vm_event *e, vm_real t, const vm_real *y)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vmi_body_point p;
+    vm_vec3 normal;
+    (void)t;
+    vmi_point_now(e->scene, e->body, contact->at, y, &p);
+    return vmi_contact_height(contact, &p, &normal);
+}
+
+VM_API int vmi_contact_check_event(const vm_scene *s, const vm_event *e)
+{
+    return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
+}
+
+/* An event when a body comes down to the ground. Only the fields at, radius, on and normal of *contact matter, which
+   is not copied. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL, and the errors of vm_effect_contact. */
+VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
+{
+    vm_event e = vmi_event(body, 0, 0, -1);
+    e.when = contact ? vmi_when_contact : NULL;
+    e.parts = contact;
+    e.check = vmi_contact_check_event;
+    if (!contact) e.status = VM_BAD_ARGUMENT;
+    return e;
+}
+
+/* Takes away the velocity of the point along the normal by an impulse, which enters the budget. The body gets the
+   velocities that the impulse 1 along the normal gives it, times a factor. */
+VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vm_scene *s = e->scene;
+    vm_budget before, after;
+    vmi_body_point p;
+    vm_vec3 normal, impulse;
+    vm_real mobility, v;
+    vmi_scene_evaluate(s, t, y);
+    vmi_point_now(s, e->body, contact->at, y, &p);
+    vmi_contact_height(contact, &p, &normal);
+    v = vmi_dot(p.v, normal);
+    mobility = vmi_point_mobility(s->bodies + e->body, &p, normal);
+    if (v >= 0 || mobility == 0) return VM_OK;
+    impulse = vmi_scale(-v / mobility, normal);
+    if (s->budget) s->budget->totals(s, y, &before);
+    vmi_point_kick(s->bodies + e->body, &p, impulse, y);
+    if (!s->budget) return VM_OK;
+    s->budget->totals(s, y, &after);
+    s->budget->jump_energy += after.energy - before.energy;
+    s->budget->impulse = vmi_add(s->budget->impulse, impulse);
+    s->budget->angular_impulse = vmi_add(s->budget->angular_impulse, vmi_cross(p.r, impulse));
+    return VM_OK;
+}
+
+/* Checks a landing: reactions of links and joints would have to act in the same impulse */
+VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
+{
+    const int status = vmi_contact_check_event(s, e);
+    if (status) return status;
+    return s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1 ? VM_TWO_LINKS : VM_OK;
+}
+
+/* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point along
+   the normal, and the body keeps its other velocities as far as it is free. Afterwards
+   vm_effect_contact carries the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of vm_event_contact, and
+   VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
+VM_API vm_event vm_then_land(vm_event event)
+{
+    event.then = vmi_then_land;
+    event.check = vmi_land_check;
+    if (!event.parts) event.status = VM_BAD_ARGUMENT;
+    return event;
 }
 
 #endif

@@ -81,34 +81,6 @@ typedef struct VM_TAG(vm_joints) {
     int work_size; /* number of elements of work, which vm_scene_start checks; 0 means no check */
 } vm_joints;
 
-/* The mass, or on an axle the inertia, that resists acceleration */
-VM_INLINE vm_real vmi_joint_mass(const vm_scene_body *b)
-{
-    if (b->motion > VM_AXLE) return b->load.mass;
-    return b->load.mass + b->load.extra_mass;
-}
-
-/* The acceleration of the mass centre by a force */
-VM_API vm_vec3 vmi_joint_move(const vm_scene_body *b, vm_vec3 force)
-{
-    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
-    if (b->motion == VM_LINE) force.y = 0;
-    if (b->motion == VM_LINE || b->motion == VM_PLANE) force.z = 0;
-    return vmi_over(force, vmi_joint_mass(b));
-}
-
-/* The angular acceleration I^-1 (torque - omega x I omega) of a body in inertial axes. The inertia of a free body is
-   that of its last evaluation. */
-VM_API vm_vec3 vmi_joint_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega)
-{
-    vm_real rates[3];
-    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, torque.z / vmi_joint_mass(b));
-    if (b->motion == VM_PLANE) return vmi_vec3(0, 0, torque.z / b->inertia.zz);
-    if (b->motion != VM_FREE) return vmi_vec3(0, 0, 0);
-    if (vmi_free_euler(b, axes, torque, vmi_times_transposed(axes, omega), rates)) return vmi_vec3(VM_NAN, 0, 0);
-    return vmi_times(axes, vmi_get3(rates));
-}
-
 /* Computes an end of a joint with the acceleration of its point without the joints,
      a + alpha x arm + omega x (omega x arm - drift).
    drift is the velocity of the mass centre of a growing body relative to the body: a is the rate of the velocity of
@@ -122,10 +94,10 @@ VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_
     end->a = vmi_vec3(0, 0, 0);
     if (body < 0) return;
     b = s->bodies + body;
-    alpha = vmi_joint_spin(b, &p->axes, vmi_scene_turning(b, b->load.force), p->omega);
+    alpha = vmi_point_spin(b, &p->axes, vmi_scene_turning(b, b->load.force), p->omega);
     moving = vmi_cross(p->omega, p->arm);
     if (b->grows) moving = vmi_sub(moving, b->load.drift);
-    end->a = vmi_joint_move(b, vmi_scene_moving(b, b->load.force));
+    end->a = vmi_point_move(b, vmi_scene_moving(b, b->load.force));
     end->a = vmi_add(end->a, vmi_add(vmi_cross(alpha, p->arm), vmi_cross(p->omega, moving)));
 }
 
@@ -142,8 +114,8 @@ VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, cons
         row->turn[i] = row->move[i] = row->spin[i] = zero;
         if (bodies[i] < 0) continue;
         row->turn[i] = vmi_cross(p->arm, along);
-        row->move[i] = vmi_joint_move(s->bodies + bodies[i], along);
-        row->spin[i] = vmi_joint_spin(s->bodies + bodies[i], &p->axes, row->turn[i], zero);
+        row->move[i] = vmi_point_move(s->bodies + bodies[i], along);
+        row->spin[i] = vmi_point_spin(s->bodies + bodies[i], &p->axes, row->turn[i], zero);
     }
     return row;
 }
@@ -322,23 +294,13 @@ VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm
     }
 }
 
-/* Gives an impulse at a point of a body, which changes its velocities in the state y */
+/* Gives an impulse at a point of a body or of the ground */
 VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
 {
-    const vm_vec3 zero = {0, 0, 0};
-    const vm_scene_body *b;
-    vm_real *velocities;
     vmi_body_point p;
-    vm_vec3 move, spin;
     if (body < 0) return;
-    b = s->bodies + body;
-    velocities = y + b->at + b->positions;
     vmi_point_now(s, body, at, y, &p);
-    move = vmi_joint_move(b, impulse);
-    spin = vmi_joint_spin(b, &p.axes, vmi_cross(p.arm, impulse), zero);
-    if (b->motion == VM_FREE) spin = vmi_times_transposed(&p.axes, spin);
-    if (b->motion == VM_LINE) velocities[0] += move.x;
-    else vmi_scene_add(b, velocities, move, spin);
+    vmi_point_kick(s->bodies + body, &p, impulse, y);
 }
 
 /* After a jump, gives the impulses of the joints that stop the points of each joint from moving apart, and adds those

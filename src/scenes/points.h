@@ -82,6 +82,52 @@ VM_API void vmi_point_push(vm_scene_body *b, const vmi_body_point *p, vm_vec3 f)
     else vmi_scene_add(b, b->load.force, f, vmi_cross(p->arm, f));
 }
 
+/* The mass, or on an axle the inertia, that resists acceleration */
+VM_INLINE vm_real vmi_point_mass(const vm_scene_body *b)
+{
+    if (b->motion > VM_AXLE) return b->load.mass;
+    return b->load.mass + b->load.extra_mass;
+}
+
+/* The acceleration of the mass centre by a force */
+VM_API vm_vec3 vmi_point_move(const vm_scene_body *b, vm_vec3 force)
+{
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
+    if (b->motion == VM_LINE) force.y = 0;
+    if (b->motion == VM_LINE || b->motion == VM_PLANE) force.z = 0;
+    return vmi_over(force, vmi_point_mass(b));
+}
+
+/* The angular acceleration I^-1 (torque - omega x I omega) of a body in inertial axes. The inertia of a free body is
+   that of its last evaluation. */
+VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega)
+{
+    vm_real rates[3];
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, torque.z / vmi_point_mass(b));
+    if (b->motion == VM_PLANE) return vmi_vec3(0, 0, torque.z / b->inertia.zz);
+    if (b->motion != VM_FREE) return vmi_vec3(0, 0, 0);
+    if (vmi_free_euler(b, axes, torque, vmi_times_transposed(axes, omega), rates)) return vmi_vec3(VM_NAN, 0, 0);
+    return vmi_times(axes, vmi_get3(rates));
+}
+
+/* Gives an impulse at a point of a body, which changes its velocities in the state y of the scene */
+VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
+{
+    const vm_vec3 zero = {0, 0, 0}, move = vmi_point_move(b, impulse);
+    vm_vec3 spin = vmi_point_spin(b, &p->axes, vmi_cross(p->arm, impulse), zero);
+    vm_real *velocities = y + b->at + b->positions;
+    if (b->motion == VM_FREE) spin = vmi_times_transposed(&p->axes, spin);
+    if (b->motion == VM_LINE) velocities[0] += move.x;
+    else vmi_scene_add(b, velocities, move, spin);
+}
+
+/* The acceleration of a point along a unit vector by a force of 1 N along this vector */
+VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 along)
+{
+    const vm_vec3 zero = {0, 0, 0}, turn = vmi_cross(p->arm, along);
+    return vmi_dot(along, vmi_point_move(b, along)) + vmi_dot(turn, vmi_point_spin(b, &p->axes, turn, zero));
+}
+
 /* Whether a body has inertia against every force at the point `at`. Forces turn a body about all axes normal to `at`.
    If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same dummy
    moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these axes is

@@ -224,6 +224,7 @@ struct VM_TAG(vm_event) {
     long seen;       /* number of crossings found by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
+    const void *parts; /* what the caller keeps for the event: a vm_contact */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
