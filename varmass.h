@@ -13270,6 +13270,7 @@ struct VM_TAG(vm_scene_body) {
     int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
     vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
+    vm_vec3 centre;         /* m, body axes: how far jumps have moved the mass centre (points.h) */
     vm_real law_offset;     /* kg: added to the mass law, which does not know of jumps and of being switched */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
@@ -13277,7 +13278,6 @@ struct VM_TAG(vm_scene_body) {
     int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
-    vm_vec3 centre; /* m, body axes: how far jumps have moved the mass centre (points.h) */
     void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or it adds to `centre` */
 };
 
@@ -15195,7 +15195,7 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
 }
 
 /* Updates the field `idle` of all effects. An effect is idle if its body, or the body that takes the reaction, is not
-   present, or if the effect is switched off. Joints leave out those whose bodies are not present themselves. */
+   present, or if the effect is switched off. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
@@ -15203,7 +15203,7 @@ VM_API void vmi_scene_presence(vm_scene *s)
         vm_effect *e = s->effects + i;
         const int away = s->bodies[e->body].away || (e->other >= 0 && s->bodies[e->other].away);
         e->idle &= VMI_IDLE_SWITCHED_OFF;
-        if (away && e->order != VMI_ORDER_JOINTS) e->idle |= VMI_IDLE_BODY_AWAY;
+        if (away) e->idle |= VMI_IDLE_BODY_AWAY;
     }
 }
 
@@ -15709,7 +15709,8 @@ VM_API int vmi_point_spring_force(const vm_point_spring *spring, vm_vec3 d, vm_v
     vm_vec3 along;
     vm_real pull;
     *f = vmi_scale(-spring->damping, v);
-    if (length == 0) return spring->rest == 0 || spring->stiffness == 0 ? VM_OK : VM_SINGULAR;
+    if (length == 0 && (spring->rest == 0 || spring->stiffness == 0)) return VM_OK;
+    if (length == 0) return VM_SINGULAR;
     along = vmi_over(d, length);
     pull = spring->stiffness * (length - spring->rest) + spring->damping * vmi_dot(along, v);
     *f = vmi_scale(-pull, along);
@@ -16150,6 +16151,7 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
     const vm_joints *joints = (const vm_joints *)e->parts;
     int i, status = VM_OK;
     if (!joints->work) return VM_BAD_ARGUMENT;
+    if (e->body >= 0 && s->bodies[e->body].absent) return VM_IS_AWAY;
     for (i = 0; i < joints->n_joints; i++) status = vmi_first_error(status, vmi_joint_check(joints->joints + i, s));
     if (!VM_IS_FINITE(joints->rate)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (joints->rate <= 0) status = vmi_first_error(status, VM_DOMAIN);
@@ -16164,8 +16166,8 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
    effect stands after all other effects on the bodies of the joints. With n equations (2 a pin in the plane, 3 in
    space, 1 a rod) an evaluation takes about n^3/3 multiplications for the solution. A high rate makes the equations
    stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE, VM_DOMAIN if rate
-   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_SAME_BODY for a joint of a body with
-   itself, VM_BAD_POINT for a point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the
+   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_IS_AWAY if the body of the first
+   joint is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the
    start or move apart, VM_TWO_LINKS if a body has a link or joints of another list, too, and VM_LINK_NOT_LAST if
    another effect on one of the bodies follows. A run ends with VM_SINGULAR if joints are redundant, contradict each
    other or hold what cannot move, if a mechanism reaches a position in which it is locked, and with VM_NOT_FINITE if
@@ -16261,7 +16263,7 @@ VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
         b->mass_at = at + vmi_scene_mass_at(b);
         b->away = b->absent;
         b->law_offset = 0;
-        b->centre = vmi_vec3(0, 0, 0);
+        b->centre.x = b->centre.y = b->centre.z = 0;
         for (k = 0; k < vmi_scene_body_size(b); k++) y[at++] = 0;
         vmi_scene_put(s, i, &b->start, b->angle, y);
     }
@@ -16794,6 +16796,14 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
 }
 
+/* Lets effects that hold bodies together act even if their first body is not present: they leave out such bodies */
+VM_API void vmi_scene_wake(vm_scene *s)
+{
+    int i;
+    for (i = 0; i < s->n_effects; i++)
+        if (s->effects[i].settle) s->effects[i].idle &= VMI_IDLE_SWITCHED_OFF;
+}
+
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
    NULL if the body `other` was attached. Then adjusts the masses of bodies with a mass law, because the laws do not
    know of the jump. */
@@ -16814,6 +16824,7 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     }
     vmi_scene_put(s, e->jump_body, result, angle, y);
     vmi_scene_presence(s);
+    vmi_scene_wake(s);
     vmi_scene_hold_masses(s, t, y);
 }
 

@@ -787,11 +787,11 @@ static void test_torque_free_limits(void)
 static void test_statuses(void)
 {
     int i, k;
-    for (i = VM_BAD_STIFFNESS; i <= VM_TOLERANCE_MISSED; i++) {
+    for (i = VM_NOT_JOINED; i <= VM_TOLERANCE_MISSED; i++) {
         CHECK(strcmp(vm_strerror(i), vm_strerror(99)) != 0);
-        for (k = VM_BAD_STIFFNESS; k < i; k++) CHECK(strcmp(vm_strerror(i), vm_strerror(k)) != 0);
+        for (k = VM_NOT_JOINED; k < i; k++) CHECK(strcmp(vm_strerror(i), vm_strerror(k)) != 0);
     }
-    CHECK(strcmp(vm_strerror(VM_BAD_STIFFNESS - 1), vm_strerror(99)) == 0);
+    CHECK(strcmp(vm_strerror(VM_NOT_JOINED - 1), vm_strerror(99)) == 0);
 }
 
 int main(void)

@@ -404,6 +404,7 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
     const vm_joints *joints = (const vm_joints *)e->parts;
     int i, status = VM_OK;
     if (!joints->work) return VM_BAD_ARGUMENT;
+    if (e->body >= 0 && s->bodies[e->body].absent) return VM_IS_AWAY;
     for (i = 0; i < joints->n_joints; i++) status = vmi_first_error(status, vmi_joint_check(joints->joints + i, s));
     if (!VM_IS_FINITE(joints->rate)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (joints->rate <= 0) status = vmi_first_error(status, VM_DOMAIN);
@@ -418,8 +419,8 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
    effect stands after all other effects on the bodies of the joints. With n equations (2 a pin in the plane, 3 in
    space, 1 a rod) an evaluation takes about n^3/3 multiplications for the solution. A high rate makes the equations
    stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE, VM_DOMAIN if rate
-   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_SAME_BODY for a joint of a body with
-   itself, VM_BAD_POINT for a point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the
+   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_IS_AWAY if the body of the first
+   joint is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the
    start or move apart, VM_TWO_LINKS if a body has a link or joints of another list, too, and VM_LINK_NOT_LAST if
    another effect on one of the bodies follows. A run ends with VM_SINGULAR if joints are redundant, contradict each
    other or hold what cannot move, if a mechanism reaches a position in which it is locked, and with VM_NOT_FINITE if

@@ -145,6 +145,14 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
 }
 
+/* Lets effects that hold bodies together act even if their first body is not present: they leave out such bodies */
+VM_API void vmi_scene_wake(vm_scene *s)
+{
+    int i;
+    for (i = 0; i < s->n_effects; i++)
+        if (s->effects[i].settle) s->effects[i].idle &= VMI_IDLE_SWITCHED_OFF;
+}
+
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
    NULL if the body `other` was attached. Then adjusts the masses of bodies with a mass law, because the laws do not
    know of the jump. */
@@ -165,6 +173,7 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     }
     vmi_scene_put(s, e->jump_body, result, angle, y);
     vmi_scene_presence(s);
+    vmi_scene_wake(s);
     vmi_scene_hold_masses(s, t, y);
 }
 

@@ -108,6 +108,7 @@ struct VM_TAG(vm_scene_body) {
     int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
     vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
+    vm_vec3 centre;         /* m, body axes: how far jumps have moved the mass centre (points.h) */
     vm_real law_offset;     /* kg: added to the mass law, which does not know of jumps and of being switched */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
@@ -115,7 +116,6 @@ struct VM_TAG(vm_scene_body) {
     int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
-    vm_vec3 centre; /* m, body axes: how far jumps have moved the mass centre (points.h) */
     void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or it adds to `centre` */
 };
 

@@ -39,7 +39,8 @@ VM_API int vmi_point_spring_force(const vm_point_spring *spring, vm_vec3 d, vm_v
     vm_vec3 along;
     vm_real pull;
     *f = vmi_scale(-spring->damping, v);
-    if (length == 0) return spring->rest == 0 || spring->stiffness == 0 ? VM_OK : VM_SINGULAR;
+    if (length == 0 && (spring->rest == 0 || spring->stiffness == 0)) return VM_OK;
+    if (length == 0) return VM_SINGULAR;
     along = vmi_over(d, length);
     pull = spring->stiffness * (length - spring->rest) + spring->damping * vmi_dot(along, v);
     *f = vmi_scale(-pull, along);

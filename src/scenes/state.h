@@ -84,7 +84,7 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
 }
 
 /* Updates the field `idle` of all effects. An effect is idle if its body, or the body that takes the reaction, is not
-   present, or if the effect is switched off. Joints leave out those whose bodies are not present themselves. */
+   present, or if the effect is switched off. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
@@ -92,7 +92,7 @@ VM_API void vmi_scene_presence(vm_scene *s)
         vm_effect *e = s->effects + i;
         const int away = s->bodies[e->body].away || (e->other >= 0 && s->bodies[e->other].away);
         e->idle &= VMI_IDLE_SWITCHED_OFF;
-        if (away && e->order != VMI_ORDER_JOINTS) e->idle |= VMI_IDLE_BODY_AWAY;
+        if (away) e->idle |= VMI_IDLE_BODY_AWAY;
     }
 }
 
