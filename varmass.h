@@ -13688,15 +13688,16 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* Solves Euler's equations I omega' = torque - omega x I omega. omega and the rates are in body axes, torque in inertial
-   axes. The matrix of the linear equations includes the dummy moments of b->invertible; therefore the equations can be
-   solved for a rod, too. The spin of a rod about its own axis stays constant, since no load turns the rod about this
-   axis. */
+/* Solves Euler's equations I omega' = torque - omega x I omega. omega and the rates are in body axes, torque in
+   inertial axes. The matrix of the linear equations includes the dummy moments of b->invertible; therefore the
+   equations can be solved for a rod, too. The spin of a rod about its own axis stays constant, since no load turns the
+   rod about this axis. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
+    const vm_vec3 own = vmi_times_transposed(axes, torque);
     vm_real a[9];
-    vmi_set3(rates, vmi_sub(vmi_times_transposed(axes, torque), vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
+    vmi_set3(rates, vmi_sub(own, vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
     a[0] = i->xx;
     a[4] = i->yy;
     a[8] = i->zz;
@@ -15758,10 +15759,10 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
 #endif
 /* scenes/joints.h - pins and rods between points of bodies
 
-   A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a ball
-   joint. A rod holds the distance of two points. All joints of a scene stand in one list and are solved together, by
-   Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains how
-   a point is given.
+   A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a
+   ball joint. A rod holds the distance of two points. All joints of a scene stand in one list and are solved together,
+   by Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains
+   how a point is given.
 
        vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
        vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
@@ -15769,9 +15770,10 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
        vm_joints joints = {list, 1, 10, room, VM_LENGTH(room)};          // deviations decrease as exp(-10 t)
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
 
-   The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey
-   C'' + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a body, impulses of the joints take away the velocities
-   with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last evaluation.
+   The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey C''
+   + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a body, impulses of the joints take away the velocities
+   with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last
+   evaluation.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H
@@ -16077,8 +16079,8 @@ VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 
 /* -- Checks -- */
 
-/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. `size` and `speed` are
-   sums of the lengths and velocities of which the position and velocity of the point are composed. */
+/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. `size` and `speed`
+   are sums of the lengths and velocities of which the position and velocity of the point are composed. */
 VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
                                    vm_real *speed)
 {
@@ -16166,12 +16168,13 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
    effect stands after all other effects on the bodies of the joints. With n equations (2 a pin in the plane, 3 in
    space, 1 a rod) an evaluation takes about n^3/3 multiplications for the solution. A high rate makes the equations
    stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE, VM_DOMAIN if rate
-   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_IS_AWAY if the body of the first
-   joint is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the
-   start or move apart, VM_TWO_LINKS if a body has a link or joints of another list, too, and VM_LINK_NOT_LAST if
-   another effect on one of the bodies follows. A run ends with VM_SINGULAR if joints are redundant, contradict each
-   other or hold what cannot move, if a mechanism reaches a position in which it is locked, and with VM_NOT_FINITE if
-   the points of a rod coincide. A joint does not act while one of its bodies is not present. */
+   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_IS_AWAY if the body of the first joint
+   is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body
+   cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart, VM_TWO_LINKS if a body has a
+   link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of the bodies follows. A run ends
+   with VM_SINGULAR if joints are redundant, contradict each other or hold what cannot move, if a mechanism reaches a
+   position in which it is locked, and with VM_NOT_FINITE if the points of a rod coincide. A joint does not act while
+   one of its bodies is not present. */
 VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 {
     const int is_list = joints && joints->joints && joints->n_joints > 0;
@@ -17016,7 +17019,8 @@ VM_API int vmi_contact_check_parts(const vm_scene *s, int body, const vm_contact
     if (!VM_IS_FINITE(contact->radius) || !VM_IS_FINITE(contact->stiffness) || !VM_IS_FINITE(contact->damping) ||
         !vmi_vec3_is_finite(contact->on) || !vmi_vec3_is_finite(contact->normal))
         status = vmi_first_error(status, VM_NOT_FINITE);
-    if (contact->radius < 0 || contact->stiffness < 0 || contact->damping < 0 || vmi_norm2(contact->normal) == 0)
+    if (contact->stiffness < 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
+    if (contact->radius < 0 || contact->damping < 0 || vmi_norm2(contact->normal) == 0)
         status = vmi_first_error(status, VM_DOMAIN);
     return status;
 }
@@ -17028,8 +17032,8 @@ VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
 
 /* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
    event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
-   VM_NOT_FINITE, VM_DOMAIN if radius, stiffness or damping is negative or the normal is 0, and VM_BAD_POINT for a point
-   that the body cannot have (points.h). */
+   VM_NOT_FINITE, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or damping is negative or the normal is
+   0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
 VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
 {
     vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
@@ -17101,9 +17105,9 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 }
 
 /* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point along
-   the normal, and the body keeps its other velocities as far as it is free. Afterwards
-   vm_effect_contact carries the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of vm_event_contact, and
-   VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
+   the normal, and the body keeps its other velocities as far as it is free. Afterwards vm_effect_contact carries the
+   body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of vm_event_contact, and VM_TWO_LINKS for a
+   body with a link or a joint, whose impulses this event does not compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

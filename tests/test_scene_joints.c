@@ -174,8 +174,8 @@ static void check_drift(void)
 
 /* ---- Pendulums that lose mass ---- */
 
-/* A bar that turns about the origin, J = 1.2 kg m^2 and M c = 2 kg m about it. At 0.9 m mass of 2 kg is lost at 0.5 kg/s,
-   with the velocity of the bar there and u = 4 m/s along the bar's motion, so that Q = m' s^2 q' + m' s u. */
+/* A bar that turns about the origin, J = 1.2 kg m^2 and M c = 2 kg m about it. At 0.9 m mass of 2 kg is lost at 0.5
+   kg/s, with the velocity of the bar there and u = 4 m/s along the bar's motion, so that Q = m' s^2 q' + m' s u. */
 static void leaking_masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
 {
     (void)q;
@@ -687,7 +687,8 @@ static void ends_at_once(const vm_joint *list, int n)
 static void check_redundant(void)
 {
     vm_joint list[4];
-    list[0] = vm_joint_pin(0, origin, VM_GROUND, origin); /* two pins hold a body: four equations for three velocities */
+    /* two pins hold a body: four equations for three velocities */
+    list[0] = vm_joint_pin(0, origin, VM_GROUND, origin);
     list[1] = vm_joint_pin(0, stage_vec(1, 0, 0), VM_GROUND, stage_vec(1, 0, 0));
     ends_at_once(list, 2);
     list[1] = list[0]; /* twice the same */
@@ -705,6 +706,9 @@ static void check_refused_contact(void)
     refusal_stage(&s, list);
     stage_effect(&s, vm_effect_contact(0, &ground));
     accepted(&s);
+    ground.stiffness = -1;
+    refused(&s, VM_BAD_STIFFNESS, "effect", 0);
+    ground.stiffness = 1;
     ground.damping = -1;
     refused(&s, VM_DOMAIN, "effect", 0);
     ground.damping = VM_NAN;

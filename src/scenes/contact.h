@@ -63,7 +63,8 @@ VM_API int vmi_contact_check_parts(const vm_scene *s, int body, const vm_contact
     if (!VM_IS_FINITE(contact->radius) || !VM_IS_FINITE(contact->stiffness) || !VM_IS_FINITE(contact->damping) ||
         !vmi_vec3_is_finite(contact->on) || !vmi_vec3_is_finite(contact->normal))
         status = vmi_first_error(status, VM_NOT_FINITE);
-    if (contact->radius < 0 || contact->stiffness < 0 || contact->damping < 0 || vmi_norm2(contact->normal) == 0)
+    if (contact->stiffness < 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
+    if (contact->radius < 0 || contact->damping < 0 || vmi_norm2(contact->normal) == 0)
         status = vmi_first_error(status, VM_DOMAIN);
     return status;
 }
@@ -75,8 +76,8 @@ VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
 
 /* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
    event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
-   VM_NOT_FINITE, VM_DOMAIN if radius, stiffness or damping is negative or the normal is 0, and VM_BAD_POINT for a point
-   that the body cannot have (points.h). */
+   VM_NOT_FINITE, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or damping is negative or the normal is
+   0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
 VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
 {
     vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
@@ -148,9 +149,9 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 }
 
 /* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point along
-   the normal, and the body keeps its other velocities as far as it is free. Afterwards
-   vm_effect_contact carries the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of vm_event_contact, and
-   VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
+   the normal, and the body keeps its other velocities as far as it is free. Afterwards vm_effect_contact carries the
+   body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of vm_event_contact, and VM_TWO_LINKS for a
+   body with a link or a joint, whose impulses this event does not compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

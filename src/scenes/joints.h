@@ -1,9 +1,9 @@
 /* scenes/joints.h - pins and rods between points of bodies
 
-   A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a ball
-   joint. A rod holds the distance of two points. All joints of a scene stand in one list and are solved together, by
-   Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains how
-   a point is given.
+   A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a
+   ball joint. A rod holds the distance of two points. All joints of a scene stand in one list and are solved together,
+   by Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains
+   how a point is given.
 
        vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
        vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
@@ -11,9 +11,10 @@
        vm_joints joints = {list, 1, 10, room, VM_LENGTH(room)};          // deviations decrease as exp(-10 t)
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
 
-   The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey
-   C'' + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a body, impulses of the joints take away the velocities
-   with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last evaluation.
+   The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey C''
+   + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a body, impulses of the joints take away the velocities
+   with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last
+   evaluation.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H
@@ -330,8 +331,8 @@ VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 
 /* -- Checks -- */
 
-/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. `size` and `speed` are
-   sums of the lengths and velocities of which the position and velocity of the point are composed. */
+/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. `size` and `speed`
+   are sums of the lengths and velocities of which the position and velocity of the point are composed. */
 VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
                                    vm_real *speed)
 {
@@ -419,12 +420,13 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
    effect stands after all other effects on the bodies of the joints. With n equations (2 a pin in the plane, 3 in
    space, 1 a rod) an evaluation takes about n^3/3 multiplications for the solution. A high rate makes the equations
    stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE, VM_DOMAIN if rate
-   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_IS_AWAY if the body of the first
-   joint is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the
-   start or move apart, VM_TWO_LINKS if a body has a link or joints of another list, too, and VM_LINK_NOT_LAST if
-   another effect on one of the bodies follows. A run ends with VM_SINGULAR if joints are redundant, contradict each
-   other or hold what cannot move, if a mechanism reaches a position in which it is locked, and with VM_NOT_FINITE if
-   the points of a rod coincide. A joint does not act while one of its bodies is not present. */
+   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_IS_AWAY if the body of the first joint
+   is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body
+   cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart, VM_TWO_LINKS if a body has a
+   link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of the bodies follows. A run ends
+   with VM_SINGULAR if joints are redundant, contradict each other or hold what cannot move, if a mechanism reaches a
+   position in which it is locked, and with VM_NOT_FINITE if the points of a rod coincide. A joint does not act while
+   one of its bodies is not present. */
 VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 {
     const int is_list = joints && joints->joints && joints->n_joints > 0;
