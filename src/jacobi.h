@@ -1,4 +1,4 @@
-/* jacobi.h - Jacobi's elliptic functions, complete elliptic integrals, and the modulus from its quarter period
+/* jacobi.h - Jacobi's elliptic functions, elliptic integrals, and the modulus from its quarter period
 
    Part of varmass (MIT licence), usable alone: copy this one file, include it, link with -lm.
 
@@ -22,31 +22,41 @@
    WHAT TO CALL
      jacobi_sncndn        sn, cn and dn for one u and one m; the twelve quotients and the amplitude have functions of
                           their own
-     jacobi_K, jacobi_E   complete elliptic integrals
+     jacobi_sncndn_any    sn, cn and dn for m > 1 too, as a rotating pendulum needs them
+     jacobi_K, jacobi_E, jacobi_Pi
+                          complete elliptic integrals of the first, second and third kind
+     jacobi_F, jacobi_E_incomplete, jacobi_Pi_incomplete
+                          incomplete elliptic integrals from 0 to any angle phi; F is the inverse of the amplitude
+     jacobi_inverse_sn    u from sn(u | m); jacobi_inverse_cn and jacobi_inverse_dn do the same for cn and dn
+     jacobi_RF            Carlson's integrals R_F, R_C, R_D, R_J, R_G; all other elliptic integrals are sums of these
      jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
                           jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
                           examples/print_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
                           used.
-     jacobi_solve_kpK     m from k'K(k^2); jacobi_solve_K returns m from K
+     jacobi_solve_kpK     m from the value of k'K(m); jacobi_solve_K returns m from the value of K(m)
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
      jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; for sn, cn and dn its number of steps is an
                           argument
 
    ERRORS
-     m > 1, m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give NaN. m = 1 gives the limits:
-     K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u, for u = +-infinity too. A quotient at a pole is
-     infinite. A plan refuses a bad m with -1 and stays as it was. Nothing else can fail. The functions allocate no
-     memory and keep no state; the value of errno means nothing.
+     m > 1 (except in jacobi_sncndn_any), m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give
+     NaN. The incomplete integrals, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
+     argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
+     are 1/cosh u, for u = +-infinity too. A quotient at a pole is infinite. For a bad m jacobi_plan_init returns -1 and
+     leaves the plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; the value of
+     errno means nothing.
 
    METHOD
      Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5] lead
      to u. This needs one square root, but not K.
-     If u is beyond about K/2, it is first reduced by the quarter period K. The closer u is to a zero, the more words of
-     K are used. K comes from two steps of the arithmetic-geometric mean and a series, or from the mean in two or three
-     words.
+     If |u| is above about K/2, a multiple of the quarter period K is first subtracted. The closer u is to a zero, the
+     more words of K are used. K comes from a table, from two steps of the arithmetic-geometric mean and a series, or
+     from this mean in two or three words.
      Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
      or 1/(1 - m), which is then at most 0.003.
-     A plan has polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
+     The incomplete integrals and the inverses use Carlson's duplications and a series of order 10, the incomplete
+     integrals after a multiple of pi is subtracted from the angle. A plan has polynomials in u^2 in place of the
+     series. No digits cancel, not even for m = 1.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
@@ -81,6 +91,9 @@
      k'K          <= 5 ulp
      means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
+     F, E, Pi     <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; for n > 1 as at jacobi_Pi_incomplete
+     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp, but R_G <= 10 ulp, and R_J as at jacobi_RJ
+     m > 1        as sn, cn, dn for m <= 1, with k u in place of u
      solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
 
    COST
@@ -93,6 +106,7 @@
      [3] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
      [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (307) are its equations.
      [5] DLMF, 23.9 (Laurent series of Weierstrass' function), 22.6 (duplication).
+     [6] B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numer. Algorithms 10 (1995) 13-26.
 
    INDEX
 @INDEX@ */
@@ -108,5 +122,9 @@
 #include "jacobi/means.h"
 #include "jacobi/descending.h"
 #include "jacobi/third_kind.h"
+#include "jacobi/carlson.h"
+#include "jacobi/incomplete.h"
+#include "jacobi/inverse.h"
+#include "jacobi/reciprocal.h"
 
 #endif

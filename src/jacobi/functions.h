@@ -1,14 +1,15 @@
 /* jacobi/functions.h - the elliptic functions sn, cn, dn and their quotients
 
    sn(u | m), cn(u | m) and dn(u | m) of Jacobi, for every real argument u and every parameter m = k^2 <= 1, negative
-   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). The motions of oscillators with cubic springs and
-   of bodies that rotate without torque are written with them. For many u and one m use a plan (jacobi/plans.h).
+   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). They describe the motions of oscillators with cubic
+   springs and of bodies that rotate without torque. For many u and one m use a plan (jacobi/plans.h).
 
        vm_real sn, cn, dn;
        jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
 
-   Method: u is reduced to |v| <= K/2 by a multiple of K. Near 0 a series is used (vmi_theta_near), far from 0 theta
-   functions. Equations: DLMF 22. Tests: tests/test_jacobi.c. */
+   Method: a multiple of K is subtracted from u, so that the rest v has |v| <= K/2. For v near 0 a series is used
+   (vmi_theta_near), for v far from 0 theta functions (vmi_theta_far). Equations: DLMF 22. Tests:
+   tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
@@ -30,7 +31,7 @@ VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), so also between 1 and m1 */
     if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
     *bound = VM_SQRT(m1);
-    v = vmi_reduced(VM_FABS(u), m1, m1_lo, reach, &v_lo, &quarters);
+    v = vmi_reduced(VM_FABS(u), m1, m1_lo, *bound, reach, &v_lo, &quarters);
     if (v * v * vmi_larger(m1, 1) > VMI_NEAR) theta = vmi_theta_far_unprepared(vmi_two(v, v_lo), m1, m1_lo);
     else theta = vmi_theta_near(v, m1);
     theta = vmi_theta_shift(theta, *bound, quarters);
@@ -62,7 +63,7 @@ VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_rea
    Domain and accuracy are those of jacobi_sncndn; m1 keeps its digits where m is close to 1. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    vmi_sncndn(u, m1, 0, sn, cn, dn);
+    vmi_sncndn(u, m1 + 0, 0, sn, cn, dn); /* m1 + 0 turns -0 into 0 */
 }
 
 /* Returns the theta function whose name is s, c, d or n. */
@@ -74,8 +75,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* The quotient pq = theta_p/theta_q. For m = 1 both theta functions may underflow to the same number: then the quotient
-   is 1. */
+/* The elliptic function whose name has the letters p and q, such as cd: the quotient theta_p/theta_q. For m = 1 both
+   theta functions may underflow to the same number: then the quotient is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;

@@ -2,7 +2,7 @@
    a damped spring leads from the end of the lower bar to the ground. The energy of the bars changes only by the work
    of weight and spring, which the budget of the scene keeps; what is left is the error of the run.
 
-   cc -O2 11_double_pendulum.c -lm && ./a.out [file.csv] */
+   cc -O2 12_double_pendulum.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
 #include "../../varmass.h"
 
