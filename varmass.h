@@ -100,6 +100,16 @@
        vm_lambert_w0_neg_exp          W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1
        vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
 
+     mechanics/vectors: vectors, quaternions and rotations in space
+       vm_add                         
+       vm_sub                         
+       vm_scale                       
+       vm_dot                         
+       vm_cross                       
+       vm_norm                        The length of a
+       vm_quat_times                  The product p q, which is the rotation by q followed by the rotation by p
+       vm_unit_quat                   The quaternion of length 1 for the same rotation as q
+
      mechanics/inertia: inertia tensors, parallel axes, principal axes
        vm_inertia_is_possible         Test whether a body can have this inertia
        vm_parallel_axes               Inertia about a point at d from the mass centre, along parallel axes, (40)
@@ -1184,15 +1194,15 @@ VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
     return a;
 }
 
-VM_API vm_vec3 vmi_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
-VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
-VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
-VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+VM_API vm_vec3 vm_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+VM_API vm_vec3 vm_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
+VM_API vm_vec3 vm_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
+VM_API vm_real vm_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /* The vector a/c, with each component rounded once */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
-VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
+VM_API vm_vec3 vm_cross(vm_vec3 a, vm_vec3 b)
 {
     return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
@@ -1203,7 +1213,7 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
 /* The length of a. It does not overflow if only its square would overflow. */
-VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
+VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of the sizes |x|, |y| and |z| of a's components */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
@@ -1218,13 +1228,13 @@ VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FIN
 /* The product m a of the matrix m and the vector a */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
-    return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
+    return vm_add(vm_scale(a.x, m->x), vm_add(vm_scale(a.y, m->y), vm_scale(a.z, m->z)));
 }
 
 /* The product of the transposed matrix m^T and the vector a. For a rotation matrix m it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
-    return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
+    return vmi_vec3(vm_dot(m->x, a), vm_dot(m->y, a), vm_dot(m->z, a));
 }
 
 VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
@@ -1249,7 +1259,7 @@ VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
 /* The product p q, which is the rotation by q followed by the rotation by p */
-VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
+VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
     r.w = p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z;
@@ -1284,7 +1294,7 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
 }
 
 /* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
-VM_API vm_quat vmi_unit_quat(vm_quat q)
+VM_API vm_quat vm_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
@@ -1386,12 +1396,12 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
     vm_inertia t;
-    t.xx = vmi_dot(m->x, x);
-    t.yy = vmi_dot(m->y, y);
-    t.zz = vmi_dot(m->z, z);
-    t.xy = vmi_dot(m->x, y);
-    t.xz = vmi_dot(m->x, z);
-    t.yz = vmi_dot(m->y, z);
+    t.xx = vm_dot(m->x, x);
+    t.yy = vm_dot(m->y, y);
+    t.zz = vm_dot(m->z, z);
+    t.xy = vm_dot(m->x, y);
+    t.xz = vm_dot(m->x, z);
+    t.yz = vm_dot(m->y, z);
     return t;
 }
 
@@ -1538,7 +1548,7 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     vm_inertia i = {0, 0, 0, 0, 0, 0};
     int k;
     for (k = 0; k < 3; k++) {
-        const vm_vec3 e = p->axis[k], m = vmi_scale(p->moment[k], e);
+        const vm_vec3 e = p->axis[k], m = vm_scale(p->moment[k], e);
         i.xx += m.x * e.x;
         i.yy += m.y * e.y;
         i.zz += m.z * e.z;
@@ -1565,7 +1575,7 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
-    return !(moment > VMI_LOST_SHARE * vmi_dot(e, vmi_inertia_times(sizes, e)));
+    return !(moment > VMI_LOST_SHARE * vm_dot(e, vmi_inertia_times(sizes, e)));
 }
 
 /* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
@@ -1594,7 +1604,7 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     vm_vec3 omega = vmi_vec3(0, 0, 0);
     int k;
     for (k = 0; k < 3; k++)
-        if (p->moment[k] > 0) omega = vmi_add(omega, vmi_scale(vmi_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
+        if (p->moment[k] > 0) omega = vm_add(omega, vm_scale(vm_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
     return omega;
 }
 
@@ -1608,10 +1618,10 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
     int k, left = 0;
     for (k = 0; k < 3; k++) {
         if (p->moment[k] > 0) continue;
-        w = vmi_add(w, vmi_scale(vmi_dot(p->axis[k], before), p->axis[k]));
-        left = left || VM_FABS(vmi_dot(p->axis[k], h)) > noise;
+        w = vm_add(w, vm_scale(vm_dot(p->axis[k], before), p->axis[k]));
+        left = left || VM_FABS(vm_dot(p->axis[k], h)) > noise;
     }
-    for (k = 0; k < 2; k++) w = vmi_add(w, vmi_spin_of(p, vmi_sub(h, vmi_inertia_times(i, w))));
+    for (k = 0; k < 2; k++) w = vm_add(w, vmi_spin_of(p, vm_sub(h, vmi_inertia_times(i, w))));
     *omega = w;
     return left;
 }
@@ -1751,7 +1761,7 @@ VM_API vm_vec3 vmi_spin_momentum(const vm_body *body)
 VM_API vm_vec3 vm_momentum(const vm_body *body)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
-    return vmi_scale(body->mass, body->v);
+    return vm_scale(body->mass, body->v);
 }
 
 /* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
@@ -1760,7 +1770,7 @@ VM_API vm_vec3 vm_momentum(const vm_body *body)
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
-    return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
+    return vm_add(vmi_spin_momentum(body), vm_cross(vm_sub(body->r, about), vm_momentum(body)));
 }
 
 /* Kinetic energy of a body (93), (97), J. It is (M v^2 + omega.I omega)/2, with the mass M and the inertia I. The
@@ -1768,7 +1778,7 @@ VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
     if (!body) return VM_NAN;
-    return (body->mass * vmi_dot(body->v, body->v) + vmi_dot(body->omega, vmi_spin_momentum(body))) / 2;
+    return (body->mass * vm_dot(body->v, body->v) + vm_dot(body->omega, vmi_spin_momentum(body))) / 2;
 }
 
 /* ---- conversion of bodies between the plane and space ---- */
@@ -1887,30 +1897,30 @@ VM_API int vmi_check_bodies(const vmi_bodies *list)
 /* The moment of an impulse about the point `about`, N m s */
 VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
 {
-    return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
+    return vm_add(j->couple, vm_cross(vm_sub(j->at, about), j->linear));
 }
 
 /* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
-    const vm_real size = vmi_norm2(momentum);
-    sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
-    sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
+    const vm_real size = vm_norm(momentum);
+    sum->momentum = vm_add(sum->momentum, vm_scale(sign, momentum));
+    sum->angular_momentum = vm_add(sum->angular_momentum, vm_scale(sign, vm_angular_momentum(body, about)));
     sum->momentum_scale += size;
-    sum->angular_momentum_scale += vmi_inertia_trace(&body->inertia) * vmi_norm2(body->omega) +
-                                   (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
+    sum->angular_momentum_scale += vmi_inertia_trace(&body->inertia) * vm_norm(body->omega) +
+                                   (vm_norm(body->r) + vm_norm(vm_sub(body->r, about))) * size;
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
 /* Subtracts an impulse and its moment from a balance, and adds their sizes to the scales */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
-    sum->momentum = vmi_sub(sum->momentum, j->linear);
-    sum->angular_momentum = vmi_sub(sum->angular_momentum, vmi_impulse_moment(j, about));
-    sum->momentum_scale += vmi_norm2(j->linear);
+    sum->momentum = vm_sub(sum->momentum, j->linear);
+    sum->angular_momentum = vm_sub(sum->angular_momentum, vmi_impulse_moment(j, about));
+    sum->momentum_scale += vm_norm(j->linear);
     sum->angular_momentum_scale +=
-        vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vmi_sub(j->at, about))) * vmi_norm1(j->linear);
+        vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vm_sub(j->at, about))) * vmi_norm1(j->linear);
 }
 
 VM_API int vmi_balance_is_finite(const vm_balance *b)
@@ -2032,7 +2042,7 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
 {
     const vmi_mat3 own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
-    const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
+    const vm_vec3 spin = vm_sub(body->omega, frame->omega);
     vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
     if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes turn is exactly the identity */
@@ -2041,8 +2051,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
         turn.z = vmi_times_transposed(&own, frame->turn.z);
     }
     lump.mass = body->mass;
-    lump.r = vmi_sub(body->r, frame->r);
-    lump.v = vmi_sub(body->v, frame->v);
+    lump.r = vm_sub(body->r, frame->r);
+    lump.v = vm_sub(body->v, frame->v);
     lump.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
     lump.inertia = vmi_inertia_along(&body->inertia, &turn);
     lump.sizes = vmi_inertia_sizes(&body->inertia, &turn);
@@ -2061,7 +2071,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* d^2 + 2 d reach + reach^2; the next line removes reach^2 */
+    *sizes = vmi_inertia_of_point(vm_add(size, reach)); /* d^2 + 2 d reach + reach^2; the next line removes reach^2 */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -2074,7 +2084,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
-    const vm_real distance = vmi_norm1(vmi_sub(b->r, a->r));
+    const vm_real distance = vmi_norm1(vm_sub(b->r, a->r));
     const vm_real speeds = vmi_norm1(a->v) + vmi_norm1(b->v) + 2 * vmi_norm1(frame->v);
     const vm_real moved = sign < 0 ? b->mass : reduced;
     return b->noise + VM_FABS(reduced) * distance * speeds +
@@ -2086,22 +2096,22 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
 {
     const vm_real mass = a->mass + sign * b->mass;
     const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* mass share of b; reduced mass */
-    const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
-    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
+    const vm_vec3 d = vm_sub(b->r, a->r), v = vm_sub(b->v, a->v);
+    const vm_vec3 slip = vm_sub(v, vm_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
-    const vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
+    const vm_vec3 reach = vm_add(vm_add(vmi_abs(a->r), vmi_abs(b->r)), vm_add(origin, origin));
     vm_inertia sizes, moved = vmi_moved_inertia(frame, d, reach, &sizes);
     if (!(mass > 0)) return VM_BAD_MASS;
     a->noise += vmi_join_noise(frame, a, sign, b, reduced, reach, slip);
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
-    a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
+    a->h = vm_add(a->h, vm_add(vm_scale(sign, b->h), vm_scale(reduced, vm_cross(d, slip))));
     if (b->mass > a->mass) { /* start from r and v of the heavier body, so that no digits are lost */
-        a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
-        a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
+        a->r = vm_sub(b->r, vm_scale(a->mass / mass, d));
+        a->v = vm_sub(b->v, vm_scale(a->mass / mass, v));
     } else {
-        a->r = vmi_add(a->r, vmi_scale(share, d));
-        a->v = vmi_add(a->v, vmi_scale(share, v));
+        a->r = vm_add(a->r, vm_scale(share, d));
+        a->v = vm_add(a->v, vm_scale(share, v));
     }
     a->mass = mass;
     return VM_OK;
@@ -2110,9 +2120,9 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
 /* Adds an impulse to the velocity and the angular momentum of the lump a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
-    const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
-    a->v = vmi_add(a->v, vmi_over(j, a->mass));
-    a->h = vmi_add(a->h, vmi_add(external->couple, vmi_cross(at, j)));
+    const vm_vec3 at = vm_sub(vm_sub(external->at, frame->r), a->r), j = external->linear;
+    a->v = vm_add(a->v, vmi_over(j, a->mass));
+    a->h = vm_add(a->h, vm_add(external->couple, vm_cross(at, j)));
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
@@ -2214,10 +2224,10 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     b.mass = lump.mass;
     b.inertia = lump.inertia;
     b.q = body->q;
-    b.r = vmi_add(frame.r, lump.r);
-    b.v = vmi_add(frame.v, lump.v);
-    if (vmi_lump_spin(&frame, &lump, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
-    b.omega = vmi_add(frame.omega, b.omega);
+    b.r = vm_add(frame.r, lump.r);
+    b.v = vm_add(frame.v, lump.v);
+    if (vmi_lump_spin(&frame, &lump, &p, vm_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
+    b.omega = vm_add(frame.omega, b.omega);
     if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *result = b;
     return status;
@@ -2483,22 +2493,22 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 /* Velocity at the point r of the frame that moves rigidly with a body. In (25) it is the dragging velocity. */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
-    return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
+    return vm_add(body->v, vm_cross(body->omega, vm_sub(r, body->r)));
 }
 
 /* The motion of b relative to the frame that moves rigidly with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
-    b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
-    b.omega = vmi_sub(b.omega, to->omega);
+    b.v = vm_sub(vm_sub(b.v, to->v), vm_cross(to->omega, vm_sub(b.r, to->r)));
+    b.omega = vm_sub(b.omega, to->omega);
     return b;
 }
 
 /* The absolute motion of b, whose motion is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
-    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
-    b.omega = vmi_add(to->omega, b.omega);
+    b.v = vm_add(vmi_velocity_at(to, b.r), b.v);
+    b.omega = vm_add(to->omega, b.omega);
     return b;
 }
 
@@ -2648,9 +2658,9 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                  vm_vec3 rest_v)
 {
-    vm_vec3 momentum = vmi_scale(part->mass - whole->mass, vmi_sub(rest_v, whole->v));
-    if (external_or_NULL) momentum = vmi_add(momentum, external_or_NULL->linear);
-    return vmi_add(whole->v, vmi_over(momentum, part->mass));
+    vm_vec3 momentum = vm_scale(part->mass - whole->mass, vm_sub(rest_v, whole->v));
+    if (external_or_NULL) momentum = vm_add(momentum, external_or_NULL->linear);
+    return vm_add(whole->v, vmi_over(momentum, part->mass));
 }
 
 /* The angular momentum that the part must have relative to the whole so that the rest turns with rest_omega. It is
@@ -2658,8 +2668,8 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
    the angular momentum that the rest has if the part turns with Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
-    const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
-    return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
+    const vm_vec3 turning = vmi_times_transposed(&frame->turn, vm_sub(rest_omega, frame->omega));
+    return vm_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
 /* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
@@ -2694,8 +2704,8 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
     lump.noise = rest->noise + vmi_inertia_trace(&rest->inertia) * (vmi_norm1(rest_omega) + vmi_norm1(frame->omega));
     status = vmi_lump_clamp_moments(&lump, &p);
     if (status) return status;
-    if (vmi_lump_spin(&own, &lump, &p, vmi_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
-    part->omega = vmi_add(own.omega, spin);
+    if (vmi_lump_spin(&own, &lump, &p, vm_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
+    part->omega = vm_add(own.omega, spin);
     return status;
 }
 
@@ -2884,7 +2894,7 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     const vm_body *b = body_or_NULL;
     const vm_impulse *j = external_or_NULL;
     if (!b || !j) return 0;
-    return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
+    return vm_dot(b->v, j->linear) + vm_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
 /* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113), (118).
@@ -3789,8 +3799,8 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
     if (!Q) return;
     for (k = 0; k < n; k++) {
         vm_real sum = 0;
-        if (dr_or_NULL) sum = vmi_dot(force, dr_or_NULL[k]);
-        if (domega_or_NULL) sum += vmi_dot(moment, domega_or_NULL[k]);
+        if (dr_or_NULL) sum = vm_dot(force, dr_or_NULL[k]);
+        if (domega_or_NULL) sum += vm_dot(moment, domega_or_NULL[k]);
         Q[k] += sum;
     }
 }
@@ -3837,8 +3847,8 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
         }
         for (i = 0; i < n; i++) {
             vm_real sum = 0;
-            if (dr_or_NULL) sum = body->mass * vmi_dot(dr_or_NULL[i], dr_or_NULL[j]);
-            if (turn_or_NULL) sum += vmi_dot(turn_or_NULL[i], spin);
+            if (dr_or_NULL) sum = body->mass * vm_dot(dr_or_NULL[i], dr_or_NULL[j]);
+            if (turn_or_NULL) sum += vm_dot(turn_or_NULL[i], spin);
             matrix[i * n + j] += sum;
         }
     }
@@ -3862,7 +3872,7 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
     if (!impulse || !p) return;
-    const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
+    const vm_vec3 moment = vm_add(impulse->couple, vm_cross(vm_sub(impulse->at, r), impulse->linear));
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
@@ -4333,7 +4343,7 @@ VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
     axes.d13 = vmi_two_shifted(vmi_two_minus(axes.I1, axes.I3), axes.sigma);
     axes.matrix.x = vmi_vec3_two_high_words(&b->axis[first]);
     axes.matrix.y = vmi_vec3_two_high_words(&b->axis[middle]);
-    axes.matrix.z = vmi_scale(hand, vmi_vec3_two_high_words(&b->axis[last]));
+    axes.matrix.z = vm_scale(hand, vmi_vec3_two_high_words(&b->axis[last]));
     return axes;
 }
 
@@ -4603,7 +4613,7 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     if (size.hi == 0) return;
     for (k = 0; k < 3; k++) {
         const vm_real cosine = vmi_two_over(b->omega.x[k], size).hi;
-        motion->axes.z = vmi_add(motion->axes.z, vmi_scale(cosine, vmi_vec3_two_high_words(&b->axis[k])));
+        motion->axes.z = vm_add(motion->axes.z, vm_scale(cosine, vmi_vec3_two_high_words(&b->axis[k])));
     }
     motion->spin[2] = size.hi;
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
@@ -4703,8 +4713,8 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     vmi_torque_free_prepare(motion, b);
     if (vmi_quat_is_none(q)) q.w = 1;
     vmi_torque_free_at(motion, vmi_two(0, 0), &omega, &turn);
-    turn = vmi_quat(turn.w, vmi_scale(-1, vmi_quat_vector(turn)));
-    motion->start = vmi_quat_times(q, turn);
+    turn = vmi_quat(turn.w, vm_scale(-1, vmi_quat_vector(turn)));
+    motion->start = vm_quat_times(q, turn);
     for (k = 0; k < 3; k++) motion->spin[k] *= power;
     motion->phase_rate = vmi_two_shifted(motion->phase_rate, power);
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
@@ -4786,7 +4796,7 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     reach = VM_FABS(motion->phase_rate.hi) + VM_FABS(motion->turn_rate.hi);
     if (!((1 + reach) * (1 + VM_FABS(elapsed.hi)) < largest_factor)) return VM_NOT_FINITE;
     vmi_torque_free_at(motion, elapsed, &w, &turn);
-    turn = vmi_quat_times(motion->start, turn);
+    turn = vm_quat_times(motion->start, turn);
     if (!vmi_vec3_is_finite(w) || !vmi_quat_is_finite(turn)) return VM_NOT_FINITE;
     *q = turn;
     *omega = w;
@@ -4807,7 +4817,7 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     if (status) return status;
     turn = vmi_rotation(b.q);
     b.omega = vmi_times(&turn, b.omega);
-    b.r = vmi_add(b.r, vmi_scale(t - motion->t0, b.v));
+    b.r = vm_add(b.r, vm_scale(t - motion->t0, b.v));
     if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *body = b;
     return VM_OK;
@@ -4937,8 +4947,8 @@ VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, 
     *p = *h = vmi_vec3(0, 0, 0);
     for (k = 0; k < n; k++) {
         if (!s[k].from) continue;
-        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
-        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
+        *p = vm_add(*p, vm_scale(s[k].rate, vm_sub(s[k].from->at, s[k].at)));
+        *h = vm_add(*h, vm_scale(s[k].rate, vm_cross(vm_sub(s[k].at, centre), vm_sub(s[k].from->at, centre))));
     }
 }
 
@@ -4980,18 +4990,18 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     if (vmi_stream_moves_with_body(s->motion)) {
         *spin = b->omega;
         if (given) {
-            carried = vmi_add(carried, s->velocity);
-            *spin = vmi_add(b->omega, s->spin);
+            carried = vm_add(carried, s->velocity);
+            *spin = vm_add(b->omega, s->spin);
         }
-        *push = vmi_scale(s->rate, carried);
+        *push = vm_scale(s->rate, carried);
         sum->carried += s->rate;
-        sum->pushed = vmi_add(sum->pushed, *push);
+        sum->pushed = vm_add(sum->pushed, *push);
     } else if (given) {
-        *push = vmi_scale(s->rate, vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v)));
+        *push = vm_scale(s->rate, vmi_times_transposed(b->turn, vm_sub(s->velocity, b->v)));
         *spin = vmi_times_transposed(b->turn, s->spin);
-        sum->absolute = vmi_add(sum->absolute, vmi_scale(s->rate, s->velocity));
+        sum->absolute = vm_add(sum->absolute, vm_scale(s->rate, s->velocity));
     } else {
-        *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v));
+        *push = vmi_times_transposed(b->turn, vm_scale(-s->rate, b->v));
         *spin = vmi_vec3(0, 0, 0);
     }
 }
@@ -5001,13 +5011,13 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
-    const vm_vec3 relative = vmi_sub(spin, b->omega);
+    const vm_vec3 relative = vm_sub(spin, b->omega);
     vm_vec3 u = push, absolute, w;
-    if (s->rate != 0) u = vmi_scale(1 / s->rate, push);
-    absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v));
-    w = vmi_sub(u, carried);
-    sum->brought += s->rate * vmi_dot(absolute, absolute) + vmi_dot(spin, vmi_inertia_times(own, spin));
-    sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
+    if (s->rate != 0) u = vm_scale(1 / s->rate, push);
+    absolute = vm_add(u, vmi_times_transposed(b->turn, b->v));
+    w = vm_sub(u, carried);
+    sum->brought += s->rate * vm_dot(absolute, absolute) + vm_dot(spin, vmi_inertia_times(own, spin));
+    sum->lost += s->rate * vm_dot(w, w) + vm_dot(relative, vmi_inertia_times(own, relative));
 }
 
 /* Computes the sums over n streams. Returns 0 if the `motion` of a stream is unknown, else 1. */
@@ -5018,21 +5028,21 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
     int k;
     *sum = none;
     for (k = 0; k < n; k++, s++) {
-        const vm_vec3 d = vmi_sub(s->at, b->centre), carried = vmi_add(b->slip, vmi_cross(b->omega, d));
+        const vm_vec3 d = vm_sub(s->at, b->centre), carried = vm_add(b->slip, vm_cross(b->omega, d));
         vm_inertia own = vmi_stream_own(s->rate, &s->gyration);
         vm_vec3 push, spin, stored = d;
         if (!vmi_stream_motion_is_known(s->motion)) return 0;
         vmi_stream_motion(s, b, carried, sum, &push, &spin);
         if (b->energy) vmi_stream_energy(s, b, &own, push, spin, carried, sum);
         sum->rate += s->rate;
-        sum->moment = vmi_add(sum->moment, vmi_cross(d, push));
-        sum->own = vmi_add(sum->own, vmi_inertia_times(&own, spin));
-        sum->crossing = vmi_add(sum->crossing, vmi_scale(s->rate, d));
+        sum->moment = vm_add(sum->moment, vm_cross(d, push));
+        sum->own = vm_add(sum->own, vmi_inertia_times(&own, spin));
+        sum->crossing = vm_add(sum->crossing, vm_scale(s->rate, d));
         if (s->from) {
-            stored = vmi_sub(s->from->at, b->centre);
+            stored = vm_sub(s->from->at, b->centre);
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
-        sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
+        sum->stored = vm_add(sum->stored, vm_scale(s->rate, stored));
         /* add the whole term at once, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
@@ -5105,11 +5115,11 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     seen.energy = 0;
     seen.omega = vmi_times_transposed(&turn, body->omega);
     vmi_stream_sums(n, streams, &seen, &sum);
-    r.force = vmi_add(vmi_times(&turn, sum.pushed),
-                      vmi_sub(sum.absolute, vmi_scale(sum.rate - sum.carried, body->v)));
+    r.force = vm_add(vmi_times(&turn, sum.pushed),
+                      vm_sub(sum.absolute, vm_scale(sum.rate - sum.carried, body->v)));
     r.moment = vmi_times(&turn, sum.moment);
-    r.torque = vmi_times(&turn, vmi_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
-    r.drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
+    r.torque = vmi_times(&turn, vm_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
+    r.drift = vm_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
     r.mass_rate = sum.rate;
     r.inertia_rate = sum.inertia;
     if (!vmi_reactive_finite(&r)) return VM_NOT_FINITE;
@@ -5121,7 +5131,7 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
-    return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
+    return vmi_inertia_solve(factors, vm_sub(moment, vm_cross(omega, vmi_inertia_times(i, omega))));
 }
 
 /* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
@@ -5144,8 +5154,8 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
-    sum = vmi_add(moment, vmi_add(loads->moment, loads->torque));
-    linear = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
+    sum = vm_add(moment, vm_add(loads->moment, loads->torque));
+    linear = vm_scale(1 / body->mass, vm_add(force, loads->force));
     angular = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
                                vmi_times_transposed(&turn, sum));
     angular = vmi_times(&turn, angular);
@@ -5172,7 +5182,7 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    more slowly than the body rotates. Therefore it does not make the equations of a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
     const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
     rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
     rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
@@ -5348,9 +5358,9 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     vmi_stream_on_the_way(flow->n, flow->streams, b->centre, &p_on_the_way, &h_on_the_way);
     seen->turn = turn;
     seen->centre = b->centre;
-    seen->v = vmi_scale(inverse, p);
-    seen->slip = vmi_scale(-inverse, p_on_the_way);
-    seen->omega = vmi_inertia_solve(&factors, vmi_sub(h, h_on_the_way));
+    seen->v = vm_scale(inverse, p);
+    seen->slip = vm_scale(-inverse, p_on_the_way);
+    seen->omega = vmi_inertia_solve(&factors, vm_sub(h, h_on_the_way));
     return VM_OK;
 }
 
@@ -5361,9 +5371,9 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
 {
     const vm_vec3 omega = vmi_times(seen->turn, seen->omega), r = vmi_get3(y + VM_Y_R);
     const vm_vec3 drift = vmi_times(seen->turn, sum->crossing);
-    vmi_set3(dydt, vmi_scale(-1, force));
-    vmi_set3(dydt + 3, vmi_scale(-1, vmi_add(moment, vmi_add(vmi_cross(r, force), vmi_cross(drift, seen->v)))));
-    dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
+    vmi_set3(dydt, vm_scale(-1, force));
+    vmi_set3(dydt + 3, vm_scale(-1, vm_add(moment, vm_add(vm_cross(r, force), vm_cross(drift, seen->v)))));
+    dydt[6] = (sum->lost - sum->brought) / 2 - vm_dot(flow->force, seen->v) - vm_dot(flow->moment, omega);
 }
 
 /* Evaluates the right-hand side that has n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs */
@@ -5386,16 +5396,16 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(n, dydt);
     seen.energy = n == VM_FLOW_BALANCED_STATES;
     if (!vmi_stream_sums(flow->n, flow->streams, &seen, &sum)) return flow->status = VM_BAD_ARGUMENT;
-    force = vmi_add(vmi_times(&turn, sum.pushed), vmi_scale(sum.carried, seen.v));
-    force = vmi_add(flow->force, vmi_add(sum.absolute, force));
-    moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
-    vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
+    force = vm_add(vmi_times(&turn, sum.pushed), vm_scale(sum.carried, seen.v));
+    force = vm_add(flow->force, vm_add(sum.absolute, force));
+    moment = vm_add(flow->moment, vmi_times(&turn, vm_add(sum.moment, sum.own)));
+    vmi_set3(dydt + VM_Y_R, vm_add(seen.v, vmi_times(&turn, vm_scale(1 / body.mass, sum.crossing))));
     vmi_attitude_rates(q, vmi_quat_square(q), seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
     dydt[VM_Y_MASS] = sum.rate;
-    vmi_set3(dydt + VM_Y_CENTRE, vmi_scale(1 / body.mass, sum.stored));
+    vmi_set3(dydt + VM_Y_CENTRE, vm_scale(1 / body.mass, sum.stored));
     vmi_set_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
     if (seen.energy) vmi_flow_balance(flow, y, &seen, &sum, force, moment, dydt + VM_Y_BALANCE);
     return 0;
@@ -5462,10 +5472,10 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = vmi_first_error(status, VM_BAD_INERTIA);
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
-    vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
+    vmi_set3(dydt + VM_Y_R, vm_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
     vmi_attitude_rates(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
-             vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
+             vm_add(vm_scale(1 / flow->mass, flow->force), vmi_times(&turn, vm_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
              vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
     return 0;
@@ -5508,7 +5518,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
     status = vmi_flow_check_start(flow, body);
     if (status) return status;
-    q = vmi_unit_quat(body->q);
+    q = vm_unit_quat(body->q);
     turn = vmi_rotation(q);
     vmi_stream_on_the_way(flow->n, flow->streams, flow->centre, &p, &h);
     start[VM_Y_Q] = q.w;
@@ -5517,7 +5527,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     start[VM_Y_Q + 3] = q.z;
     vmi_set3(start + VM_Y_R, body->r);
     vmi_set3(start + VM_Y_P, vm_momentum(body));
-    vmi_set3(start + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
+    vmi_set3(start + VM_Y_H, vm_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
     start[VM_Y_MASS] = body->mass;
     vmi_set3(start + VM_Y_CENTRE, flow->centre);
     vmi_set_inertia(start + VM_Y_INERTIA, &body->inertia);
@@ -5551,7 +5561,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     if (status) return status;
     b.mass = now.mass;
     b.inertia = now.inertia;
-    b.q = vmi_unit_quat(vmi_get_quat(y + VM_Y_Q));
+    b.q = vm_unit_quat(vmi_get_quat(y + VM_Y_Q));
     b.r = vmi_get3(y + VM_Y_R);
     b.v = seen.v;
     b.omega = vmi_times(&turn, seen.omega);
@@ -5853,7 +5863,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
     if (vmi_stream_moves_with_body(motion)) u = v;
-    if (vmi_stream_velocity_is_given(motion)) u = vmi_add(u, given);
+    if (vmi_stream_velocity_is_given(motion)) u = vm_add(u, given);
     return u;
 }
 
@@ -5861,7 +5871,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
-    const vm_vec3 v = vmi_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
+    const vm_vec3 v = vm_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
     vm_real rate = 0;
     vm_vec3 force = flow->force;
     int k, status = VM_OK;
@@ -5873,7 +5883,7 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
         const vm_stream *s = flow->streams + k;
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         rate += s->rate;
-        force = vmi_add(force, vmi_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
+        force = vm_add(force, vm_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
     }
     vmi_set3(dydt + VM_TRANSLATION_R, v);
     vmi_set3(dydt + VM_TRANSLATION_P, force);
@@ -6788,7 +6798,7 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
     vmi_sincos(psi / 2, &turn.z, &turn.w);
     vmi_sincos(theta / 2, &tilt.x, &tilt.w);
     vmi_sincos(phi / 2, &spin.z, &spin.w);
-    return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
+    return vm_quat_times(vm_quat_times(turn, tilt), spin);
 }
 
 /* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
@@ -13334,7 +13344,7 @@ VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 
     const vm_inertia *i = &b->invertible;
     const vm_vec3 torque = vmi_times_transposed(axes, vmi_get3(b->load.force + 3));
     vm_real a[9];
-    vmi_set3(rates, vmi_sub(torque, vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
+    vmi_set3(rates, vm_sub(torque, vm_cross(omega, vmi_inertia_times(&b->inertia, omega))));
     a[0] = i->xx;
     a[4] = i->yy;
     a[8] = i->zz;
@@ -13873,7 +13883,7 @@ VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other
 VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_scene_body *b = s->bodies + e->body;
-    const vm_vec3 torque = vmi_scale(-e->p[VMI_DAMPER_DAMPING], vmi_scene_spin(b, y));
+    const vm_vec3 torque = vm_scale(-e->p[VMI_DAMPER_DAMPING], vmi_scene_spin(b, y));
     (void)t;
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
@@ -14337,7 +14347,7 @@ VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossin
     if (!s->budget) return;
     vmi_scene_add(b, load->reactive, force, torque);
     vmi_scene_add(b, load->brought, force, torque);
-    load->mixing -= vmi_dot(force, c->seen.v) + vmi_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
+    load->mixing -= vm_dot(force, c->seen.v) + vm_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
 }
 
 VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -14347,17 +14357,17 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     vmi_crossing c;
     vm_vec3 shift, spin, turning;
     vmi_crossing_now(e, t, y, s, &c);
-    shift = vmi_scale(1 / load->mass, c.sum.crossing);
+    shift = vm_scale(1 / load->mass, c.sum.crossing);
     load->mass_rate += c.sum.rate;
-    load->drift = vmi_add(load->drift, vmi_times(c.seen.turn, shift));
-    load->centre_rate = vmi_add(load->centre_rate, shift);
+    load->drift = vm_add(load->drift, vmi_times(c.seen.turn, shift));
+    load->centre_rate = vm_add(load->centre_rate, shift);
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
     if (!s->budget) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
-    turning = vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
-    vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v), turning);
+    turning = vm_add(vmi_times(c.seen.turn, spin), vm_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
+    vmi_scene_add(b, load->brought, vm_scale(c.sum.rate, c.seen.v), turning);
     load->brought_energy += c.sum.brought / 2;
-    load->mixing += (c.sum.brought - c.sum.rate * vmi_dot(c.seen.v, c.seen.v) - vmi_dot(spin, c.seen.omega)) / 2;
+    load->mixing += (c.sum.brought - c.sum.rate * vm_dot(c.seen.v, c.seen.v) - vm_dot(spin, c.seen.omega)) / 2;
 }
 
 VM_API void vmi_apply_stream_force(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -14365,8 +14375,8 @@ VM_API void vmi_apply_stream_force(const vm_effect *e, vm_real t, const vm_real 
     vmi_crossing c;
     vm_vec3 force;
     vmi_crossing_now(e, t, y, s, &c);
-    force = vmi_sub(c.sum.absolute, vmi_scale(c.sum.rate - c.sum.carried, c.seen.v));
-    vmi_crossing_push(e, s, &c, vmi_add(vmi_times(c.seen.turn, c.sum.pushed), force), vmi_vec3(0, 0, 0));
+    force = vm_sub(c.sum.absolute, vm_scale(c.sum.rate - c.sum.carried, c.seen.v));
+    vmi_crossing_push(e, s, &c, vm_add(vmi_times(c.seen.turn, c.sum.pushed), force), vmi_vec3(0, 0, 0));
 }
 
 VM_API void vmi_apply_stream_moment(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -14381,7 +14391,7 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing c;
     vm_vec3 torque;
     vmi_crossing_now(e, t, y, s, &c);
-    torque = vmi_sub(c.sum.own, vmi_inertia_times(&c.sum.inertia, c.seen.omega));
+    torque = vm_sub(c.sum.own, vmi_inertia_times(&c.sum.inertia, c.seen.omega));
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
@@ -15297,14 +15307,14 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     const vm_load *load = &b->load;
     const vm_real *state = y + b->at;
     const vm_vec3 r = vmi_scene_moving(b, state), v = vmi_scene_moving(b, state + b->positions);
-    const vm_vec3 force = vmi_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
-    const vm_vec3 torque = vmi_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
+    const vm_vec3 force = vm_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
+    const vm_vec3 torque = vm_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
     const vm_vec3 brought = vmi_scene_moving(b, load->brought), turning = vmi_scene_turning(b, load->brought);
     vmi_add3(force, rates + VMI_BUDGET_IMPULSE);
-    vmi_add3(vmi_add(torque, vmi_cross(r, force)), rates + VMI_BUDGET_ANGULAR_IMPULSE);
+    vmi_add3(vm_add(torque, vm_cross(r, force)), rates + VMI_BUDGET_ANGULAR_IMPULSE);
     vmi_add3(brought, rates + VMI_BUDGET_BROUGHT);
-    vmi_add3(vmi_add(turning, vmi_cross(r, brought)), rates + VMI_BUDGET_BROUGHT_ANGULAR);
-    rates[VMI_BUDGET_WORK] += vmi_dot(force, v) + vmi_dot(torque, vmi_scene_spin(b, y));
+    vmi_add3(vm_add(turning, vm_cross(r, brought)), rates + VMI_BUDGET_BROUGHT_ANGULAR);
+    rates[VMI_BUDGET_WORK] += vm_dot(force, v) + vm_dot(torque, vmi_scene_spin(b, y));
     rates[VMI_BUDGET_BROUGHT_ENERGY] += load->brought_energy;
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
@@ -15348,11 +15358,11 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *bud
         if (b->away) continue;
         vmi_scene_body_now(s, i, y, &now);
         if (b->motion == VM_AXLE) now.mass = 0;
-        p = vmi_scale(now.mass, now.v);
+        p = vm_scale(now.mass, now.v);
         spin = vmi_spin_momentum(&now);
-        budget->momentum = vmi_add(budget->momentum, p);
-        budget->angular_momentum = vmi_add(budget->angular_momentum, vmi_add(spin, vmi_cross(now.r, p)));
-        budget->energy += (vmi_dot(p, now.v) + vmi_dot(spin, now.omega)) / 2;
+        budget->momentum = vm_add(budget->momentum, p);
+        budget->angular_momentum = vm_add(budget->angular_momentum, vm_add(spin, vm_cross(now.r, p)));
+        budget->energy += (vm_dot(p, now.v) + vm_dot(spin, now.omega)) / 2;
     }
 }
 
@@ -15401,16 +15411,16 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
     sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
     vmi_scene_evaluate(scene, t, y);
     vmi_scene_totals(scene, y, &b);
-    b.impulse = vmi_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
-    b.angular_impulse = vmi_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));
+    b.impulse = vm_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
+    b.angular_impulse = vm_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));
     b.brought = vmi_get3(sums + VMI_BUDGET_BROUGHT);
     b.brought_angular = vmi_get3(sums + VMI_BUDGET_BROUGHT_ANGULAR);
     b.work = sums[VMI_BUDGET_WORK];
     b.brought_energy = sums[VMI_BUDGET_BROUGHT_ENERGY];
     b.mixing = sums[VMI_BUDGET_MIXING];
-    b.momentum_defect = vmi_sub(vmi_sub(b.momentum, start->momentum), vmi_add(b.impulse, b.brought));
-    b.angular_defect = vmi_sub(vmi_sub(b.angular_momentum, start->angular_momentum),
-                               vmi_add(b.angular_impulse, b.brought_angular));
+    b.momentum_defect = vm_sub(vm_sub(b.momentum, start->momentum), vm_add(b.impulse, b.brought));
+    b.angular_defect = vm_sub(vm_sub(b.angular_momentum, start->angular_momentum),
+                               vm_add(b.angular_impulse, b.brought_angular));
     b.energy_defect = b.energy - start->energy - (b.work + b.brought_energy - b.mixing + b.jump_energy);
     *budget = b;
     return VM_OK;
@@ -15671,10 +15681,10 @@ VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
     const vm_vec3 d = vmi_times(&turn, part->r);
-    part->r = vmi_add(body->r, d);
-    part->v = vmi_add(vmi_times(&turn, part->v), vmi_add(body->v, vmi_cross(body->omega, d)));
-    part->omega = vmi_add(vmi_times(&turn, part->omega), body->omega);
-    part->q = vmi_quat_is_none(part->q) ? body->q : vmi_quat_times(body->q, part->q);
+    part->r = vm_add(body->r, d);
+    part->v = vm_add(vmi_times(&turn, part->v), vm_add(body->v, vm_cross(body->omega, d)));
+    part->omega = vm_add(vmi_times(&turn, part->omega), body->omega);
+    part->q = vmi_quat_is_none(part->q) ? body->q : vm_quat_times(body->q, part->q);
 }
 
 VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
@@ -15738,8 +15748,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vm_real *state = y + b->at;
     vm_vec3 step;
     if (!b->grows) return;
-    step = vmi_times_transposed(&b->axes, vmi_sub(r, vmi_scene_moving(b, state)));
-    vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
+    step = vmi_times_transposed(&b->axes, vm_sub(r, vmi_scene_moving(b, state)));
+    vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
@@ -15776,8 +15786,8 @@ VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *re
     if (!budget) return;
     budget->totals(s, y, &after);
     budget->jump_energy += after.energy - before.energy;
-    budget->impulse = vmi_add(budget->impulse, e->external.linear);
-    budget->angular_impulse = vmi_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    budget->impulse = vm_add(budget->impulse, e->external.linear);
+    budget->angular_impulse = vm_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
 }
 
 VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)

@@ -17,7 +17,7 @@
    more slowly than the body rotates. Therefore it does not make the equations of a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
     const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
     rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
     rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;

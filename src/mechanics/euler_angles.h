@@ -26,7 +26,7 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
     vmi_sincos(psi / 2, &turn.z, &turn.w);
     vmi_sincos(theta / 2, &tilt.x, &tilt.w);
     vmi_sincos(phi / 2, &spin.z, &spin.w);
-    return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
+    return vm_quat_times(vm_quat_times(turn, tilt), spin);
 }
 
 /* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is

@@ -24,22 +24,22 @@
 /* Velocity at the point r of the frame that moves rigidly with a body. In (25) it is the dragging velocity. */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
-    return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
+    return vm_add(body->v, vm_cross(body->omega, vm_sub(r, body->r)));
 }
 
 /* The motion of b relative to the frame that moves rigidly with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
-    b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
-    b.omega = vmi_sub(b.omega, to->omega);
+    b.v = vm_sub(vm_sub(b.v, to->v), vm_cross(to->omega, vm_sub(b.r, to->r)));
+    b.omega = vm_sub(b.omega, to->omega);
     return b;
 }
 
 /* The absolute motion of b, whose motion is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
-    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
-    b.omega = vmi_add(to->omega, b.omega);
+    b.v = vm_add(vmi_velocity_at(to, b.r), b.v);
+    b.omega = vm_add(to->omega, b.omega);
     return b;
 }
 

@@ -38,15 +38,15 @@ VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
     return a;
 }
 
-VM_API vm_vec3 vmi_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
-VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
-VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
-VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+VM_API vm_vec3 vm_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+VM_API vm_vec3 vm_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
+VM_API vm_vec3 vm_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
+VM_API vm_real vm_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /* The vector a/c, with each component rounded once */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
-VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
+VM_API vm_vec3 vm_cross(vm_vec3 a, vm_vec3 b)
 {
     return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
@@ -57,7 +57,7 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
 /* The length of a. It does not overflow if only its square would overflow. */
-VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
+VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of the sizes |x|, |y| and |z| of a's components */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
@@ -72,13 +72,13 @@ VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FIN
 /* The product m a of the matrix m and the vector a */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
-    return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
+    return vm_add(vm_scale(a.x, m->x), vm_add(vm_scale(a.y, m->y), vm_scale(a.z, m->z)));
 }
 
 /* The product of the transposed matrix m^T and the vector a. For a rotation matrix m it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
-    return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
+    return vmi_vec3(vm_dot(m->x, a), vm_dot(m->y, a), vm_dot(m->z, a));
 }
 
 VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
@@ -103,7 +103,7 @@ VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
 /* The product p q, which is the rotation by q followed by the rotation by p */
-VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
+VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
     r.w = p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z;
@@ -138,7 +138,7 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
 }
 
 /* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
-VM_API vm_quat vmi_unit_quat(vm_quat q)
+VM_API vm_quat vm_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));

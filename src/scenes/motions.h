@@ -225,7 +225,7 @@ VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 
     const vm_inertia *i = &b->invertible;
     const vm_vec3 torque = vmi_times_transposed(axes, vmi_get3(b->load.force + 3));
     vm_real a[9];
-    vmi_set3(rates, vmi_sub(torque, vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
+    vmi_set3(rates, vm_sub(torque, vm_cross(omega, vmi_inertia_times(&b->inertia, omega))));
     a[0] = i->xx;
     a[4] = i->yy;
     a[8] = i->zz;
