@@ -19,11 +19,11 @@
 
    CHAPTERS
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
-     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
-                    part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
-                    Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
-                    rotation; streams of mass with their reactive force and torque; rockets; a band that winds up on a
-                    drum
+     mechanics/     vectors, attitudes, Euler's angles; bodies; jumps (a part separates from a body or is attached to
+                    it), in space and in the plane; how a part must leave so that the remaining body moves as wanted;
+                    energy of a jump; a rotor that breaks; Lagrange's equations across a jump and with variable mass; a
+                    pendulum that is cut; torque-free rotation; streams of mass with their reactive force and torque;
+                    rockets; a band that winds up on a drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping; Van
                     der Pol's oscillator, Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation,
                     resonance, turning points
@@ -101,14 +101,32 @@
        vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
 
      mechanics/vectors: vectors, quaternions and rotations in space
-       vm_add                         
-       vm_sub                         
-       vm_scale                       
-       vm_dot                         
-       vm_cross                       
-       vm_norm                        The length of a
-       vm_quat_times                  The product p q, which is the rotation by q followed by the rotation by p
+       vm_add                         The sum a + b of two vectors
+       vm_sub                         The difference a - b of two vectors
+       vm_scale                       The multiple c a of a vector, for a number c
+       vm_dot                         The dot product a.x b.x + a.y b.y + a.z b.z of two vectors
+       vm_cross                       The cross product a x b of two vectors, by the right-hand rule
+       vm_norm                        The length of the vector a, within 4 eps of itself
+       vm_unit                        The vector of length 1 in the direction of a, each component within 4 eps of itself
+       vm_quat_times                  The product p q of two quaternions
        vm_unit_quat                   The quaternion of length 1 for the same rotation as q
+
+     mechanics/attitude: attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
+       vm_rotate                      The components along inertial axes of a vector whose components along body axes are a
+       vm_rotate_back                 The components along body axes of a vector whose components along inertial axes are a
+       vm_quat_to_matrix              The rotation matrix c of an attitude, row by row
+       vm_quat_from_matrix            Attitude of length 1, with w >= 0, from its rotation matrix c, which vm_quat_to_matrix describes
+       vm_quat_to_mrp                 Modified Rodrigues parameters of an attitude
+       vm_quat_from_mrp               Attitude of length 1 from modified Rodrigues parameters p of any length
+
+     mechanics/euler_angles: Euler's angles
+       vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
+       vm_euler_321                   Quaternion of length 1 that turns body axes into inertial ones, from yaw, pitch and roll (sequence 3-2-1)
+       vm_euler_313_angles            Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length
+       vm_euler_321_angles            Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order
+       vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
+       vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
+       vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
        vm_inertia_is_possible         Test whether a body can have this inertia
@@ -247,12 +265,6 @@
        vm_lagrange_start              Initial state y of a system at time t, from its n coordinates q and n rates q'
        vm_lagrange_rates              Rates q' of a system at time t, from its state y
        vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
-
-     mechanics/euler_angles: Euler's angles
-       vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
-       vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
-       vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
-       vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      oscillators/constant_mass: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
        vm_osc_period                  Exact period (262), s, of the motion from rest at x0 (m, either sign)
@@ -1164,9 +1176,10 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions are internal: sums and products of vectors, norms, rotation matrices, and functions that read three
-   or four numbers of a state as a vector or a quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
-   tests/test_torque_free.c. */
+   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product, length and direction of
+   vectors, product and normalisation of quaternions. The others read three or four numbers of a state as a vector or a
+   quaternion, or make rotation matrices. No function here checks its arguments: infinite and NaN numbers go through the
+   arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -1194,14 +1207,22 @@ VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
     return a;
 }
 
+/* The sum a + b of two vectors */
 VM_API vm_vec3 vm_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+
+/* The difference a - b of two vectors */
 VM_API vm_vec3 vm_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+/* The multiple c a of a vector, for a number c */
 VM_API vm_vec3 vm_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
+
+/* The dot product a.x b.x + a.y b.y + a.z b.z of two vectors. Its error is within 2 eps |a| |b|. */
 VM_API vm_real vm_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /* The vector a/c, with each component rounded once */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
+/* The cross product a x b of two vectors, by the right-hand rule. The error of a component is within 2 eps |a| |b|. */
 VM_API vm_vec3 vm_cross(vm_vec3 a, vm_vec3 b)
 {
     return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
@@ -1212,7 +1233,7 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the sizes of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of a. It does not overflow if only its square would overflow. */
+/* The length of the vector a, within 4 eps of itself. It does not overflow if only its square would overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of the sizes |x|, |y| and |z| of a's components */
@@ -1221,6 +1242,14 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
     const vm_vec3 b = vmi_abs(a);
     const vm_real c = b.x > b.y ? b.x : b.y;
     return c > b.z ? c : b.z;
+}
+
+/* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
+   direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
+VM_API vm_vec3 vm_unit(vm_vec3 a)
+{
+    const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
+    return vmi_over(b, VM_SQRT(vm_dot(b, b)));
 }
 
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
@@ -1258,7 +1287,8 @@ VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0
 /* The square of the length of q */
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
-/* The product p q, which is the rotation by q followed by the rotation by p */
+/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
+   into those of a body, and p those of the body into inertial ones, p q turns those of the part into inertial ones. */
 VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
@@ -1333,6 +1363,338 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
 
 /* Reads the four numbers w, x, y, z of a quaternion from a state */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
+
+#endif
+/* mechanics/attitude.h - attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
+   The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes: a vector with
+   the components a along the body's axes has the components q a q* along inertial axes. w is the cosine of half the
+   angle of the rotation, (x, y, z) its axis times the sine of half the angle (Hamilton's quaternions, right-handed).
+   q and -q are the same attitude. The length of q does not matter; four zeros stand for the identity. This chapter
+   computes
+     - the components of a vector along inertial axes from those along body axes, and back,
+     - the rotation matrix of q, which consists of the direction cosines of the axes, and q from this matrix,
+     - the modified Rodrigues parameters of q, and q from them.
+   Euler's angles are in the chapter mechanics/euler_angles.
+
+       vm_quat q = {1, 0, 0, 1};                    // the body is turned by 90 degrees about z
+       vm_vec3 forward = {1, 0, 0};                 // along the body's first axis
+       vm_vec3 direction = vm_rotate(q, forward);   // (0, 1, 0), in inertial axes
+       vm_vec3 back = vm_rotate_back(q, direction); // (1, 0, 0), in body axes
+
+   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); his q has the
+   opposite rotation, from inertial to body axes. Tests: tests/test_attitude.c, tests/test_flow.c. */
+#ifndef VARMASS_MECHANICS_ATTITUDE_H
+#define VARMASS_MECHANICS_ATTITUDE_H
+
+/* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
+   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1, but
+   more slowly than the body rotates. Therefore it does not make the equations of a slow rotation stiff. */
+VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
+{
+    const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
+    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
+}
+
+/* The components along inertial axes of a vector whose components along body axes are a. The error is within 6 eps |a|.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_rotate(vm_quat q, vm_vec3 a)
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!vmi_quat_is_finite(q) || !vmi_vec3_is_finite(a)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    return vmi_times(&m, a);
+}
+
+/* The components along body axes of a vector whose components along inertial axes are a. The error is within 6 eps |a|.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!vmi_quat_is_finite(q) || !vmi_vec3_is_finite(a)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    return vmi_times_transposed(&m, a);
+}
+
+/* The rotation matrix c of an attitude, row by row. c[3 i + j] is the direction cosine of inertial axis i and body axis
+   j: c times the body components of a vector are its inertial components. The error of an entry is within 6 eps. Books
+   that mean the matrix from inertial to body axes write the columns of c as rows.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!c) return VM_BAD_ARGUMENT;
+    if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
+    vmi_set3(c, vmi_vec3(m.x.x, m.y.x, m.z.x));
+    vmi_set3(c + 3, vmi_vec3(m.x.y, m.y.y, m.z.y));
+    vmi_set3(c + 6, vmi_vec3(m.x.z, m.y.z, m.z.z));
+    return VM_OK;
+}
+
+/* How much the entries of a rotation matrix may be wrong: matrices that were printed with three digits are accepted. */
+#define VMI_MATRIX_TOLERANCE VM_C(0.0078125)
+
+/* Whether c is a rotation matrix, apart from small errors of its entries. Its columns x, y, z must have length 1, and
+   the cross product of x and y must be z. */
+VM_API int vmi_is_rotation(const vm_real *c)
+{
+    const vm_vec3 x = vmi_vec3(c[0], c[3], c[6]), y = vmi_vec3(c[1], c[4], c[7]), z = vmi_vec3(c[2], c[5], c[8]);
+    const vm_vec3 lengths = vmi_vec3(vm_dot(x, x) - 1, vm_dot(y, y) - 1, vm_dot(z, z) - 1);
+    const vm_vec3 turned = vm_sub(vm_cross(x, y), z);
+    return vmi_norm_max(lengths) <= VMI_MATRIX_TOLERANCE && vmi_norm_max(turned) <= VMI_MATRIX_TOLERANCE;
+}
+
+/* Attitude of length 1, with w >= 0, from its rotation matrix c, which vm_quat_to_matrix describes. The error is within
+   4 eps, and within 4 eps of the angle for small rotations. A c with rounding errors gives an attitude with errors of
+   their size. Method: of the four forms of the quaternion, the one whose divisor is the largest (Shepperd 1978).
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if c is no rotation matrix even to two digits,
+   a reflection for example, and VM_OK otherwise. */
+VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
+{
+    vm_real v[4], trace; /* v: a multiple of the quaternion w, x, y, z */
+    int i = 0, j, k;
+    if (!c || !q) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(9, c)) return VM_NOT_FINITE;
+    if (!vmi_is_rotation(c)) return VM_DOMAIN;
+    trace = c[0] + c[4] + c[8];
+    if (c[4] > c[0]) i = 1;
+    if (c[8] > c[4 * i]) i = 2;
+    j = (i + 1) % 3;
+    k = (i + 2) % 3;
+    if (trace > c[4 * i]) {
+        v[0] = 1 + trace;
+        v[1] = c[7] - c[5];
+        v[2] = c[2] - c[6];
+        v[3] = c[3] - c[1];
+    } else {
+        v[0] = c[3 * k + j] - c[3 * j + k];
+        v[1 + i] = 1 + c[4 * i] - c[4 * j] - c[4 * k];
+        v[1 + j] = c[3 * j + i] + c[3 * i + j];
+        v[1 + k] = c[3 * k + i] + c[3 * i + k];
+    }
+    *q = vm_unit_quat(vmi_get_quat(v));
+    if (q->w < 0) *q = vmi_quat(-q->w, vm_scale(-1, vmi_quat_vector(*q)));
+    return VM_OK;
+}
+
+/* Modified Rodrigues parameters of an attitude. They are the axis of the rotation times the tangent of a quarter of its
+   angle, for that sign of q that makes w >= 0. The angle is then at most pi, and the length of the parameters p at most
+   1, apart from rounding. The other set of parameters of the same attitude (the shadow set) is -p/|p|^2. At an angle of
+   pi, where w = 0, both sets are equally long: the result is (x, y, z)/|q|. Each component is within 4 eps of itself.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
+{
+    vm_real divisor;
+    if (!vmi_quat_is_finite(q)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    q = vmi_quat_scaled(q);
+    divisor = VM_SQRT(vmi_quat_square(q)) + VM_FABS(q.w);
+    if (q.w < 0) divisor = -divisor;
+    return vmi_over(vmi_quat_vector(q), divisor);
+}
+
+/* Attitude of length 1 from modified Rodrigues parameters p of any length. Its w is negative if |p| > 1, where the
+   angle of the rotation is above pi. Each component of the result is within 8 eps of itself: w too, next to an angle of
+   pi, because 1 - |p|^2 is computed with twice the digits. Parameters that are not finite give NaN. */
+VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
+{
+    vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */
+    vm_two w;
+    if (!vmi_vec3_is_finite(p)) return vmi_quat(VM_NAN, vmi_vec3(VM_NAN, VM_NAN, VM_NAN));
+    if (vmi_norm_max(p) > 1) scale = 1 / vmi_power_below(vmi_norm_max(p));
+    p = vm_scale(scale, p);
+    w = vmi_two_product(scale, scale);
+    w = vmi_two_minus(w, vmi_two_product(p.x, p.x));
+    w = vmi_two_minus(w, vmi_two_product(p.y, p.y));
+    w = vmi_two_minus(w, vmi_two_product(p.z, p.z));
+    return vm_unit_quat(vmi_quat(w.hi, vm_scale(2 * scale, p)));
+}
+
+#endif
+/* mechanics/euler_angles.h - Euler's angles
+
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
+   the line of nodes, and by phi about its own z axis. In the sequence 3-2-1 the angles are yaw, pitch and roll: the body
+   turns by yaw about z, by pitch about its own new y axis, and by roll about its own new x axis. This chapter computes
+     - the quaternion of three angles, and the angles of a quaternion, in both sequences; and for 3-1-3
+     - the axes about which the angles turn the body (Lagrange's equations need them as domega/dq'_i),
+     - the rates psi', theta', phi' of the angles from an angular velocity.
+
+       vm_quat q = vm_euler_321(VM_C(0.1), VM_C(0.2), VM_C(0.3)); // yaw, pitch, roll
+       vm_real angles[3];
+       int status = vm_euler_321_angles(q, angles); // 0.1, 0.2, 0.3
+
+   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
+   the number of binary digits of vm_real, a result has no meaning: neighbouring angles differ by 1 rad or more.
+   Tests: tests/test_attitude.c, tests/test_lagrange.c. */
+#ifndef VARMASS_MECHANICS_EULER_ANGLES_H
+#define VARMASS_MECHANICS_EULER_ANGLES_H
+
+/* Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles. Infinite angles give NaN. */
+VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
+{
+    vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
+    vmi_sincos(psi / 2, &turn.z, &turn.w);
+    vmi_sincos(theta / 2, &tilt.x, &tilt.w);
+    vmi_sincos(phi / 2, &spin.z, &spin.w);
+    return vm_quat_times(vm_quat_times(turn, tilt), spin);
+}
+
+/* Quaternion of length 1 that turns body axes into inertial ones, from yaw, pitch and roll (sequence 3-2-1).
+   Infinite angles give NaN. */
+VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
+{
+    vm_quat about_z = {1, 0, 0, 0}, about_y = {1, 0, 0, 0}, about_x = {1, 0, 0, 0};
+    vmi_sincos(yaw / 2, &about_z.z, &about_z.w);
+    vmi_sincos(pitch / 2, &about_y.y, &about_y.w);
+    vmi_sincos(roll / 2, &about_x.x, &about_x.w);
+    return vm_quat_times(vm_quat_times(about_z, about_y), about_x);
+}
+
+/* A number re + i im of the complex plane, both parts in two words. The quaternion of a sequence of three angles is
+   equivalent to two such numbers, p and r. The angle of p is half the sum of the first and the third angle, the angle of
+   r half their difference. The lengths of p and r depend on the middle angle alone. */
+typedef struct VM_TAG(vmi_euler_part) {
+    vm_two re, im;
+} vmi_euler_part;
+
+VM_API int vmi_euler_is_none(const vmi_euler_part *p) { return p->re.hi == 0 && p->im.hi == 0; }
+
+/* Multiplies p by a power of two that makes its larger part about 1, so that no product underflows. Returns the power. */
+VM_API vm_real vmi_euler_scale(vmi_euler_part *p)
+{
+    const vm_real largest = vmi_larger(VM_FABS(p->re.hi), VM_FABS(p->im.hi)), power = 1 / vmi_power_below(largest);
+    p->re = vmi_two_shifted(p->re, power);
+    p->im = vmi_two_shifted(p->im, power);
+    return power;
+}
+
+/* The real part of the product p r if sign is 1, or of p times the conjugate of r if sign is -1. */
+VM_API vm_real vmi_euler_real(const vmi_euler_part *p, const vmi_euler_part *r, vm_real sign)
+{
+    const vm_two re = vmi_two_times(p->re, r->re), im = vmi_two_times(p->im, r->im);
+    return vmi_two_minus(re, vmi_two_shifted(im, sign)).hi;
+}
+
+/* Writes the first angle and the third one, from -pi to pi: the angles of p r and of p times the conjugate of r, whose
+   imaginary parts are given, since they are accurate only if computed without p and r. If p or r is 0, which is gimbal
+   lock, only the sum or the difference of the two angles is determined: the third angle is then 0. */
+VM_API void vmi_euler_first_and_third(vmi_euler_part p, vmi_euler_part r, vm_real sum, vm_real difference,
+                                      vm_real *angles)
+{
+    vm_real power;
+    if (vmi_euler_is_none(&p) || vmi_euler_is_none(&r)) {
+        const vmi_euler_part *other = vmi_euler_is_none(&p) ? &r : &p;
+        angles[0] = vmi_atan2(2 * other->re.hi * other->im.hi + 0, vmi_euler_real(other, other, 1));
+        angles[2] = 0;
+        return;
+    }
+    power = vmi_euler_scale(&p);
+    sum *= power;
+    difference *= power;
+    power = vmi_euler_scale(&r);
+    sum *= power;
+    difference *= power;
+    angles[0] = vmi_atan2(sum + 0, vmi_euler_real(&p, &r, 1));
+    angles[2] = vmi_atan2(difference + 0, vmi_euler_real(&p, &r, -1));
+}
+
+/* Multiplies q by a power of two, without rounding, so that its largest component is about 1. Four zeros become the
+   identity. */
+VM_API vm_quat vmi_euler_normal_size(vm_quat q)
+{
+    const vm_real most = vmi_larger(VM_FABS(q.w), vmi_norm_max(vmi_quat_vector(q)));
+    const vm_real power = 1 / vmi_power_below(most);
+    if (most == 0) return vmi_quat(1, vmi_vec3(0, 0, 0));
+    return vmi_quat(q.w * power, vm_scale(power, vmi_quat_vector(q)));
+}
+
+/* Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length.
+   psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi (gimbal lock: no line of nodes
+   is determined), phi is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to gimbal
+   lock. The three angles together give the rotation of q to 8 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
+{
+    vmi_euler_part p, r;
+    if (!angles) return VM_BAD_ARGUMENT;
+    if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
+    q = vmi_euler_normal_size(q);
+    p.re = vmi_two(q.w, 0);
+    p.im = vmi_two(q.z, 0);
+    r.re = vmi_two(q.x, 0);
+    r.im = vmi_two(q.y, 0);
+    vmi_euler_first_and_third(p, r, vmi_sum_of_products(q.w, q.y, q.x, q.z),
+                              vmi_sum_of_products(q.x, q.z, -q.w, q.y), angles);
+    angles[1] = 2 * vmi_atan2(vmi_hypot(q.x, q.y), vmi_hypot(q.w, q.z));
+    return VM_OK;
+}
+
+/* Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order.
+   Yaw and roll are between -pi and pi, pitch between -pi/2 and pi/2. If pitch is exactly pi/2 or -pi/2 (gimbal lock),
+   roll is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to gimbal lock. The
+   three angles together give the rotation of q to 8 eps. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+VM_API int vm_euler_321_angles(vm_quat q, vm_real angles[3])
+{
+    vmi_euler_part p, r;
+    vm_real sine, cosine; /* of the pitch, times |q|^2 */
+    if (!angles) return VM_BAD_ARGUMENT;
+    if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
+    q = vmi_euler_normal_size(q);
+    p.re = vmi_two_sum(q.w, -q.y);
+    p.im = vmi_two_sum(q.x, q.z);
+    r.re = vmi_two_sum(q.w, q.y);
+    r.im = vmi_two_sum(q.z, -q.x);
+    vmi_euler_first_and_third(p, r, 2 * vmi_sum_of_products(q.w, q.z, q.x, q.y),
+                              2 * vmi_sum_of_products(q.w, q.x, q.y, q.z), angles);
+    sine = 2 * vmi_sum_of_products(q.w, q.y, -q.x, q.z);
+    cosine = vmi_hypot(p.re.hi, p.im.hi) * vmi_hypot(r.re.hi, r.im.hi);
+    angles[1] = vmi_atan2(sine, cosine);
+    return VM_OK;
+}
+
+/* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i, where q'_i is the rate of
+   angle i. A call with a null pointer does nothing. */
+VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
+{
+    vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */
+    if (!axis) return;
+    vmi_sincos(psi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
+    axis[0] = vmi_vec3(0, 0, 1);
+    axis[1] = vmi_vec3(c, s, 0);
+    axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
+}
+
+/* Unit vectors of the axes about which Euler's angles turn the body, along body axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
+VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
+{
+    vm_real s, c, sine, cosine; /* sine s and cosine c of phi; sine, cosine of theta */
+    if (!axis) return;
+    vmi_sincos(phi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
+    axis[0] = vmi_vec3(sine * s, sine * c, cosine);
+    axis[1] = vmi_vec3(c, -s, 0);
+    axis[2] = vmi_vec3(0, 0, 1);
+}
+
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR if sin(theta) is 0, and VM_OK otherwise. */
+VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
+{
+    vm_real s, c, sine, cosine, result[3]; /* sine s and cosine c of psi; sine, cosine of theta */
+    if (!rates) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
+    vmi_sincos(psi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
+    if (sine == 0) return VM_SINGULAR;
+    result[2] = (s * omega.x - c * omega.y) / sine;
+    result[1] = c * omega.x + s * omega.y;
+    result[0] = omega.z - result[2] * cosine;
+    return vmi_copy_if_finite(3, result, rates);
+}
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
@@ -5166,31 +5528,6 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 }
 
 #endif
-/* mechanics/attitude.h - how the attitude of a rotating body changes
-
-       vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
-       vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
-       vm_real rates[4];          // w', x', y', z' of q
-       vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
-
-   Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
-#ifndef VARMASS_MECHANICS_ATTITUDE_H
-#define VARMASS_MECHANICS_ATTITUDE_H
-
-/* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
-   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1, but
-   more slowly than the body rotates. Therefore it does not make the equations of a slow rotation stiff. */
-VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
-{
-    const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
-}
-
-#endif
 /* mechanics/flow.h - a free body in space with streams of mass
 
    These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
@@ -6772,76 +7109,6 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
     if (!vmi_lagrange_is_valid(system) || !q || !rates || i < 0 || i >= system->n) return VM_NAN;
     vmi_lagrange_freeze(system, t, q);
     return vmi_lagrange_derivative(system, t, q, rates, i);
-}
-
-#endif
-/* mechanics/euler_angles.h - Euler's angles
-
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
-   the line of nodes, and by phi about its own z axis. This chapter computes
-     - the quaternion of three angles,
-     - the axes about which the angles turn the body (Lagrange's equations need them as domega/dq'_i),
-     - the rates psi', theta', phi' of the angles from an angular velocity.
-
-       vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
-
-   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning: neighbouring angles differ by 1 rad or more.
-   Tests: tests/test_lagrange.c. */
-#ifndef VARMASS_MECHANICS_EULER_ANGLES_H
-#define VARMASS_MECHANICS_EULER_ANGLES_H
-
-/* Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles. Infinite angles give NaN. */
-VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
-{
-    vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
-    vmi_sincos(psi / 2, &turn.z, &turn.w);
-    vmi_sincos(theta / 2, &tilt.x, &tilt.w);
-    vmi_sincos(phi / 2, &spin.z, &spin.w);
-    return vm_quat_times(vm_quat_times(turn, tilt), spin);
-}
-
-/* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i, where q'_i is the rate of
-   angle i. A call with a null pointer does nothing. */
-VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
-{
-    vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */
-    if (!axis) return;
-    vmi_sincos(psi, &s, &c);
-    vmi_sincos(theta, &sine, &cosine);
-    axis[0] = vmi_vec3(0, 0, 1);
-    axis[1] = vmi_vec3(c, s, 0);
-    axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
-}
-
-/* Unit vectors of the axes about which Euler's angles turn the body, along body axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
-VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
-{
-    vm_real s, c, sine, cosine; /* sine s and cosine c of phi; sine, cosine of theta */
-    if (!axis) return;
-    vmi_sincos(phi, &s, &c);
-    vmi_sincos(theta, &sine, &cosine);
-    axis[0] = vmi_vec3(sine * s, sine * c, cosine);
-    axis[1] = vmi_vec3(c, -s, 0);
-    axis[2] = vmi_vec3(0, 0, 1);
-}
-
-/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR if sin(theta) is 0, and VM_OK otherwise. */
-VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
-{
-    vm_real s, c, sine, cosine, result[3]; /* sine s and cosine c of psi; sine, cosine of theta */
-    if (!rates) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
-    vmi_sincos(psi, &s, &c);
-    vmi_sincos(theta, &sine, &cosine);
-    if (sine == 0) return VM_SINGULAR;
-    result[2] = (s * omega.x - c * omega.y) / sine;
-    result[1] = c * omega.x + s * omega.y;
-    result[0] = omega.z - result[2] * cosine;
-    return vmi_copy_if_finite(3, result, rates);
 }
 
 #endif

@@ -139,6 +139,7 @@ static vm_vec3 vector(vm_real size)
 #include "golden/jacobi.h"
 #include "golden/ateb.h"
 #include "golden/integrators.h"
+#include "golden/attitude.h"
 #include "golden/jumps.h"
 #include "golden/rotor.h"
 #include "golden/lagrange.h"
@@ -197,6 +198,7 @@ int main(void)
     RUN(ateb);
     RUN(beta);
     RUN(integrators);
+    RUN(attitude);
     RUN(jumps);
     RUN(rotor);
     RUN(lagrange);

@@ -5,9 +5,10 @@
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions are internal: sums and products of vectors, norms, rotation matrices, and functions that read three
-   or four numbers of a state as a vector or a quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
-   tests/test_torque_free.c. */
+   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product, length and direction of
+   vectors, product and normalisation of quaternions. The others read three or four numbers of a state as a vector or a
+   quaternion, or make rotation matrices. No function here checks its arguments: infinite and NaN numbers go through the
+   arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -38,14 +39,22 @@ VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
     return a;
 }
 
+/* The sum a + b of two vectors */
 VM_API vm_vec3 vm_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+
+/* The difference a - b of two vectors */
 VM_API vm_vec3 vm_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+/* The multiple c a of a vector, for a number c */
 VM_API vm_vec3 vm_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
+
+/* The dot product a.x b.x + a.y b.y + a.z b.z of two vectors. Its error is within 2 eps |a| |b|. */
 VM_API vm_real vm_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /* The vector a/c, with each component rounded once */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
+/* The cross product a x b of two vectors, by the right-hand rule. The error of a component is within 2 eps |a| |b|. */
 VM_API vm_vec3 vm_cross(vm_vec3 a, vm_vec3 b)
 {
     return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
@@ -56,7 +65,7 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the sizes of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of a. It does not overflow if only its square would overflow. */
+/* The length of the vector a, within 4 eps of itself. It does not overflow if only its square would overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of the sizes |x|, |y| and |z| of a's components */
@@ -65,6 +74,14 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
     const vm_vec3 b = vmi_abs(a);
     const vm_real c = b.x > b.y ? b.x : b.y;
     return c > b.z ? c : b.z;
+}
+
+/* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
+   direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
+VM_API vm_vec3 vm_unit(vm_vec3 a)
+{
+    const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
+    return vmi_over(b, VM_SQRT(vm_dot(b, b)));
 }
 
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
@@ -102,7 +119,8 @@ VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0
 /* The square of the length of q */
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
-/* The product p q, which is the rotation by q followed by the rotation by p */
+/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
+   into those of a body, and p those of the body into inertial ones, p q turns those of the part into inertial ones. */
 VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
