@@ -198,6 +198,7 @@ int main(void)
     RUN(ateb);
     RUN(beta);
     RUN(integrators);
+    RUN(output);
     RUN(attitude);
     RUN(jumps);
     RUN(rotor);
