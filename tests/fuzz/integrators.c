@@ -269,7 +269,7 @@ static void check_listed(void)
     HOLDS(known(status) && done >= 0 && done <= fits && (status >= 0 ? 1 : status != ODE_OK));
     HOLDS((status != ODE_OK && status != ODE_STIFF) || done == fits);
     if (status == ODE_BAD_ARGUMENT) {
-        HOLDS(!is_finite(way));
+        HOLDS(!is_finite(times[TIMES - 1]));
         return;
     }
     HOLDS((high ? rk87_save(&s, BYTES, bytes) : rk45_save(&s, BYTES, bytes)) == ODE_OK);
