@@ -63,9 +63,12 @@ COUNT(ateb_sa, a = ateb_sa(u[i], alpha[i]))
 COUNT(ateb_phase, a = ateb_phase(u[i], m[i], alpha[i]))
 COUNT(ateb_integral_sa2, a = ateb_integral_sa2(u[i], alpha[i]))
 COUNT(ateb_mean, a = ateb_mean(alpha[i], other[i], 1))
+COUNT(ateb_mean_nm, a = ateb_mean_nm(alpha[i], other[i], 2, 1, 0))
 COUNT(ateb_pi_nm, a = ateb_pi_nm(alpha[i], other[i]))
 COUNT(ateb_saca_nm, ateb_saca_nm(u[i], alpha[i], other[i], &a, &b))
 COUNT(ateb_beta, a = ateb_beta(alpha[i], other[i]))
+COUNT(ateb_ln_beta, a = ateb_ln_beta(alpha[i], other[i]))
+COUNT(ateb_ln_beta_inc, a = ateb_ln_beta_inc(p[i], alpha[i], other[i]))
 COUNT(ateb_beta_inc, a = ateb_beta_inc(p[i], alpha[i], other[i]))
 COUNT(ateb_beta_inc_inv, a = ateb_beta_inc_inv(p[i], alpha[i], other[i]))
 COUNT(ateb_plan_init, ateb_plan_init(&alpha_plan, alpha[i]); a = alpha_plan.g)
@@ -211,9 +214,12 @@ int main(void)
                                            count_ateb_phase,
                                            count_ateb_integral_sa2,
                                            count_ateb_mean,
+                                           count_ateb_mean_nm,
                                            count_ateb_pi_nm,
                                            count_ateb_saca_nm,
                                            count_ateb_beta,
+                                           count_ateb_ln_beta,
+                                           count_ateb_ln_beta_inc,
                                            count_ateb_beta_inc,
                                            count_ateb_beta_inc_inv,
                                            count_ateb_plan_init,

@@ -34,17 +34,18 @@
      ateb_pi               Pi_alpha, half the period
      ateb_plan_init        prepares a plan for one alpha; then call ateb_plan_saca for one s, or ateb_plan_saca_array
                            for many s. ateb_plan_init_to makes a shorter and quicker plan of less accuracy. A plan is
-                           plain data and may be a constant in flash; examples/ateb_plan prints one. On AVR copy it
+                           plain data and may be a constant in flash; examples/print_plan prints one. On AVR copy it
                            from there to RAM, by memcpy_P, before it is used.
      ateb_phase            s from sa and ca, as atan2 computes an angle from its sine and cosine
-     ateb_mean             the mean of |sa|^p |ca|^q over a period (316)
+     ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm has two indices and signs
      ateb_integral_...     integrals from 0 to s
      ateb_saca_nm          sa(n, m, s) and ca(m, n, s) with any two indices
      ateb_beta...          beta function, incomplete beta function and its inverse
+     ateb_ln_beta...       logarithms of the beta functions, where these overflow or underflow
 
    ERRORS
      alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
-     outside 1e-4 to 1e5, and whatever else lies outside the domain that the comment of a function gives. A plan
+     outside 1e-4 to 1e5 (of which 0 and infinity give limits), and whatever else lies outside the domain that the comment of a function gives. A plan
      refuses a bad alpha with -1 and stays as it was. Nothing else can fail. The functions allocate no
      memory and keep no state; the value of errno means nothing.
 

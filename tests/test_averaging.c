@@ -451,7 +451,7 @@ static void check_reactive_average(double a)
     const double S = (double)ateb_mean(R(a), 2, 0), P = 0.5 * 2 / (a + 1) * S;
     vm_real A_rate, theta_rate, psi_rate;
     int method;
-    near("(316)", "<ca^2>", (double)vmi_osc_mean_ca(2, R(a), ateb_pi(R(a))), (double)ateb_mean(R(a), 0, 2), 1e-15);
+    near("(316)", "<ca^2>", (double)vmi_osc_mean_ca(2, R(a), ateb_pi(R(a)), vmi_ateb_constants), (double)ateb_mean(R(a), 0, 2), 1e-15);
     near("(324)", "<sa^2>/(a+1)", S / (a + 1), 1 / (a + 3), 1e-14);
     for (method = VM_ROUTE_TRIG; method <= VM_ROUTE_ATEB; method++) {
         CHECK(vm_osc_averaged(&p, method, 0, R(A_MEAN), &A_rate, &theta_rate, &psi_rate) == VM_OK);

@@ -3,10 +3,10 @@
 # simavr. usage: CC=compiler test_avr.sh BUILD_FOLDER, from the top of the project
 cc=${CC:-cc} build=$1/avr
 . tests/check.sh
-avr="avr-gcc -mmcu=atmega328p -DF_CPU=16000000UL -Os -Wall -Wextra -Werror"
+avr="avr-gcc -mmcu=atmega328p -I$build -DF_CPU=16000000UL -Os -Wall -Wextra -Werror"
 
 sh tests/install.sh -w "for the tables in the flash of an AVR" "command -v avr-gcc && command -v simavr" gcc-avr avr-libc simavr || {
-    echo "avr: 0 passed, 0 failed, 15 skipped"
+    echo "avr: 0 passed, 0 failed, 21 skipped"
     exit 0
 }
 
@@ -23,14 +23,20 @@ same_bits() { # same_bits PROGRAM EXPECTED
     [ "$(wc -l <"$1.lines")" -gt 30 ] && diff "$1.lines" "$2"
 }
 
-for tables in ATEB RK45 RK87; do
-    expected=$build/$tables.expected
-    check "$tables: for this machine" $cc -std=c99 -ffp-contract=off -D$tables tests/cross/tables.c -o "$build/$tables" -lm
-    "$build/$tables" >"$expected"
-    check "$tables: in flash unless told otherwise" builds "$build/$tables.flash" -std=c99 -D$tables
-    check "$tables: in flash unless told otherwise, bits" same_bits "$build/$tables.flash" "$expected"
-    check "$tables: __flash" builds "$build/$tables.named" -std=gnu99 -D$tables \
+print_plan() { # the plan of a leaking oscillator, as a constant in flash
+    $cc -std=c99 -DVM_USE_FLOAT examples/print_plan.c -o "$build/print_plan" -lm &&
+        "$build/print_plan" closed 1.7 10 -0.1 100 0 1 0 0.1 0 5 30 "plan PROGMEM" >"$build/closed_plan.h"
+}
+check "the plan of an oscillator is printed" print_plan
+for tables in ATEB "CLOSED=\"closed_plan.h\"" RK45 RK87; do
+    expected=$build/${tables%%=*}.expected
+    chapter=${tables%%=*}
+    check "$chapter: for this machine" $cc -std=c99 -ffp-contract=off -D"$tables" -I"$build" tests/cross/tables.c -o "$build/$chapter" -lm
+    "$build/$chapter" >"$expected"
+    check "$chapter: in flash unless told otherwise" builds "$build/$chapter.flash" -std=c99 -D"$tables"
+    check "$chapter: in flash unless told otherwise, bits" same_bits "$build/$chapter.flash" "$expected"
+    check "$chapter: __flash" builds "$build/$chapter.named" -std=gnu99 -D"$tables" \
         "-DVM_TABLE=static const __flash" "-DVM_READ(x)=(x)"
-    check "$tables: __flash, bits" same_bits "$build/$tables.named" "$expected"
+    check "$chapter: __flash, bits" same_bits "$build/$chapter.named" "$expected"
 done
 check_finish avr

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What examples/jacobi_plan and examples/ateb_plan print compiles without a warning, to the bits that init computes, the first into
-# read-only data; in double and float.
+# What examples/print_plan prints compiles without a warning, to the bits that init computes, into read-only data; in double
+# and float.
 # usage: CC=compiler test_plans.sh BUILD_FOLDER, from the top of the project
 cc=${CC:-cc} build=$1/plans
 parameters="0.3 0.9 -20 1 -1e10"
@@ -9,7 +9,7 @@ parameters="0.3 0.9 -20 1 -1e10"
 print_plans() { # print_plans PRINTER : the constants plan_0, plan_1, ... and a table of them
     i=0 table=
     for m in $parameters; do
-        "$1" $m plan_$i || return 1
+        "$1" jacobi $m plan_$i || return 1
         table="$table{&plan_$i, (vm_real)($m)}, "
         i=$((i + 1))
     done
@@ -65,9 +65,9 @@ for precision in double float; do
     mkdir "$folder"
     compile="$cc -std=c99 -O2 -Wall -Wextra -Werror -I. -I$folder"
     [ $precision = float ] && compile="$compile -DVM_USE_FLOAT"
-    check "$precision: the printer builds" $compile examples/jacobi_plan.c -o "$folder/print" -lm
-    check "$precision: m = 2 is refused" fails "$folder/print" 2
-    check "$precision: a word is refused" fails "$folder/print" 0.3x
+    check "$precision: the printer builds" $compile examples/print_plan.c -o "$folder/print" -lm
+    check "$precision: m = 2 is refused" fails "$folder/print" jacobi 2
+    check "$precision: a word is refused" fails "$folder/print" jacobi 0.3x
     print_plans "$folder/print" >"$folder/plans.inc"
     check "$precision: what was printed compiles" $compile -c "$build/compare.c" -o "$folder/compare.o"
     check "$precision: and links" $compile "$folder/compare.o" -o "$folder/compare" -lm
@@ -78,24 +78,56 @@ for precision in double float; do
         i=$((i + 1))
     done
 done
-ateb_round_trip() { # ateb_round_trip ALPHA ACCURACY OPTIONS...: the printed plan has the bits that init computes
-    alpha=$1 accuracy=$2
-    shift 2
-    $cc -std=c99 "$@" examples/ateb_plan.c -o "$build/plan_print" -lm || return 1
+ateb_round_trip() { # ateb_round_trip PRECISION ALPHA ACCURACY : the printed plan has the bits that init computes
+    folder=$build/$1 float=
+    [ $1 = float ] && float=-DVM_USE_FLOAT
     { printf '#include "ateb.h"\n'
-      "$build/plan_print" $alpha $accuracy
-      printf 'int main(void) { ateb_plan p = plan; ateb_plan_init_to(&p, (vm_real)%s, (vm_real)%s);\n' $alpha $accuracy
-      printf 'return memcmp(&p, &plan, sizeof p) != 0; }\n'; } >"$build/plan.c"
-    $cc -std=c99 "$@" -I. "$build/plan.c" -o "$build/plan" -lm && "$build/plan"
+      "$folder/print" ateb $2 $3
+      printf 'int main(void) { ateb_plan p = plan; ateb_plan_init_to(&p, (vm_real)%s, (vm_real)%s);\n' $2 $3
+      printf 'return memcmp(&p, &plan, sizeof p) != 0; }\n'; } >"$folder/ateb.c"
+    $cc -std=c99 $float -I. "$folder/ateb.c" -o "$folder/ateb" -lm && "$folder/ateb"
+}
+closed_round_trip() { # closed_round_trip PRECISION ARGUMENT... : so has the printed oscillator; it lies in read-only data
+    folder=$build/$1 float=
+    [ $1 = float ] && float=-DVM_USE_FLOAT
+    shift
+    { printf '#include "varmass.h"\nstatic vm_osc_closed c;\n'
+      "$folder/print" closed "$@" || return 1
+      echo "static const double a[] = {$(echo "$@" | tr ' ' ',')};"
+      cat <<'END'
+int main(void)
+{
+    const vm_osc_closed *volatile printed = &plan;
+    vm_osc_problem p = {0};
+    p.alpha = (vm_real)a[0];
+    p.mass = vm_law_linear((vm_real)a[1], (vm_real)a[2]);
+    p.stiffness = vm_law_linear((vm_real)a[3], (vm_real)a[4]);
+    p.reactive = (vm_real)a[5];
+    p.damping = (vm_real)a[6];
+    p.x = (vm_real)a[7];
+    p.v = (vm_real)a[8];
+    if (vm_osc_closed_init(&c, &p, (int)a[9], (vm_real)a[10])) return 1;
+    return memcmp(&c, printed, sizeof c) != 0;
+}
+END
+    } >"$folder/closed.c"
+    $cc -std=c99 -O2 -Wall -Wextra -Werror $float -I. -c "$folder/closed.c" -o "$folder/closed.o" || return 1
+    $cc "$folder/closed.o" -o "$folder/closed" -lm && "$folder/closed" && is_read_only "$folder/closed.o" plan
 }
 for alpha in 0 0.1 1 1.5 2.7 3 100; do
-    check "printed plan, alpha $alpha" ateb_round_trip $alpha 0
-    check "printed plan, alpha $alpha, float" ateb_round_trip $alpha 0 -DVM_USE_FLOAT
+    check "printed plan, alpha $alpha" ateb_round_trip double $alpha 0
+    check "printed plan, alpha $alpha, float" ateb_round_trip float $alpha 0
 done
-check "printed plan to 1e-4" ateb_round_trip 1.5 1e-4
+check "printed plan to 1e-4" ateb_round_trip double 1.5 1e-4
+for precision in double float; do
+    check "$precision: a printed oscillator of order 5" closed_round_trip $precision 1.7 10 -0.1 100 -1 1 0.02 0.1 0.2 5 30
+    check "$precision: of order 2, which lacks polynomials" closed_round_trip $precision 3 2 0.01 5 0 0 0 0.1 -0.2 2 -20
+    check "$precision: whose error is unknown" closed_round_trip $precision 3 2 0.01 5 0 1 0 0.1 0 3 1e9
+    check "$precision: at rest" closed_round_trip $precision 0 2 0.01 5 0 0 0 0 0 4 1
+    check "$precision: one without a law is refused" fails "$build/$precision/print" closed 1 1 10 1 0 0 0 0.1 0 5 1
+done
 stored_plan_is_current() {
-    $cc -std=c99 -DVM_USE_FLOAT examples/ateb_plan.c -o "$build/plan_print" -lm &&
-        { echo '/* Written by examples/ateb_plan 3, built with -DVM_USE_FLOAT */'; "$build/plan_print" 3 0; } |
+    { echo '/* Written by examples/print_plan ateb 3, built with -DVM_USE_FLOAT */'; "$build/float/print" ateb 3 0; } |
         cmp - examples/firmware/plan.h
 }
 check "the firmware example's plan is what init computes" stored_plan_is_current

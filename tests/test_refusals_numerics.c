@@ -33,26 +33,31 @@ static int saca_nm(trial *a)
     return ca == ca ? value(a, sa) : -1;
 }
 
-static int beta_inc(trial *a)
-{
-    const vm_real x = next(a), p = next(a), q = next(a);
-    return value(a, ateb_beta_inc(x, p, q));
-}
+/* The parameters of the beta functions may be infinite (tests/test_ateb.c): only x, y and p, q are spoiled here. */
+static int beta_inc(trial *a) { return value(a, ateb_beta_inc(next(a), 2, 3)); }
+
+static int ln_beta_inc(trial *a) { return value(a, ateb_ln_beta_inc(next(a), 2, 3)); }
 
 static int beta_inc_both(trial *a)
 {
-    const vm_real x = next(a), y = next(a), p = next(a), q = next(a);
+    const vm_real x = next(a), y = next(a);
     vm_real lower, upper;
-    ateb_beta_inc_both(x, y, p, q, &lower, &upper);
+    ateb_beta_inc_both(x, y, 2, 3, &lower, &upper);
     return upper == upper ? value(a, lower) : -1;
 }
 
 static int beta_inc_inv_both(trial *a)
 {
-    const vm_real x = next(a), y = next(a), p = next(a), q = next(a);
+    const vm_real p = next(a), q = next(a);
     vm_real lower, upper, ln;
-    ateb_beta_inc_inv_both(x, y, p, q, &lower, &upper, &ln);
+    ateb_beta_inc_inv_both(p, q, 2, 3, &lower, &upper, &ln);
     return upper == upper && ln == ln ? value(a, lower) : -1;
+}
+
+static int mean_nm(trial *a)
+{
+    const vm_real n = next(a), m = next(a), p = next(a), q = next(a);
+    return value(a, ateb_mean_nm(n, m, p, q, 0));
 }
 
 static void test_special_functions(void)
@@ -61,9 +66,16 @@ static void test_special_functions(void)
     REFUSES(mean, 0, 3, 2, 2);
     REFUSES(phase, 0, R(0.5), R(0.7), 3);
     REFUSES(saca_nm, 0, R(0.5), 2, 3);
-    REFUSES(beta_inc, 0, R(0.5), 2, 3);
-    REFUSES(beta_inc_both, 0, R(0.5), R(0.5), 2, 3);
-    REFUSES(beta_inc_inv_both, 0, R(0.5), R(0.5), 2, 3);
+    REFUSES(beta_inc, 0, R(0.5));
+    REFUSES(ln_beta_inc, 0, R(0.5));
+    REFUSES(beta_inc_both, 0, R(0.5), R(0.5));
+    REFUSES(beta_inc_inv_both, 0, R(0.5), R(0.5));
+    REFUSES(mean_nm, 0, 2, 3, 2, 2);
+    CHECK(isnan(ateb_beta_inc(R(0.5), VM_NAN, 3)) && isnan(ateb_beta_inc(R(0.5), 2, VM_NAN)));
+    CHECK(isnan(ateb_beta_inc_inv(R(0.5), VM_NAN, 3)) && isnan(ateb_beta_inc_inv(R(0.5), 2, VM_NAN)));
+    CHECK(isnan(ateb_ln_beta_inc(R(0.5), VM_NAN, 3)) && isnan(ateb_ln_beta_inc(R(0.5), 2, VM_NAN)));
+    CHECK(isnan(ateb_ln_beta(VM_NAN, 3)) && isnan(ateb_ln_beta(2, VM_NAN)) && isnan(ateb_ln_beta(-1, 3)));
+    CHECK(isnan(ateb_mean_nm(2, 3, 2, 2, -1)) && isnan(ateb_mean_nm(2, 3, 2, 2, 4)));
     CHECK(isnan(ateb_mean(3, 2, -1)) && isnan(ateb_mean(3, -1, 2)) && isnan(ateb_pi_nm(2, -1)));
 }
 

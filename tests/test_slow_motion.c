@@ -56,7 +56,7 @@ static void functions_at(const vmi_ripple *r, int order, double psi, double *f, 
 
 static void ripple_of(double alpha, vmi_ripple *r)
 {
-    vmi_ripple_init(r, R(alpha), ateb_pi(R(alpha)));
+    vmi_ripple_init(r, R(alpha), vmi_ateb_fine_constants);
     vmi_ripple_complete(r);
 }
 
@@ -92,8 +92,8 @@ static void test_ripple_values(void)
                     row->psi, alpha);
         for (order = 3; order < 5; order++) { /* a lower order needs fewer functions, which are the same */
             functions_at(&r, order, row->psi, lower, &C);
-            CHECK(lower[S] == f[S]);
-            CHECK(lower[S2] == (order < 4 ? lower[S2] : f[S2]));
+            CHECK(fabs(lower[S] - f[S]) <= eps * size[S]); /* 0 unless the compiler contracts products and sums */
+            if (order >= 4) CHECK(fabs(lower[S2] - f[S2]) <= 4 * eps * size[S2]);
         }
     }
 }
@@ -252,18 +252,6 @@ static void test_reduction(void)
 
 /* ---- Orders ---- */
 
-static int rising(const void *a, const void *b)
-{
-    const double d = *(const double *)a - *(const double *)b;
-    return d < 0 ? -1 : d > 0;
-}
-
-static double median(double *values, int n)
-{
-    qsort(values, (size_t)n, sizeof *values, rising);
-    return values[n / 2];
-}
-
 /* The largest error of an order at the four times of a case */
 static double largest_error(const slow_case *s, int order)
 {
@@ -351,27 +339,6 @@ static void test_action(void)
 }
 
 /* ---- Estimates ---- */
-
-typedef struct judgement {
-    double *sharp; /* estimate by true error */
-    int count, beyond, unknown;
-    double worst;
-} judgement;
-
-static void judge(judgement *j, double error, double estimate)
-{
-    j->sharp[j->count++] = estimate / fmax(error, 1e-300);
-    j->worst = fmax(j->worst, error / estimate);
-    j->beyond += error > 3 * estimate;
-}
-
-static void report(const char *name, judgement *j, double sharp, double unknown)
-{
-    check_error(name, "true > 3 est", "%", 100. * j->beyond / j->count, 1, j->count, 0);
-    check_error(name, "true/est, worst", "", j->worst, 10, 0, 0);
-    check_error(name, "unknown", "%", 100. * j->unknown / (j->count + j->unknown), unknown, j->unknown, 0);
-    check_error(name, "est/true, median", "", median(j->sharp, j->count), sharp, 0, 0);
-}
 
 /* The estimate of an order on all problems of a table, forward, or backward from one of the times */
 static void judge_table(const slow_case *cases, int count, int order, int backward, judgement *j)

@@ -1,5 +1,6 @@
 /* What one call costs on a microcontroller: CALL, an expression with the variables below, from HEADER. Prints its
-   instructions and the depth of its stack; flash is the program's size less that of one with CALL = 0. */
+   instructions, the mean of 16 calls, or with TIMES the most of so many calls at u = 0, 1/8, 2/8 ...; and the depth of its
+   stack. Flash is the program's size less that of one with CALL = 0. */
 #include HEADER
 #include "board.h"
 
@@ -20,6 +21,22 @@ static int oscillate(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     dydt[0] = y[1];
     dydt[1] = -y[0] * y[0] * y[0];
     return 0;
+}
+#endif
+#ifdef CONSTANT_PLAN
+#include CONSTANT_PLAN
+#endif
+#ifdef PROBLEM
+static vm_osc_problem problem;
+static vm_osc_closed made;
+
+static void set_problem(vm_real rate)
+{
+    problem.alpha = (vm_real)1.7;
+    problem.mass = vm_law_linear(10, rate / 10);
+    problem.stiffness = vm_law_linear(100, 0);
+    problem.reactive = 1;
+    problem.x = (vm_real)0.1;
 }
 #endif
 #ifdef VARMASS_H
@@ -52,10 +69,22 @@ int main(void)
     for (low = &here - DEPTH; low < &here - 16; low++) *low = paint;
     call(input[0], input[1], input[2], input[3]); /* warm */
     for (low = &here - DEPTH; *low == paint && low < &here; low++) {}
+#ifdef TIMES
+    used = 0;
+    for (i = 0; i < TIMES; i++) {
+        const vm_real u = (vm_real)i / 8;
+        uint32_t now;
+        start = board_instructions();
+        call(u, input[1], input[2], input[3]);
+        now = board_instructions() - start;
+        if (now > used) used = now;
+    }
+#else
     start = board_instructions();
     for (i = 0; i < 16; i++) call(input[0], input[1], input[2], input[3]);
-    used = board_instructions() - start;
-    board_print_number((int32_t)(used / 16), 1);
+    used = (board_instructions() - start) / 16;
+#endif
+    board_print_number((int32_t)used, 1);
     board_print(" ");
     board_print_number((int32_t)((&here - low) * 4), 1);
     board_print("\n");

@@ -1,5 +1,5 @@
-/* Written by examples/ateb_plan 3, built with -DVM_USE_FLOAT */
-/* alpha = 3, accuracy 0 (0: full), 184 bytes */
+/* Written by examples/print_plan ateb 3, built with -DVM_USE_FLOAT */
+/* alpha = 3, accuracy 0 (0: full), float, 184 bytes */
 static const ateb_plan plan = {
     {VM_C(2.62205744), VM_C(1.16395398e-07)},
     {VM_C(2.62109375), VM_C(0.000963687897), VM_C(1.16395398e-07)},

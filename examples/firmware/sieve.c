@@ -1,7 +1,7 @@
 /* A controller for a vibrating sieve on strongly nonlinear (cubic) supports: while material leaves the sieve, its amplitude
    falls and its frequency rises; every 10 ms the controller predicts both, and where the sieve is, from the mass that its
    scales report, so that the drive can follow. Float, no heap, no C library but sqrtf; the Ateb functions come from a
-   plan in flash (plan.h, made by examples/ateb_plan 3). Runs on an emulated Cortex-M4F: make firmware.
+   plan in flash (plan.h, made by examples/print_plan ateb 3). Runs on an emulated Cortex-M4F: make firmware.
 
    What leaves has the sieve's velocity: m x'' + k x^3 = 0, A = A0 (m/m0)^(1/(alpha+3)), by (325) corrected. */
 #define VM_USE_FLOAT

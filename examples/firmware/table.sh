@@ -50,6 +50,12 @@ measure() { # measure PRECISION NAME HEADER CALL EXTRA_FLAG... : a row
     done
     printf '\n'
 }
+print_plan() { # print_plan PRECISION ORDER : the plan of a leaking oscillator as a constant, $build/closed.h
+    flag=
+    [ $1 = float ] && flag=-DVM_USE_FLOAT
+    ${CC:-cc} -std=c99 $flag examples/print_plan.c -o "$build/print_plan" -lm &&
+        "$build/print_plan" closed 1.7 10 0.03 100 0 1 0 0.1 0 $2 30 >"$build/closed.h" || exit 1
+}
 rows() { # rows PRECISION
     printf '\n## %s\n\n| function |' "$1"
     for target in $targets; do printf ' %s |' $target; done
@@ -69,6 +75,14 @@ rows() { # rows PRECISION
     measure $1 "ateb_phase" ateb.h "a = ateb_phase(m, u, alpha)"
     measure $1 "ateb_beta_inc" ateb.h "a = ateb_beta_inc(u, m, alpha)"
     measure $1 "vm_osc_period" varmass.h "a = vm_osc_period(u, m, alpha)"
+    for order in 2 3 5; do
+        at=vm_osc_closed_at name="vm_osc_closed_at (order 5)"
+        [ $order -lt 5 ] && at=vm_osc_closed_at_order$order name=vm_osc_closed_at_order$order
+        print_plan $1 $order
+        measure $1 "$name" varmass.h "$at(&plan, u, &a, &b)" \
+            "-DCONSTANT_PLAN=\"$build/closed.h\"" -DTIMES=200
+        measure $1 "vm_osc_closed_init (order $order)" varmass.h "set_problem(m), a = vm_osc_closed_init(&made, &problem, $order, 30)" -DPROBLEM
+    done
     measure $1 "vm_osc_amplitude_law" varmass.h "a = vm_osc_amplitude_law(u, m, 1, alpha)"
     measure $1 "vm_lambert_w0" varmass.h "a = vm_lambert_w0(u)"
     measure $1 "vm_separate2" varmass.h "part.vx = m, vm_separate2(&whole, &part, NULL, &rest), a = rest.omega"
@@ -83,7 +97,9 @@ Written by `make firmware-table`: bytes of flash that a program grows by, tables
 bytes of stack; instructions of a call, on emulated boards; gcc -Os. M0: Cortex-M0, no floating-point unit; M4F: Cortex-M4F,
 single precision in hardware, so that double is emulated; M7: Cortex-M7, both in hardware; RV32IMAC: RISC-V without
 floating-point unit; RV32IMAFDC: with both precisions in hardware. The rows of plans include what makes the plan, which
-a `const` plan in flash does not need; `rk4_step` and `rk45_step` are of a cubic oscillator, its four and six evaluations
+a `const` plan in flash does not need. `vm_osc_closed_at` is a leaking oscillator's motion by the law of order two, three
+and five, from such a constant plan; its flash contains the plan, and its instructions are the most of 200 times.
+`vm_osc_closed_init` is the preparation of such a plan on the board, with a linear law of mass. `rk4_step` and `rk45_step` are of a cubic oscillator, its four and six evaluations
 included.
 
 ![instructions of a call](figures/firmware.svg)

@@ -435,22 +435,38 @@ VM_API vm_real ateb_pi(vm_real alpha)
    words, else 0. */
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
-/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
-   Pi_alpha is n + g(q), with g(q) = 2 ln 2 + q g'(0) + q^2 g''(0)/2; for any other alpha it is n f(q), where f is
-   vmi_ateb_gamma_ratio. */
-VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
+/* Returns g(q) = Pi_alpha - (alpha + 1) in two words for a large alpha: 2 ln 2 + q g'(0) + q^2 g''(0)/2 */
+VM_API vm_two vmi_ateb_g_of_large(vm_real q)
 {
-    const vm_two one = {1, 0};
-    const vm_real q = c->q.hi, two_ln2 = VM_C(1.386294361119890618835);
+    const vm_real two_ln2 = VM_C(1.386294361119890618835);
 #if VM_MANT_DIG > 24
     const vm_real two_ln2_lo = VM_C(4.638093627692599231e-17);
 #else
     const vm_real two_ln2_lo = VM_C(-3.80930859992e-9);
 #endif
-    vm_real rest;
-    if (!vmi_ateb_is_large(c)) return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
-    rest = two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957));
-    return vmi_half(vmi_two_plus(c->n, vmi_two_sum(two_ln2, rest)));
+    return vmi_two_sum(two_ln2, two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)));
+}
+
+/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
+   Pi_alpha is n + g(q); for any other alpha it is n f(q), where f is vmi_ateb_gamma_ratio. */
+VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
+{
+    const vm_two one = {1, 0};
+    if (vmi_ateb_is_large(c)) return vmi_half(vmi_two_plus(c->n, vmi_ateb_g_of_large(c->q.hi)));
+    return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
+}
+
+/* A function that sets all constants of one alpha: vmi_ateb_constants, or vmi_ateb_fine_constants */
+typedef void (*vmi_ateb_constants_of)(vmi_ateb *c, vm_real alpha);
+
+/* Sets all of n, q, g and quarter. It does without the table of g that vmi_ateb_constants reads: its code is shorter and
+   its results are more accurate, but it takes longer. */
+VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
+{
+    vmi_ateb_index_constants(c, alpha);
+    c->quarter = vmi_ateb_fine_quarter(c);
+    c->g = vmi_two_minus(vmi_two_scaled(c->quarter, 2), c->n);
+    if (vmi_ateb_is_large(c)) c->g = vmi_ateb_g_of_large(c->q.hi);
 }
 
 #endif

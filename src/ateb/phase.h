@@ -14,6 +14,7 @@
 #include "../base/bits.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
+#include "../base/scalars.h"
 #include "../base/sums.h"
 #include "../base/words.h"
 #include "inversion.h"
@@ -72,6 +73,9 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
+/* Whether ateb_phase has a result for this alpha */
+VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
+
 /* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
    The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
    every lambda > 0. Therefore sa and ca may be -x' sqrt((alpha+1)/2)/omega and x of the oscillator x'' = -omega^2
@@ -82,7 +86,7 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
     vmi_ateb c;
-    if (!(alpha >= 0) || !(alpha <= VM_C(1e30)) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
+    if (!vmi_ateb_has_phase(alpha) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
     vmi_ateb_constants(&c, alpha);
     if (sa == 0) r = 0;
     else if (ca == 0) r = c.quarter.hi;
@@ -92,6 +96,51 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
         r = vmi_ateb_phase_r(vmi_two_plus(ln_w, vmi_minus(ln_x)), &c);
     }
     if (ca < 0) r = (2 * c.quarter.hi - r) + 2 * c.quarter.lo;
+    return VM_COPYSIGN(r, sa);
+}
+
+/* -- The phase by power series: shorter code, but slower -- */
+
+/* Number of terms that give all digits up to sa^2 = 1/2 and |ca|^(alpha+1) = 1/2 */
+enum { VMI_ATEB_PHASE_TERMS = VM_MANT_DIG > 24 ? 54 : 26 };
+
+/* Returns the distance of the phase from a zero of sa, where u = |sa| and y = sa^2 <= 1/2: the integral from 0 to u of
+   (1 - x^2)^(-alpha/(alpha+1)) dx, whose power series has positive terms. Its error is below 4 ulp. */
+VM_API vm_real vmi_ateb_from_sa_0(vm_real alpha, vm_real u, vm_real y)
+{
+    const vm_real power = alpha / (alpha + 1);
+    vm_real term = 1, sum = 0;
+    int i;
+    for (i = 1; i <= VMI_ATEB_PHASE_TERMS; i++) {
+        sum += term / (vm_real)(2 * i - 1);
+        term *= ((vm_real)(i - 1) + power) / (vm_real)i * y;
+    }
+    return u * sum;
+}
+
+/* Returns the distance of the phase from a zero of ca, where x = |ca| and w = x^(alpha+1) <= 1/2: (alpha+1)/2 times the
+   integral from 0 to x of (1 - z^(alpha+1))^(-1/2) dz. Its error is below 4 ulp. */
+VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
+{
+    const vm_real n = alpha + 1;
+    vm_real term = 1, sum = 0;
+    int i;
+    for (i = 0; i < VMI_ATEB_PHASE_TERMS; i++) {
+        sum += term / (1 + (vm_real)i * n);
+        term *= ((vm_real)i + VM_C(0.5)) / (vm_real)(i + 1) * w;
+    }
+    return n / 2 * x * sum;
+}
+
+/* The phase of ateb_phase by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and a valid alpha, whose quarter
+   period is given */
+VM_API vm_real vmi_ateb_phase_by_series(vm_two quarter, vm_real alpha, vm_real sa, vm_real ca)
+{
+    const vm_real y = sa * sa, x = VM_FABS(ca);
+    vm_real r;
+    if (y <= VM_C(0.5)) r = vmi_ateb_from_sa_0(alpha, VM_FABS(sa), y);
+    else r = (quarter.hi - vmi_ateb_from_ca_0(alpha, x, vmi_pow_checked(x, alpha + 1))) + quarter.lo;
+    if (ca < 0) r = (2 * quarter.hi - r) + 2 * quarter.lo;
     return VM_COPYSIGN(r, sa);
 }
 

@@ -17,10 +17,11 @@
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
    alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
    an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c, tests/test_plans.sh. Example:
-   examples/ateb_plan.c. */
+   examples/print_plan.c. */
 #ifndef VARMASS_ATEB_PLANS_H
 #define VARMASS_ATEB_PLANS_H
 
+#include "../base/arrays.h"
 #include "../base/bits.h"
 #include "../base/chebyshev.h"
 #include "../base/elementary.h"
@@ -71,16 +72,6 @@ VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
     if (p->twice_alpha & 4) high = d2;
     if (p->twice_alpha & 8) high *= d2 * d2;
     power = low * high;
-    return power * d + power * (p->n * d_lo);
-}
-
-/* Returns d^(1 + alpha) with the same bits as vmi_ateb_product, but without branches. */
-VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d_lo)
-{
-    const vm_real half = (vm_real)(p->twice_alpha & 1), one = (vm_real)(p->twice_alpha >> 1 & 1);
-    const vm_real two = (vm_real)(p->twice_alpha >> 2 & 1), four = (vm_real)(p->twice_alpha >> 3 & 1), d2 = d * d;
-    const vm_real low = VM_SQRT(half * d + (1 - half)) * (one * d + (1 - one));
-    const vm_real power = low * ((two * d2 + (1 - two)) * (four * (d2 * d2) + (1 - four)));
     return power * d + power * (p->n * d_lo);
 }
 
@@ -175,101 +166,173 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
-/* Returns a if all bits of the mask are set, and b if none is set. */
-VM_INLINE vm_real vmi_select(vmi_bits mask, vm_real a, vm_real b)
-{
-    return vmi_from_bits((vmi_to_bits(a) & mask) | (vmi_to_bits(b) & ~mask));
-}
-
-/* Computes what ateb_plan_saca computes, without branches, for arrays: both parts are evaluated, and one of them is
-   selected. twice_alpha must not be negative, and |s| < p->longest; length is p->length or a larger even number. */
-VM_INLINE void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_real *sa, vm_real *ca)
-{
-    vmi_bits quarter;
-    const vm_real rest = vmi_ateb_plan_reduce(p, s, &quarter), near_zero = VM_FABS(rest);
-    const vm_real far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
-    const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
-    const vmi_bits odd = 0 - (quarter & 1);
-    const vm_real r = vmi_select(odd, far_zero, near_zero), d = vmi_select(odd, near_zero, far_zero);
-    const vm_real r_lo = vmi_select(odd, lost, 0), d_lo = vmi_select(odd, 0, lost);
-    const vmi_bits beyond = 0 - (vmi_to_bits(p->change_over - r) >> (8 * sizeof(vm_real) - 1));
-    const vm_two base = vmi_ateb_twice_q_d(p, d, d_lo);
-    vm_real sa0, ca0, sa1, ca1;
-    vmi_ateb_part_at(p->part, length, vmi_two(r, r_lo), r * r, &sa0, &ca0);
-    vmi_ateb_part_at(p->part + 1, length, base, vmi_ateb_product_wide(p, d, d_lo), &ca1, &sa1);
-    *sa = vmi_select(beyond, sa1, sa0);
-    *ca = vmi_select(beyond, ca1, ca0);
-    vmi_ateb_signs(s, rest, quarter, sa, ca);
-}
-
-/* Computes sa and ca of n arguments, each with |s| < p->longest. length is the number of terms of the polynomials.
-   Compilers vectorise the loop if length is a constant. */
-VM_INLINE void vmi_ateb_loop(const ateb_plan *p, int length, int n, const vm_real *s, vm_real *sa, vm_real *ca)
-{
-    int i;
-    for (i = 0; i < n; i++) {
-        vm_real v, u;
-        vmi_ateb_plan_both(p, length, s[i], &v, &u);
-        sa[i] = v;
-        ca[i] = u;
-    }
-}
-
-/* Computes sa and ca of n arguments by vmi_ateb_loop, with the least of a few constant lengths >= p->length. */
-VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
-{
-#if ATEB_PLAN_LENGTH > 8
-    if (p->length > 12) {
-        vmi_ateb_loop(p, ATEB_PLAN_LENGTH, n, s, sa, ca);
-        return;
-    }
-    if (p->length > 10) {
-        vmi_ateb_loop(p, 12, n, s, sa, ca);
-        return;
-    }
-    if (p->length > 8) {
-        vmi_ateb_loop(p, 10, n, s, sa, ca);
-        return;
-    }
-#endif
-    if (p->length > 4) vmi_ateb_loop(p, 8, n, s, sa, ca);
-    else vmi_ateb_loop(p, 4, n, s, sa, ca);
-}
-
-/* VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, computing both parts takes
-   longer than a branch and one part. */
+/* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into vector
+   instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, such a loop takes
+   longer than single calls. */
+enum { VMI_ATEB_BLOCK = 32 };
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
 #else
 #define VMI_ATEB_WIDE 0
 #endif
 
+/* What is known of the arguments of a block: |s| minus the nearest multiple of the quarter period, the bits of the number
+   of quarters, the distances r and d of s from the zeros of sa and ca with their rounding errors, and base and tau of
+   vmi_ateb_part_at */
+typedef struct VM_TAG(vmi_ateb_block) {
+    vmi_bits quarter[VMI_ATEB_BLOCK];
+    vm_real rest[VMI_ATEB_BLOCK];
+    vm_real r[VMI_ATEB_BLOCK], r_lo[VMI_ATEB_BLOCK], d[VMI_ATEB_BLOCK], d_lo[VMI_ATEB_BLOCK];
+    vm_real base[VMI_ATEB_BLOCK], base_lo[VMI_ATEB_BLOCK], tau[VMI_ATEB_BLOCK];
+} vmi_ateb_block;
+
+/* Returns a if all bits of the mask are set, and b if none is set. */
+VM_INLINE vm_real vmi_select(vmi_bits mask, vm_real a, vm_real b)
+{
+    return vmi_from_bits((vmi_to_bits(a) & mask) | (vmi_to_bits(b) & ~mask));
+}
+
+/* Returns a mask with all bits set if x < 0, and with no bit set if x > 0. */
+VM_INLINE vmi_bits vmi_mask_of_sign(vm_real x) { return 0 - (vmi_to_bits(x) >> (8 * sizeof(vm_real) - 1)); }
+
+/* Fills the fields up to d_lo from the arguments, each with |s| < p->longest. */
+VM_INLINE void vmi_ateb_block_places(const ateb_plan *p, const vm_real *s, vmi_ateb_block *at)
+{
+    int i;
+    for (i = 0; i < VMI_ATEB_BLOCK; i++) {
+        vmi_bits quarter;
+        const vm_real rest = vmi_ateb_plan_reduce(p, s[i], &quarter), near_zero = VM_FABS(rest);
+        const vm_real far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
+        const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
+        const vmi_bits odd = 0 - (quarter & 1);
+        at->quarter[i] = quarter;
+        at->rest[i] = rest;
+        at->r[i] = vmi_select(odd, far_zero, near_zero);
+        at->r_lo[i] = vmi_select(odd, lost, 0);
+        at->d[i] = vmi_select(odd, near_zero, far_zero);
+        at->d_lo[i] = vmi_select(odd, 0, lost);
+    }
+}
+
+/* Sets base to 2 q d and tau to d^(1 + alpha), for alpha = 0, 1/2, ..., 7 (vmi_ateb_product). The factors that this
+   alpha does not have are 1. */
+VM_INLINE void vmi_ateb_block_products(const ateb_plan *p, vmi_ateb_block *at)
+{
+    const vm_real one = (vm_real)(p->twice_alpha >> 1 & 1), two = (vm_real)(p->twice_alpha >> 2 & 1);
+    const vm_real four = (vm_real)(p->twice_alpha >> 3 & 1);
+    int i;
+    for (i = 0; i < VMI_ATEB_BLOCK; i++) at->tau[i] = 1;
+    if (p->twice_alpha & 1)
+        for (i = 0; i < VMI_ATEB_BLOCK; i++) at->tau[i] = VM_SQRT(at->d[i]);
+    for (i = 0; i < VMI_ATEB_BLOCK; i++) {
+        const vm_real d = at->d[i], d2 = d * d, low = at->tau[i] * (one * d + (1 - one));
+        const vm_real power = low * ((two * d2 + (1 - two)) * (four * (d2 * d2) + (1 - four)));
+        at->tau[i] = power * d + power * (p->n * at->d_lo[i]);
+        at->base[i] = p->twice_q.hi * d;
+        at->base_lo[i] = p->twice_q.lo * d + p->twice_q.hi * at->d_lo[i];
+    }
+}
+
+/* Sets base to 2 q d and tau to X = (2 q d)^(alpha+1), for any other alpha below 1/VM_EPSILON (vmi_ateb_exponential) */
+VM_INLINE void vmi_ateb_block_exponentials(const ateb_plan *p, vmi_ateb_block *at)
+{
+    const vm_real least_ln = VM_C(-0.69) * VMI_BIAS, sqrt_half = VM_C(0.70710678118654752);
+    int i;
+    for (i = 0; i < VMI_ATEB_BLOCK; i++) {
+        const vm_real r = at->r[i], d = at->d[i], qz = p->twice_q.hi * ((2 * r - p->g) / 2), by_r = 1 - qz;
+        const vm_two by_d = vmi_two_product(p->twice_q.hi, d);
+        const vm_real by_d_lo = by_d.lo + (p->twice_q.lo * d + p->twice_q.hi * at->d_lo[i]);
+        const vmi_bits is_near = vmi_mask_of_sign(r - d);
+        const vm_real y = vmi_select(is_near, by_r, by_d.hi), y_lo = vmi_select(is_near, (1 - by_r) - qz, by_d_lo);
+        const vm_real scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), y - sqrt_half);
+        vm_real k, ln_X;
+        const vm_real mantissa = vmi_ateb_mantissa(y, &k);
+        ln_X = p->n * vmi_ateb_ln_of(k, ((mantissa - 1) + scale * y_lo) / (mantissa + 1));
+        at->tau[i] = vmi_ateb_exp(vmi_select(vmi_mask_of_sign(ln_X - least_ln), least_ln, ln_X));
+        at->base[i] = y;
+        at->base_lo[i] = y_lo;
+    }
+}
+
+/* Computes sa and ca of a block whose fields are filled, with polynomials of `length` terms. The coefficients of each
+   argument are those of its part of the quarter. */
+VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ateb_block *at, const vm_real *s,
+                                   vm_real *sa, vm_real *ca)
+{
+    const vmi_ateb_part *near_sa = p->part, *near_ca = p->part + 1; /* the parts with a zero of sa and of ca */
+    const vm_real change_over = p->change_over;
+    int i;
+    for (i = 0; i < VMI_ATEB_BLOCK; i++) {
+        const vm_real r = at->r[i];
+        const vmi_bits beyond = vmi_mask_of_sign(change_over - r);
+        const vm_real tau = vmi_select(beyond, at->tau[i], r * r), square = tau * tau;
+        const vm_real base = vmi_select(beyond, at->base[i], r), base_lo = vmi_select(beyond, at->base_lo[i], at->r_lo[i]);
+        vm_real odd0 = 0, odd1 = 0, even0 = 0, even1 = 0, odd, even, v, u;
+        int j;
+        VMI_UNROLL for (j = length - 2; j >= 0; j -= 2) {
+            odd0 = vmi_select(beyond, near_ca->odd[j], near_sa->odd[j]) + square * odd0;
+            odd1 = vmi_select(beyond, near_ca->odd[j + 1], near_sa->odd[j + 1]) + square * odd1;
+            even0 = vmi_select(beyond, near_ca->even[j], near_sa->even[j]) + square * even0;
+            even1 = vmi_select(beyond, near_ca->even[j + 1], near_sa->even[j + 1]) + square * even1;
+        }
+        odd = base + (base_lo + base * tau * (odd0 + tau * odd1));
+        even = 1 + tau * (even0 + tau * even1);
+        v = vmi_select(beyond, even, odd);
+        u = vmi_select(beyond, odd, even);
+        vmi_ateb_signs(s[i], at->rest[i], at->quarter[i], &v, &u);
+        sa[i] = v;
+        ca[i] = u;
+    }
+}
+
+/* Computes sa and ca of a block of arguments, each with |s| < p->longest. The number of terms is a constant in each of
+   the calls, so that compilers can vectorise the loop over the arguments. The plan is copied: the compiler then knows
+   that the results do not change it. */
+VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
+{
+    const ateb_plan p = *plan;
+    vmi_ateb_block at;
+    vmi_ateb_block_places(&p, s, &at);
+    if (p.twice_alpha >= 0) vmi_ateb_block_products(&p, &at);
+    else vmi_ateb_block_exponentials(&p, &at);
+#if ATEB_PLAN_LENGTH > 8
+    if (p.length > 12) vmi_ateb_block_sums(&p, ATEB_PLAN_LENGTH, &at, s, sa, ca);
+    else if (p.length > 8) vmi_ateb_block_sums(&p, 12, &at, s, sa, ca);
+    else
+#endif
+        if (p.length > 4)
+        vmi_ateb_block_sums(&p, 8, &at, s, sa, ca);
+    else vmi_ateb_block_sums(&p, 4, &at, s, sa, ca);
+}
+
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
    ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend
-   on the index in the array. Arguments are copied in blocks of 64; arguments with |s| >= p->longest, and those that are
-   not finite, are computed one by one. Arrays are faster than single calls for alpha = 0, 1/2, 1, ..., 7 on processors
-   with wide vector registers (docs/cost.md has the times). */
+   on the index in the array. Arguments are computed in blocks of 32; those with |s| >= p->longest, and those that are
+   not finite, are computed one by one. Arrays are faster than single calls on processors with wide vector registers
+   (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
-    enum { BLOCK = 64 };
-    vm_real x[BLOCK], inside[BLOCK];
+    const int wide = VMI_ATEB_WIDE && p->quarter.hi < 1 / VM_EPSILON;
+    vm_real x[VMI_ATEB_BLOCK], v[VMI_ATEB_BLOCK], u[VMI_ATEB_BLOCK];
     int i, j, count, any_outside;
-    for (i = 0; i < n; i += BLOCK) {
-        count = BLOCK;
-        if (n - i < BLOCK) count = n - i;
+    for (i = 0; !wide && i < n; i++) ateb_plan_saca(p, s[i], sa + i, ca + i);
+    for (i = 0; wide && i < n; i += VMI_ATEB_BLOCK) {
+        count = VMI_ATEB_BLOCK;
+        if (n - i < VMI_ATEB_BLOCK) count = n - i;
         any_outside = 0;
+        for (j = 0; j < VMI_ATEB_BLOCK; j++) x[j] = 0;
         for (j = 0; j < count; j++) {
-            x[j] = s[i + j];
-            inside[j] = VM_FABS(x[j]) < p->longest ? x[j] : 0;
-            any_outside |= !(VM_FABS(x[j]) < p->longest);
+            const int inside = VM_FABS(s[i + j]) < p->longest;
+            x[j] = inside ? s[i + j] : 0;
+            any_outside |= !inside;
         }
-        if (p->twice_alpha < 0 || !VMI_ATEB_WIDE) {
-            for (j = 0; j < count; j++) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
-            continue;
-        }
-        vmi_ateb_loop_of_length(p, count, inside, sa + i, ca + i);
+        vmi_ateb_block_saca(p, x, v, u);
         for (j = 0; any_outside && j < count; j++)
-            if (inside[j] != x[j]) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
+            if (!(VM_FABS(s[i + j]) < p->longest)) ateb_plan_saca(p, s[i + j], v + j, u + j);
+        for (j = 0; j < count; j++) {
+            sa[i + j] = v[j];
+            ca[i + j] = u[j];
+        }
     }
 }
 
@@ -292,26 +355,28 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
-    vm_real w[VMI_ATEB_TERMS];        /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond */
+    vm_real *w = odd; /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond; at the end the other function replaces it */
     int j;
+    if (beyond) w = even;
     if (alpha > large) {
         alpha = large;
         q = 1 / large;
     }
     odd[0] = 1;
     even[0] = 1;
-    w[0] = 1;
     for (j = 1; j < VMI_ATEB_TERMS; j++) {
         const vm_real i = (vm_real)j;
         if (beyond) {
-            even[j] = -w[j - 1] / (2 * i);
-            odd[j] = even[j] * (q / (q + i));
+            odd[j] = -w[j - 1] / (2 * i) * (q / (q + i));
             w[j] = vmi_ateb_series_power(alpha, j, odd, w);
         } else {
-            even[j] = -q * odd[j - 1] / i;
+            even[j] = -q * (w[j - 1] / (2 * i - 1)) / i;
             w[j] = vmi_ateb_series_power(alpha, j, even, w);
-            odd[j] = w[j] / (2 * i + 1);
         }
+    }
+    for (j = VMI_ATEB_TERMS - 1; j > 0; j--) {
+        if (beyond) even[j] = -w[j - 1] / (2 * (vm_real)j);
+        else odd[j] = w[j] / (2 * (vm_real)j + 1);
     }
 }
 
@@ -365,7 +430,7 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
    the terms of this sum are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
-    p->quarter = vmi_ateb_fine_quarter(c);
+    p->quarter = c->quarter;
     p->quarter_parts[0] = vmi_head(p->quarter.hi);
     p->quarter_parts[1] = vmi_head(p->quarter.hi - p->quarter_parts[0]);
     p->quarter_parts[2] = ((p->quarter.hi - p->quarter_parts[0]) - p->quarter_parts[1]) + p->quarter.lo;
@@ -387,7 +452,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(accuracy)) return -1;
     if (accuracy > VM_EPSILON) tolerance = accuracy / 2;
-    vmi_ateb_constants(&c, alpha);
+    vmi_ateb_fine_constants(&c, alpha);
     vmi_ateb_plan_period(p, &c);
     p->change_over = vmi_smaller(share * p->quarter.hi, farthest);
     p->n = c.n.hi;

@@ -33,7 +33,8 @@ VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
 }
 
 /* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2). Returns z, and k in *k. When the bits
-   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. */
+   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. Vector registers of older
+   processors cannot convert long integers; therefore k is made by its bits. */
 VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
 {
 #if VM_MANT_DIG > 24
@@ -41,8 +42,10 @@ VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
 #else
     const vmi_bits least = UINT32_C(0x3f3504f3);
 #endif
+    const vm_real to_integer = 1 / VM_EPSILON; /* the last bits of this number plus an integer are the integer's bits */
     const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG, above = vmi_to_bits(x) - least;
-    *k = (vm_real)((int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1));
+    const vmi_bits exponent = (above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG;
+    *k = vmi_from_bits(vmi_to_bits(to_integer) | exponent) - (to_integer + (VMI_BIAS + 1));
     return vmi_from_bits((above & (one - 1)) + least);
 }
 

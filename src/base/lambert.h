@@ -87,13 +87,13 @@ VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
 /* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
-   as exact. The error is at most 1 ulp. Returns NaN for x < -1/e and for infinite x, except that the number next to
-   -1/e counts as -1/e and gives -1. */
+   as exact. The error is at most 1 ulp. Returns infinity for infinite x > 0, and NaN for x < -1/e, except that the
+   number next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_real start;
-    if (x == 0 || x != x) return x;
-    if (!VM_IS_FINITE(x)) return VM_NAN;
+    if (x == 0 || x != x || x == VM_INFINITY) return x;
+    if (x == -VM_INFINITY) return VM_NAN;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 0);
     if (x < 1) start = vmi_lambert_pade(x);
     else start = vmi_lambert_winitzki(vmi_log(1 + x).hi);
@@ -116,12 +116,13 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
 #define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* if ln|x| is less than this number, W_0(x) rounds to x */
 
 /* Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l. It also works where e^l itself
-   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for infinite l. */
+   overflows or underflows. l is taken as exact. The error is at most 1 ulp. Returns infinity for l = infinity
+   and 0 for l = -infinity. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
     const vm_real direct_from = 40; /* for l >= 40, ln(1 + e^l) rounds to l */
     vm_real start;
-    if (!VM_IS_FINITE(l)) return VM_NAN;
+    if (l != l || l == VM_INFINITY) return l;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
     if (l < 0) start = vmi_lambert_pade(vmi_exp(l, 0));
     else if (l < direct_from) start = vmi_lambert_winitzki(vmi_log(1 + vmi_exp(l, 0)).hi);
@@ -130,20 +131,22 @@ VM_API vm_real vm_wright_omega(vm_real l)
 }
 
 /* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1. It also works where e^l itself
-   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns 0 for l = -infinity and NaN for l > -1. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
-    if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
+    if (!(l <= -1)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return -vmi_exp(l, 0);
     if (l > VM_C(-1.375)) return vmi_lambert_near(vmi_two(-1 - l, 0), 0);
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
 /* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1. It also works where e^l itself
-   underflows. l is taken as exact. The error is at most 1 ulp. Returns NaN for l > -1 and for infinite l. */
+   underflows. l is taken as exact. The error is at most 1 ulp. Returns -infinity for l = -infinity and NaN for
+   l > -1. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
-    if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
+    if (!(l <= -1)) return VM_NAN;
+    if (l == -VM_INFINITY) return l;
     if (l < -1 / VM_EPSILON) return vmi_lambert_far(vmi_two(l, 0), l);
     return vmi_lambert_near(vmi_two_sum(-1, -l), 1);
 }

@@ -75,7 +75,7 @@ VM_API vm_real vmi_log_ratio(vm_real x)
 {
     if (!(x > -1) || !VM_IS_FINITE(x)) return VM_NAN;
     if (x == 0) return 1;
-    return vmi_log1p(vmi_two(x, 0)).hi / x;
+    return vmi_two_log(vmi_two_sum(1, x)).hi / x;
 }
 
 /* Returns (x - y)/x^2, where the caller gives x and y = ln(1 + x). For |x| >= 1/4 the result has two words, and its

@@ -1,18 +1,19 @@
 /* mechanics/euler_angles.h - Euler's angles
 
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
-   the line of nodes, and by phi about its own z axis. In the sequence 3-2-1 the angles are yaw, pitch and roll: the body
-   turns by yaw about z, by pitch about its own new y axis, and by roll about its own new x axis. This chapter computes
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about the z axis, then
+   by theta about its own x axis (the line of nodes), then by phi about its own z axis. The angles of the sequence
+   3-2-1 are yaw, pitch and roll: the body turns by yaw about the z axis, then by pitch about its own y axis, then by
+   roll about its own x axis. This chapter computes
      - the quaternion of three angles, and the angles of a quaternion, in both sequences; and for 3-1-3
-     - the axes about which the angles turn the body (Lagrange's equations need them as domega/dq'_i),
-     - the rates psi', theta', phi' of the angles from an angular velocity.
+     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the time derivatives psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_321(VM_C(0.1), VM_C(0.2), VM_C(0.3)); // yaw, pitch, roll
        vm_real angles[3];
        int status = vm_euler_321_angles(q, angles); // 0.1, 0.2, 0.3
 
    Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning: neighbouring angles differ by 1 rad or more.
+   the number of binary digits of vm_real, a result has no meaning: adjacent numbers differ by 1 rad or more.
    Tests: tests/test_attitude.c, tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
@@ -26,7 +27,8 @@
 #include "../base/words.h"
 #include "vectors.h"
 
-/* Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles. Infinite angles give NaN. */
+/* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite
+   angles give NaN. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 {
     vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
@@ -48,15 +50,16 @@ VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
 }
 
 /* A number re + i im of the complex plane, both parts in two words. The quaternion of a sequence of three angles is
-   equivalent to two such numbers, p and r. The angle of p is half the sum of the first and the third angle, the angle of
-   r half their difference. The lengths of p and r depend on the middle angle alone. */
+   equivalent to two such numbers, p and r. The angle of p is half the sum of the first and the third angle, the angle
+   of r half their difference. The lengths of p and r depend on the middle angle alone. */
 typedef struct VM_TAG(vmi_euler_part) {
     vm_two re, im;
 } vmi_euler_part;
 
 VM_API int vmi_euler_is_none(const vmi_euler_part *p) { return p->re.hi == 0 && p->im.hi == 0; }
 
-/* Multiplies p by a power of two that makes its larger part about 1, so that no product underflows. Returns the power. */
+/* Multiplies p by a power of two that makes its larger part about 1, so that no product underflows. Returns the
+   power. */
 VM_API vm_real vmi_euler_scale(vmi_euler_part *p)
 {
     const vm_real largest = vmi_larger(VM_FABS(p->re.hi), VM_FABS(p->im.hi)), power = 1 / vmi_power_below(largest);
@@ -106,9 +109,9 @@ VM_API vm_quat vmi_euler_normal_size(vm_quat q)
 }
 
 /* Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length.
-   psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi (gimbal lock: no line of nodes
-   is determined), phi is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to gimbal
-   lock. The three angles together give the rotation of q to 8 eps.
+   psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi (gimbal lock: no line of
+   nodes is determined), phi is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to
+   gimbal lock. The three angles together give the rotation of q to 8 eps.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 {
@@ -129,7 +132,8 @@ VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 /* Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order.
    Yaw and roll are between -pi and pi, pitch between -pi/2 and pi/2. If pitch is exactly pi/2 or -pi/2 (gimbal lock),
    roll is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to gimbal lock. The
-   three angles together give the rotation of q to 8 eps. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+   three angles together give the rotation of q to 8 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_euler_321_angles(vm_quat q, vm_real angles[3])
 {
     vmi_euler_part p, r;
@@ -150,11 +154,11 @@ VM_API int vm_euler_321_angles(vm_quat q, vm_real angles[3])
 }
 
 /* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i, where q'_i is the rate of
-   angle i. A call with a null pointer does nothing. */
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i if q'_0, q'_1, q'_2 are the
+   rates psi', theta', phi'. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
     if (!axis) return;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -167,7 +171,7 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
    omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* sine s and cosine c of phi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of phi; sine, cosine: those of theta */
     if (!axis) return;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -176,11 +180,12 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
     axis[2] = vmi_vec3(0, 0, 1);
 }
 
-/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR if sin(theta) is 0, and VM_OK otherwise. */
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_OK,
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, or VM_SINGULAR if sin(theta) is 0: psi and phi then turn the body
+   about the same axis, so that their rates are not unique. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3]; /* sine s and cosine c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine, result[3]; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);

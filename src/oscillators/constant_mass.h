@@ -126,12 +126,14 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
 
 /* The mean over a period of |ca|^power, which is B((power+1)/(alpha+1), 1/2)/Pi_alpha, where pi is Pi_alpha and B is
    Euler's beta function. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the recurrence of
-   B. */
-VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi)
+   B. constants is the function that computes Pi. */
+VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi, vmi_ateb_constants_of constants)
 {
     vm_real q = (power + 1) / (alpha + 1), factor = 1;
+    vmi_ateb c;
     for (; q > 1; q -= 1) factor *= (q - 1) / (q - VM_C(0.5));
-    return factor * ateb_pi(1 / q - 1) / pi;
+    constants(&c, 1 / q - 1);
+    return factor * (2 * c.quarter.hi) / pi;
 }
 
 /* -- Approximations by cos and cn, with the exact amplitude and period -- */

@@ -17,14 +17,17 @@
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_J;
-       vmi_ripple_init(&r, 1, VM_PI);      // a linear spring
-       vmi_ripple_at(&r, 2, 0, 0, 1, &f);  // phase 0: sa = 0, ca = 1
+       vmi_ripple_init(&r, 1, vmi_ateb_constants); // a linear spring
+       vmi_ripple_at(&r, 2, 0, 0, 1, &f);          // phase 0: sa = 0, ca = 1
        ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action over the action
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H
 
+#include "../base/elementary.h"
 #include "../base/real.h"
+#include "../base/scalars.h"
+#include "reduction.h"
 #include "ripple.h"
 
 /* How many E_k order five needs at the start of a motion: E_0 ... E_3 */
@@ -67,34 +70,22 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 /* -- From the mean motion to the motion -- */
 
 /* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
-   phase. */
+   phase. This is minus vmi_expansion_psi at the mean phase, and a product of first-order terms. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
-    const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
-    vm_real sum = 0;
-    if (order >= 3) sum += half * (1 - 2 * g) * E[0] * f->S;
-    if (order >= 4) sum -= half * (1 - 3 * g) * E[1] * f->S2;
-    if (order >= 5) {
-        const vm_real ripple = 2 * (1 - 2 * g) * (1 - 2 * g) * f->C * f->S - (1 - 4 * g) * (2 - 3 * g) * f->Q -
-                               2 * (1 - 4 * g) * (1 - g) * m * f->S;
-        sum += half * (1 - 4 * g) * E[2] * f->S3 + square * E[0] * E[0] * ripple;
-    }
-    return sum;
+    const vm_real product = r->scale * r->scale / 4 * (1 - 2 * r->gamma) * E[0] * E[0] * f->C * f->S;
+    const vm_real sum = -vmi_expansion_psi(r, order, f, E);
+    return order >= 5 ? sum + product : sum;
 }
 
-/* Returns ln(action/mean action) with all terms up to weight order - 1. f holds C, S ... at the mean phase. */
+/* Returns ln(action/mean action) with all terms up to weight order - 1, for an order from 3 to 5. f holds C, S ... at
+   the mean phase. This is minus vmi_expansion_J at the mean phase, and a product of first-order terms. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
-    const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
-    vm_real sum = 0;
-    if (order >= 3) sum -= half * E[0] * f->C;
-    if (order >= 4) sum += half * E[1] * f->S;
-    if (order >= 5) {
-        const vm_real ripple = 8 / (r->alpha + 1) * (1 - 2 * g) * f->sa * f->ca * f->S + (1 - 3 * g) * f->C * f->C -
-                               (2 - 3 * g) * r->variance + 2 * (1 - g) * m * f->C;
-        sum += square * E[0] * E[0] * ripple - half * E[2] * f->S2;
-    }
-    return sum;
+    const vm_real g = r->gamma, square = r->scale * r->scale / 2 * E[0] * E[0];
+    const vm_real product = square * (2 / (r->alpha + 1) * (1 - 2 * g) * f->sa * f->ca * f->S - g * f->C * f->C);
+    const vm_real sum = -vmi_expansion_J(r, order - 1, f, E);
+    return order >= 5 ? sum + product : sum;
 }
 
 /* -- The mean rate of the phase -- */
@@ -107,6 +98,118 @@ VM_API vm_real vmi_expansion_first(const vmi_ripple *r) { return (r->alpha + 1) 
 VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 {
     return -r->scale * r->scale / 8 * r->variance * (2 - 3 * r->gamma) * (1 - 3 * r->gamma);
+}
+
+/* -- From state to mean state and back -- */
+
+/* The state with the same constants whose ln J, where J is the action, is larger by ln_J, and whose phase is larger by
+   shift */
+VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_reduced *state, vm_real ln_J,
+                                             vm_real shift)
+{
+    vmi_osc_reduced other;
+    other.A = state->A * vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
+    other.psi = state->psi + shift;
+    other.W = state->W * vmi_exp(r->gamma * ln_J, 0);
+    return other;
+}
+
+/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. sa and ca are the Ateb functions
+   of its phase, and E holds its numbers E_k. Above order 2 the ripple must have its polynomials. */
+VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *state, vm_real sa,
+                                             vm_real ca, const vm_real *E)
+{
+    vmi_ripple_values f;
+    vmi_ripple_at(r, order, state->psi, sa, ca, &f);
+    return vmi_expansion_shifted(r, state, vmi_expansion_J(r, order, &f, E), vmi_expansion_psi(r, order, &f, E));
+}
+
+/* The reduced state that belongs to a mean motion, by the law of this order, 3 to 5; for order 2 both are the same. sa
+   and ca are the Ateb functions of the mean phase, and E holds the numbers E_k of the mean motion. */
+VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *mean, vm_real sa,
+                                               vm_real ca, const vm_real *E)
+{
+    vmi_ripple_values f;
+    vmi_ripple_at(r, order, mean->psi, sa, ca, &f);
+    return vmi_expansion_shifted(r, mean, vmi_expansion_J_back(r, order, &f, E),
+                                 vmi_expansion_psi_back(r, order, &f, E));
+}
+
+/* -- What the law of order five leaves out -- */
+
+/* How large the terms of weight w are in vmi_expansion_J (J[w]) and in vmi_expansion_psi (psi[w]), for w = 2 to 6; psi[6]
+   is only the part with E_4. They are of order epsilon^w, where epsilon is the relative change of mass and stiffness
+   within a radian. */
+typedef struct VM_TAG(vmi_expansion_sizes) {
+    vm_real J[7], psi[7];
+} vmi_expansion_sizes;
+
+/* Fills the sizes of all terms, where e[k] is the absolute value of E_k = G_k/W^(k+2). */
+VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_expansion_sizes *size)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale, square = L * L / 8;
+    vm_real power = L / 4;
+    int w;
+    for (w = 2; w <= 6; w++) {
+        size->J[w] = e[w - 2] * power;
+        power *= d;
+        size->psi[w] = VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power;
+    }
+    size->J[4] += square / 2 * e[0] * e[0];
+    size->J[5] += square * e[0] * e[1] * d;
+    size->J[6] += square * (e[0] * e[2] + e[1] * e[1]) * d * d + square * L / 2 * e[0] * e[0] * e[0];
+    size->psi[4] += VM_C(0.3) * square * e[0] * e[0] * d;
+    size->psi[5] += square * e[0] * e[1] * d * d;
+}
+
+/* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
+   6; product is |E_0 E_2|, cube is |E_0|^3. If product and cube are integrals of these numbers over the phase, the
+   result is a bound of the error of the phase. */
+VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
+{
+    const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
+    return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
+}
+
+/* How large the terms are that an order leaves out: relative in J, and of the phase */
+typedef struct VM_TAG(vmi_left_out) {
+    vm_real J, psi;
+} vmi_left_out;
+
+/* How large the first terms are that the transformation of this order leaves out at t, where e[k] = |E_k|. Since the
+   terms of the next weight may vanish, those of the weight after it count, too. */
+VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
+{
+    vmi_expansion_sizes size;
+    vmi_left_out now;
+    vmi_expansion_find_sizes(r, e, &size);
+    now.psi = size.psi[order];
+    if (order < 5) now.psi += size.psi[order + 1];
+    now.J = size.J[order] + size.J[order + 1];
+    return now;
+}
+
+/* How large the first terms are that the mean motion of this order leaves out at the start, where e[k] = |E_k| */
+VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int order, const vm_real *e)
+{
+    vmi_expansion_sizes size;
+    vmi_left_out start;
+    vmi_expansion_find_sizes(r, e, &size);
+    start.psi = size.psi[order];
+    start.J = size.J[order + 1];
+    return start;
+}
+
+/* The estimate of the larger of |error of x|/A and |error of v|/vmax that follows from what is left out: `now` at t,
+   `start` at the start and on the way, `third` of the mean rate of the phase (vmi_expansion_third_rate). turns is the
+   phase from 0 to t; errors of ln J at the start grow with it. A factor of 2 fits the errors that
+   tests/test_slow_motion.c finds. */
+VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_left_out start, vm_real turns,
+                                   vm_real third)
+{
+    const vm_real n = r->alpha + 1;
+    const vm_real phase = now.psi + (start.psi + VM_FABS(r->gamma) * turns * start.J + 2 * third);
+    return 4 / n * phase + 4 / (n + 2) * (now.J + start.J);
 }
 
 #endif

@@ -177,6 +177,12 @@ VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
     return 1;
 }
 
+/* The integral of dt/(f0 + f1 t) from 0 to t */
+VM_API vm_real vmi_law_linear_inverse_integral(const vm_law *law, vm_real t)
+{
+    return t * vmi_log_ratio(law->f1 / law->f0 * t) / law->f0;
+}
+
 /* Linear law f = f0 + f1 t (346); a constant where f1 = 0. f0 is the value at t = 0, f1 the rate per second, for
    example in kg and kg/s. */
 VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
@@ -184,7 +190,7 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
     vm_law law = vmi_law_of(f0, f1, 0);
     law.derivatives = vmi_law_linear_derivatives;
     law.exponential_form = vmi_law_linear_form;
-    law.inverse_integral = vmi_law_exponential_inverse_integral;
+    law.inverse_integral = vmi_law_linear_inverse_integral;
     return law;
 }
 

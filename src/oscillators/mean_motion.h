@@ -18,6 +18,7 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
+#include "closed.h"
 #include "expansion.h"
 #include "plan.h"
 #include "problem.h"
@@ -28,35 +29,31 @@
 
 /* -- The mean motion at t -- */
 
-/* Computes the mean motion where mass and stiffness are exponentials in u = ln(1 + base t)/base. With el = 1 + base t
-   and D = delta u, then p = p(0)/el, G_k = G_k(0)/el^(k+2), and E_k = E_k(0) exp(-(k+2) D). */
+/* Computes the mean motion where mass and stiffness have the closed forms of oscillators/closed.h. */
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_osc_problem *o = &p->problem;
-    const vm_real u = t * vmi_log_ratio(p->base * t), el = 1 + p->base * t, delta = 2 * p->slow.p - p->slow.a + p->base;
-    const vm_real D = delta * u, decay = vmi_exp(-D, 0), W = p->mean.W, growth = vmi_exp_ratio(D);
-    vm_real E[VMI_OSC_G], ln_Om, e, power;
+    vmi_osc_closed_now now;
+    vm_real power;
     int i;
+    vmi_osc_closed_mean_at(&p->closed_mean, t, &now);
     *mean = vmi_osc_mean_at_0(p);
-    vmi_osc_disturbance(&p->slow, W, E);
-    e = E[0];
-    vmi_osc_adiabatic(p, p->rate_m * u, p->rate_k * u, o->damping * u / p->m0, &mean->ln_A, &ln_Om);
-    mean->ratio = 1 / (decay * el);
-    mean->inverse_mass = u / p->m0;
-    mean->phase = u * growth;
-    mean->first = vmi_expansion_first(&p->ripple) * W * e * u * (growth * decay);
-    mean->second = vmi_expansion_second(&p->ripple) * W * e * e * u * vmi_exp_ratio(-3 * D);
-    mean->psi += W * mean->phase + (mean->first + mean->second);
-    mean->largest = VM_FABS(e) * vmi_larger(1, decay * decay);
-    mean->third = W * VM_FABS(u * vmi_exp_ratio(-5 * D)) *
-                  vmi_osc_third_rate(&p->ripple, VM_FABS(e * E[2]), VM_FABS(e * e * e));
-    mean->now.m = p->m0 * vmi_exp(p->rate_m * u, 0);
-    mean->now.k = p->k0 * vmi_exp(p->rate_k * u, 0);
-    mean->now.a = p->slow.a / el;
-    mean->now.p = p->slow.p / el;
-    power = 1 / el;
+    mean->ln_A = now.ln_A;
+    mean->ratio = now.ratio;
+    mean->inverse_mass = now.u / p->m0;
+    mean->phase = now.phase;
+    mean->first = now.first;
+    mean->second = now.second;
+    mean->psi = now.state.psi;
+    mean->third = vmi_osc_closed_third(&p->closed_mean, &now, &p->ripple);
+    mean->now.m = p->m0 * vmi_exp(p->laws.rate_m * now.u, 0);
+    mean->now.k = p->k0 * vmi_exp(p->laws.rate_k * now.u, 0);
+    mean->now.a = p->slow.a / now.el;
+    mean->now.p = p->slow.p / now.el;
+    vmi_osc_closed_disturbance_at(&p->closed_mean, &now, VMI_OSC_G, mean->E);
+    mean->largest = vmi_larger(mean->largest, VM_FABS(mean->E[0]));
+    power = 1 / now.el;
     for (i = 0; i < VMI_OSC_G; i++) {
-        power /= el;
+        power /= now.el;
         mean->now.G[i] = p->slow.G[i] * power;
     }
 }
@@ -82,6 +79,7 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
     else status = vmi_osc_walk_to(p, t, mean);
     if (status) return status;
+    if (!p->closed) vmi_osc_disturbance(&mean->now, vmi_osc_mean_state(p, mean).W, mean->E);
     if (!VM_IS_FINITE(mean->phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio)) return VM_NOT_FINITE;
     return VM_OK;
 }
@@ -140,41 +138,26 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return error;
 }
 
-/* Writes how large the first terms are that the transformation of an order leaves out at t, of the phase and of ln
-   J, where the disturbances are e. Since the terms of the next weight may vanish, those of the weight after it
-   count, too. */
-VM_API void vmi_osc_left_out(const vmi_ripple *r, int order, const vm_real *e, vm_real *psi, vm_real *J)
-{
-    *psi = vmi_osc_size_psi(r, order, e);
-    *J = vmi_osc_size_J(r, order, e) + vmi_osc_size_J(r, order + 1, e);
-    if (order < 5) *psi += vmi_osc_size_psi(r, order + 1, e);
-}
-
 /* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that
    are left out: by the transformation of this order at t; and by the mean motion, which is of the order of the
-   start, at the start, at points of tables, and in the mean rate of the phase. Errors of ln J at the start grow
-   with the phase. A factor of 2 in the sum fits the errors that tests/test_slow_motion.c finds. */
+   start, at the start, at points of tables, and in the mean rate of the phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
-    const vm_real n = r->alpha + 1, g = VM_FABS(r->gamma), turns = p->Om * VM_FABS(mean->phase);
-    const vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
     const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
-    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], start_J, knot_J, phase, amplitude, error;
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], error;
+    vmi_left_out start;
     int i;
-    vmi_osc_disturbance(&mean->now, state.W, e);
     for (i = 0; i < VMI_OSC_G; i++) {
         e0[i] = VM_FABS(p->E[i]);
-        e[i] = VM_FABS(e[i]);
+        e[i] = VM_FABS(mean->E[i]);
     }
     if (!(r->scale * mean->largest < VM_C(0.5))) return VM_INFINITY; /* the laws are not slow */
-    vmi_osc_left_out(r, order, e, &phase, &amplitude);
-    start_J = vmi_osc_size_J(r, p->start_order + 1, e0);
-    knot_J = VM_SQRT(mean->knots_J[p->start_order - 2]);
-    phase += vmi_osc_size_psi(r, p->start_order, e0) + g * turns * (start_J + knot_J) + 2 * mean->third +
-             VM_SQRT(mean->knots_psi[p->start_order - 2]);
-    amplitude += start_J + knot_J;
-    error = 4 / n * phase + 4 / (n + 2) * amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
+    start = vmi_expansion_left_out_at_start(r, p->start_order, e0);
+    start.J += VM_SQRT(mean->knots_J[p->start_order - 2]);
+    start.psi += VM_SQRT(mean->knots_psi[p->start_order - 2]);
+    error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e), start, p->Om * VM_FABS(mean->phase), mean->third) +
+            vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
     return error < largest_known ? error : VM_INFINITY;
 }
 
@@ -217,17 +200,12 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
     const vmi_ripple *r = &p->ripple;
     const int order = vmi_osc_order_of(route);
     vmi_osc_reduced state = vmi_osc_mean_state(p, mean);
-    vmi_ripple_values f;
     vm_osc_motion result;
-    vm_real E[VMI_OSC_G], sa, ca, ln_J;
-    vmi_osc_disturbance(&mean->now, state.W, E);
+    vm_real sa, ca;
     vmi_osc_wave_at(w, state.psi, &ca, &sa);
     if (order > 2) {
-        vmi_ripple_at(r, order, state.psi, sa, ca, &f);
-        vmi_osc_wave_at(w, state.psi + vmi_expansion_psi_back(r, order, &f, E), &ca, &sa);
-        ln_J = vmi_expansion_J_back(r, order, &f, E);
-        state.A *= vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
-        state.W *= vmi_exp(r->gamma * ln_J, 0);
+        state = vmi_expansion_from_mean(r, order, &state, sa, ca, mean->E);
+        vmi_osc_wave_at(w, state.psi, &ca, &sa);
     }
     vmi_osc_unreduce(&state, mean->now.p, r->alpha, sa, ca, &result.x, &result.v);
     result.amplitude = state.A;

@@ -10,13 +10,12 @@
 
 #include "../ateb/period.h"
 #include "../ateb/plans.h"
-#include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
+#include "closed.h"
 #include "constant_mass.h"
 #include "expansion.h"
-#include "laws.h"
 #include "problem.h"
 #include "reduction.h"
 #include "ripple.h"
@@ -33,10 +32,9 @@ typedef struct VM_TAG(vm_osc_plan) {
     vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
     int start_order;         /* order by which `mean` was found: 5, or 2 without the polynomials of the ripple;
                                 0 where x and v are 0, so that there is no mean motion */
-    vm_real base;            /* 1/s; the closed forms are m = m0 exp(rate_m u), k = k0 exp(rate_k u) with
-                                u = ln(1 + base t)/base, or u = t for base = 0 */
-    vm_real rate_m, rate_k;  /* rates of ln m and ln k by u, 1/s */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
+    vmi_osc_rates_of_u laws; /* where closed is 1, the rates of mass and stiffness (oscillators/closed.h) */
+    vmi_osc_closed_mean closed_mean; /* where closed is 1, what the mean motion at any t needs */
     int has_ateb;            /* 1 where the field ateb is set, else 0 */
     vmi_ripple ripple;       /* functions of the ripple, prepared for alpha */
     ateb_plan ateb;          /* Ateb functions, prepared for alpha */
@@ -58,76 +56,69 @@ VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
     return 16 / p->Om;
 }
 
-/* Finds whether both laws are exponentials in the same u (see the field base), so that all integrals along them have
-   closed forms. With damping the integral of b/m must also be proportional to u. That is so for m = m0 (1 + base t),
-   which includes a constant mass with base = 0. */
-VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
-{
-    const vm_osc_problem *o = &p->problem;
-    vm_real base_m, base_k;
-    p->closed = vmi_law_exponential_form(&o->mass, &base_m, &p->rate_m) &&
-                vmi_law_exponential_form(&o->stiffness, &base_k, &p->rate_k) && !o->force;
-    if (!p->closed) return;
-    p->base = base_m;
-    if (p->rate_m == 0) p->base = base_k;
-    if (p->rate_m == 0 && p->rate_k == 0) p->base = 0;
-    if (p->rate_m != 0 && p->rate_k != 0 && base_m != base_k) p->closed = 0;
-    if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
-}
-
 /* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E holds the numbers E_k of the
    state. */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
-    const vmi_ripple *r = &p->ripple;
     const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
-    vmi_osc_reduced mean;
-    vmi_ripple_values f;
-    vm_real sa, ca, ln_J;
+    vm_real sa, ca;
     vmi_osc_wave_at(&w, state->psi, &ca, &sa);
-    vmi_ripple_at(r, order, state->psi, sa, ca, &f);
-    ln_J = vmi_expansion_J(r, order, &f, E);
-    mean.A = state->A * vmi_exp(2 / (r->alpha + 3) * ln_J, 0);
-    mean.W = state->W * vmi_exp(r->gamma * ln_J, 0);
-    mean.psi = state->psi + vmi_expansion_psi(r, order, &f, E);
-    return mean;
+    return vmi_expansion_to_mean(&p->ripple, order, state, sa, ca, E);
+}
+
+/* The function that computes constants of the Ateb functions: accurate for many values, as a vm_osc_closed does, and fast
+   for a single value */
+VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
+{
+    if (for_many) return vmi_ateb_fine_constants;
+    return vmi_ateb_constants;
 }
 
 /* Computes the mean motion at t = 0, by order 5 if the ripple has its polynomials, else by order 2. */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
+    vmi_osc_closed_rates rates = {0, 0, 0};
     vmi_osc_reduced state;
     int status;
     p->start_order = 0;
     if (p->A == 0) return VM_OK;
     status = vmi_osc_slow_at(o, 0, 1, vmi_osc_sampling_time(p), 1 / p->Om, &p->slow);
     if (status) return status;
-    state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
-    vmi_osc_disturbance(&p->slow, state.W, p->E);
+    if (p->closed) {
+        rates = vmi_osc_closed_rates_of(o, &p->laws, p->m0);
+        p->slow.p = rates.p;
+    }
+    if (p->has_ateb)
+        state = vmi_osc_reduce_by_series(VM_SQRT(p->slow.k / p->slow.m), o->alpha, o->x, o->v + p->slow.p * o->x);
+    else state = vmi_osc_reduce(&p->slow, o->alpha, o->x, o->v);
+    if (p->closed) vmi_osc_closed_disturbance(&rates, state.W, VMI_OSC_G, p->E);
+    else vmi_osc_disturbance(&p->slow, state.W, p->E);
     p->start_order = 2;
     if (p->ripple.has_polynomials) p->start_order = 5;
     p->mean = vmi_osc_mean_of(p, p->start_order, &state, p->E);
+    if (p->closed) vmi_osc_closed_mean_init(&p->closed_mean, &p->mean, p->laws.base, &rates, &p->ripple);
     return VM_OK;
 }
 
 /* Fills the plan up to the mean motion, which vmi_osc_start adds. It leaves out two parts that are worth their time
-   only for many values: the plan of the Ateb functions and the polynomials of the ripple. */
-VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
+   only for many values: the plan of the Ateb functions and the polynomials of the ripple. for_many is 1 if they are
+   added. */
+VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int for_many)
 {
     const vm_osc_problem *o = &p->problem;
     vm_real omega;
     int status;
     p->problem = *problem;
     p->has_ateb = 0;
-    status = vmi_osc_check_problem(o, &p->m0, &p->k0);
+    status = vmi_osc_check_problem(o, 0, &p->m0, &p->k0);
     if (status) return status;
     omega = VM_SQRT(p->k0 / p->m0);
-    vmi_ripple_init(&p->ripple, o->alpha, ateb_pi(o->alpha));
+    vmi_ripple_init(&p->ripple, o->alpha, vmi_osc_constants_of(for_many));
     vm_osc_amplitude_phase(o->x, o->v, omega, o->alpha, &p->A, &p->psi);
     p->Om = p->A == 0 ? 0 : vmi_osc_rate(p->A, omega, o->alpha);
     if (!VM_IS_FINITE(p->A) || !VM_IS_FINITE(p->psi) || !VM_IS_FINITE(p->Om)) return VM_NOT_FINITE;
-    vmi_osc_find_closed_form(p);
+    p->closed = vmi_osc_find_closed_form(o, &p->laws);
     return VM_OK;
 }
 
@@ -142,7 +133,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     vm_osc_plan plan;
     int status;
     if (!p || !problem) return VM_BAD_ARGUMENT;
-    status = vmi_osc_prepare(&plan, problem);
+    status = vmi_osc_prepare(&plan, problem, 1);
     if (status) return status;
     plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
     vmi_ripple_complete(&plan.ripple);

@@ -69,16 +69,19 @@ VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
                            vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
 }
 
-/* Checks the problem's numbers and laws, and writes its mass and stiffness at t = 0. */
-VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real *stiffness)
+/* Checks the problem's numbers, and its laws between 0 and t. Writes its mass and stiffness at t = 0. */
+VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *mass, vm_real *stiffness)
 {
     const vm_real numbers[5] = {o->alpha, o->reactive, o->damping, o->x, o->v};
-    vm_real unused;
-    int status = vmi_osc_check_laws(o, 0);
+    vm_real f[VMI_LAW_ORDERS];
+    int status = vmi_osc_check_laws(o, t);
     if (!vmi_all_finite(5, numbers)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (o->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
-    if (!status) status = vmi_law_at(&o->mass, VM_BAD_MASS, 0, mass, &unused);
-    if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, 0, stiffness, &unused);
+    if (status) return status;
+    status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, 0, 1, 0, f);
+    *mass = f[0];
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, 0, 1, 0, f);
+    *stiffness = f[0];
     return status;
 }
 

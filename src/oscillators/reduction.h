@@ -16,6 +16,8 @@
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
 #define VARMASS_OSCILLATORS_REDUCTION_H
 
+#include "../ateb/period.h"
+#include "../ateb/phase.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
@@ -170,6 +172,24 @@ VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm
     vmi_osc_reduced r;
     vm_osc_amplitude_phase(x, v + now->p * x, omega, alpha, &r.A, &r.psi);
     r.W = r.A == 0 ? 0 : vmi_osc_rate(r.A, omega, alpha);
+    return r;
+}
+
+/* The reduced state of vmi_osc_reduce for alpha >= 0, by shorter and slower code, which vm_osc_closed_init shares with
+   vm_osc_plan_init. omega is sqrt(k/m), and V = v + p x. */
+VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm_real x, vm_real V)
+{
+    const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), as in vm_osc_amplitude_phase */
+    const vm_real B = vmi_pow_checked(VM_FABS(s), 2 / n);
+    vmi_osc_reduced r = {0, 0, 0};
+    vmi_ateb c;
+    r.A = vmi_osc_power_norm(VM_FABS(x), B, n);
+    if (r.A == 0) return r;
+    r.psi = VM_NAN;
+    if (!vmi_ateb_has_phase(alpha)) return r;
+    vmi_ateb_fine_constants(&c, alpha);
+    r.psi = vmi_ateb_phase_by_series(c.quarter, alpha, VM_COPYSIGN(vmi_pow_checked(B / r.A, n / 2), s), x / r.A);
+    r.W = vmi_osc_rate(r.A, omega, alpha);
     return r;
 }
 

@@ -9,7 +9,7 @@
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
-       vmi_ripple_init(&r, VM_C(1.5), ateb_pi(VM_C(1.5)));
+       vmi_ripple_init(&r, VM_C(1.5), vmi_ateb_constants);
        vmi_ripple_complete(&r);
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
@@ -22,6 +22,7 @@
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H
 
+#include "../ateb/period.h"
 #include "../ateb/phase.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
@@ -131,7 +132,7 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
 }
 
 /* Makes all eight polynomials: adds up the power series, with each power w^i replaced by its Chebyshev series. */
-VM_API void vmi_ripple_make_polynomials(vmi_ripple *r)
+VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
@@ -178,48 +179,68 @@ typedef struct VM_TAG(vmi_ripple_integrals) {
     vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; first and second integral of ca2 */
 } vmi_ripple_integrals;
 
-/* The integrals from the nearest zero of ca to a phase where |ca| = x and sa^2 = y. Those that the law of this order, 2
-   to 5, does not need are 0. */
-VM_API vmi_ripple_integrals vmi_ripple_from_ca_0(const vmi_ripple *r, int order, vm_real x, vm_real y)
+/* A phase between a zero of ca or sa and the joint at sa^2 = 1/2, and what the integrals from this zero need there */
+typedef struct VM_TAG(vmi_ripple_place) {
+    const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
+    vm_real z;        /* variable of the polynomials */
+    vm_real x;        /* |ca| or |sa| */
+    vm_real power2;   /* factor of the integral of ca^2 */
+    vm_real power4;   /* factor of the integral of ca^4 */
+} vmi_ripple_place;
+
+/* The place where |ca| = x and sa^2 = y >= 1/2 */
+VM_API vmi_ripple_place vmi_ripple_near_ca_0(const vmi_ripple *r, vm_real x, vm_real y)
 {
-    const vm_real x2 = x * x, x3 = x2 * x, x4 = x2 * x2, z = 4 * (1 - y) - 1;
-    vmi_ripple_integrals d;
-    d.ca2 = x3 * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_CA2], z);
-    d.ca4 = d.first = d.second = 0;
-    if (order >= 4) d.first = x4 * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_FIRST], z);
-    if (order >= 5) {
-        d.ca4 = x4 * x * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_CA4], z);
-        d.second = x4 * x * vmi_ripple_polynomial(r->near_ca_0[VMI_RIPPLE_SECOND], z);
-    }
-    return d;
+    vmi_ripple_place at;
+    at.polynomial = r->near_ca_0;
+    at.z = 4 * (1 - y) - 1;
+    at.x = x;
+    at.power2 = x * x * x;
+    at.power4 = at.power2 * x * x;
+    return at;
 }
 
-/* The integrals from the nearest zero of sa to a phase where |sa| = u and sa^2 = y; order as in vmi_ripple_from_ca_0 */
-VM_API vmi_ripple_integrals vmi_ripple_from_sa_0(const vmi_ripple *r, int order, vm_real u, vm_real y)
+/* The place where |sa| = u and sa^2 = y <= 1/2 */
+VM_API vmi_ripple_place vmi_ripple_near_sa_0(const vmi_ripple *r, vm_real u, vm_real y)
 {
-    const vm_real z = 4 * y - 1;
+    vmi_ripple_place at;
+    at.polynomial = r->near_sa_0;
+    at.z = 4 * y - 1;
+    at.x = u;
+    at.power2 = u;
+    at.power4 = u;
+    return at;
+}
+
+/* The integrals from the zero to the place. Those that the law of this order, 2 to 5, does not need are 0. */
+VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, int order)
+{
+    const vm_real once = at->power2 * at->x;
     vmi_ripple_integrals d;
-    d.ca2 = u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_CA2], z);
+    d.ca2 = at->power2 * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_CA2], at->z);
     d.ca4 = d.first = d.second = 0;
-    if (order >= 4) d.first = y * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_FIRST], z);
+    if (order >= 4) d.first = once * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_FIRST], at->z);
     if (order >= 5) {
-        d.ca4 = u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_CA4], z);
-        d.second = y * u * vmi_ripple_polynomial(r->near_sa_0[VMI_RIPPLE_SECOND], z);
+        d.ca4 = at->power4 * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_CA4], at->z);
+        d.second = once * at->x * vmi_ripple_polynomial(at->polynomial[VMI_RIPPLE_SECOND], at->z);
     }
     return d;
 }
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares alpha >= 0, where pi is Pi_alpha, without the polynomials: only C can be computed, not S, S2, S3 and Q. */
-VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
+/* Prepares alpha >= 0 without the polynomials: only C can be computed, not S, S2, S3 and Q. constants is the function
+   that computes Pi_alpha. */
+VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of constants)
 {
+    vmi_ateb c;
+    constants(&c, alpha);
     r->alpha = alpha;
     r->gamma = (alpha - 1) / (alpha + 3);
     r->scale = (alpha + 1) * (alpha + 3) / 4;
-    r->pi = pi;
-    r->mean2 = vmi_osc_mean_ca(2, alpha, pi);
-    r->mean4 = vmi_osc_mean_ca(4, alpha, pi);
+    r->pi = 2 * c.quarter.hi;
+    r->mean2 = vmi_osc_mean_ca(2, alpha, r->pi, constants);
+    r->mean4 = vmi_osc_mean_ca(4, alpha, r->pi, constants);
     r->variance = r->mean4 - r->mean2 * r->mean2;
     r->has_polynomials = 0;
 }
@@ -229,13 +250,16 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vm_real pi)
 VM_API void vmi_ripple_complete(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
-    const vm_real t = ateb_phase(sa, ca, r->alpha), s = r->pi / 2 - t; /* this phase, from sa = 0 and from ca = 0 */
+    const vm_real t = vmi_ateb_from_sa_0(r->alpha, sa, half), s = vmi_ateb_from_ca_0(r->alpha, ca, half);
+    vmi_ripple_place place;
     vmi_ripple_integrals zero, turn;
     vm_real jump; /* at_sa_0 - at_ca_0 */
     if (r->has_polynomials) return;
     vmi_ripple_make_polynomials(r);
-    zero = vmi_ripple_from_ca_0(r, 5, ca, half);
-    turn = vmi_ripple_from_sa_0(r, 5, sa, half);
+    place = vmi_ripple_near_ca_0(r, ca, half);
+    zero = vmi_ripple_integrals_at(&place, 5);
+    place = vmi_ripple_near_sa_0(r, sa, half);
+    turn = vmi_ripple_integrals_at(&place, 5);
     jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
     r->at_ca_0 = -((turn.second - r->mean2 * t * t * t / 6) + (zero.second - r->mean2 * s * s * s / 6) + jump * t) /
                  (r->pi / 2);
@@ -248,8 +272,8 @@ VM_API void vmi_ripple_complete(vmi_ripple *r)
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
-    const vm_real side = from_sa_0 < 0 ? -1 : 1, t = VM_FABS(from_sa_0), s = r->pi / 2 - t;
-    const vm_real constant4 = 2 * m * m - r->mean4;
+    vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: from the zero */
+    vmi_ripple_place place;
     vmi_ripple_integrals d;
     f->sa = sa;
     f->ca = ca;
@@ -257,18 +281,16 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
     f->S = f->S2 = f->S3 = f->Q = 0;
     if (order < 3) return;
     if (y > VM_C(0.5)) {
-        d = vmi_ripple_from_ca_0(r, order, VM_FABS(ca), y);
-        f->S = -side * (d.ca2 - m * s);
-        f->S2 = r->at_ca_0 + d.first - m * s * s / 2;
-        f->S3 = -side * (r->at_ca_0 * s + d.second - m * s * s * s / 6);
-        f->Q = -side * (d.ca4 - 2 * m * d.ca2 + constant4 * s);
-    } else {
-        d = vmi_ripple_from_sa_0(r, order, VM_FABS(sa), y);
-        f->S = side * (d.ca2 - m * t);
-        f->S2 = r->at_sa_0 + d.first - m * t * t / 2;
-        f->S3 = side * (r->at_sa_0 * t + d.second - m * t * t * t / 6);
-        f->Q = side * (d.ca4 - 2 * m * d.ca2 + constant4 * t);
-    }
+        place = vmi_ripple_near_ca_0(r, VM_FABS(ca), y);
+        side = -side;
+        way = r->pi / 2 - way;
+        S2_at_0 = r->at_ca_0;
+    } else place = vmi_ripple_near_sa_0(r, VM_FABS(sa), y);
+    d = vmi_ripple_integrals_at(&place, order);
+    f->S = side * (d.ca2 - m * way);
+    f->S2 = S2_at_0 + d.first - m * way * way / 2;
+    f->S3 = side * (S2_at_0 * way + d.second - m * way * way * way / 6);
+    f->Q = side * (d.ca4 - 2 * m * d.ca2 + (2 * m * m - r->mean4) * way);
 }
 
 #endif

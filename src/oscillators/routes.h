@@ -257,7 +257,7 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
 {
     int status;
     if (!problem) return VM_BAD_ARGUMENT;
-    status = vmi_osc_prepare(plan, problem);
+    status = vmi_osc_prepare(plan, problem, 0);
     if (status) return status;
     if (complete) vmi_ripple_complete(&plan->ripple);
     return vmi_osc_start(plan);

@@ -32,6 +32,7 @@ enum { VMI_WALK_ORDERS = 7 };
    A/A0 = exp(ln_A), and the rate of the phase is `ratio` times its value at t = 0. */
 typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
+    vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
     vm_real ln_A, ratio;   /* ln(A/A0), and the phase rate divided by its value at t = 0, both by the adiabatic law */
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
     vm_real phase;         /* the integral of ratio dt from 0 to t, s */
@@ -66,6 +67,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
     vmi_osc_mean mean;
     int i;
     mean.now = p->slow;
+    vmi_osc_disturbance(&p->slow, p->mean.W, mean.E);
     mean.ln_A = 0;
     mean.ratio = 1;
     mean.inverse_mass = 0;
@@ -96,44 +98,6 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
     state.W = p->mean.W * mean->ratio * vmi_exp(r->gamma * mean->ln_J, 0);
     state.psi = mean->psi;
     return state;
-}
-
-/* -- What the law of order five leaves out -- */
-
-/* How large the terms of weight w, 2 to 6, of vmi_expansion_J are. They are of order epsilon^w, where epsilon is the
-   relative change of mass and stiffness within a radian. e[k] is the absolute value of E_k = G_k/W^(k+2). */
-VM_API vm_real vmi_osc_size_J(const vmi_ripple *r, int w, const vm_real *e)
-{
-    const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
-    vm_real power = 1, more = 0;
-    int i;
-    for (i = 2; i < w; i++) power *= d;
-    if (w == 4) more = L * L / 16 * e[0] * e[0];
-    if (w == 5) more = L * L / 8 * e[0] * e[1] * d;
-    if (w == 6) more = L * L / 8 * (e[0] * e[2] + e[1] * e[1]) * d * d + L * L * L / 16 * e[0] * e[0] * e[0];
-    return L / 4 * e[w - 2] * power + more;
-}
-
-/* How large the terms of weight w, 2 to 5, of vmi_expansion_psi are. They are of order epsilon^w, where epsilon is the
-   relative change of mass and stiffness within a radian. e[k] is the absolute value of E_k = G_k/W^(k+2). */
-VM_API vm_real vmi_osc_size_psi(const vmi_ripple *r, int w, const vm_real *e)
-{
-    const vm_real d = r->pi / (2 * VM_PI), L = r->scale;
-    vm_real power = d, more = 0;
-    int i;
-    for (i = 2; i < w; i++) power *= d;
-    if (w == 4) more = VM_C(0.0375) * L * L * e[0] * e[0] * d;
-    if (w == 5) more = L * L / 8 * e[0] * e[1] * d * d;
-    return L / 4 * VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power + more;
-}
-
-/* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
-   6; product is |E_0 E_2|, cube is |E_0|^3. If product and cube are integrals of these numbers over the phase, the
-   result is a bound of the error of the phase. */
-VM_API vm_real vmi_osc_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
-{
-    const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
-    return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
 }
 
 /* -- A panel -- */
@@ -261,7 +225,7 @@ VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_r
         vmi_legendre_derive(panel->E);
         rate *= 2 / phase_length;
     }
-    mean->third += vmi_osc_third_rate(&p->ripple, phase_length * size[0] * size[2], panel->cube);
+    mean->third += vmi_expansion_third_rate(&p->ripple, phase_length * size[0] * size[2], panel->cube);
 }
 
 /* Advances the mean motion over a panel. */
@@ -322,13 +286,14 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
                                    vmi_osc_mean *mean)
 {
+    vmi_expansion_sizes size;
     vm_real e[VMI_OSC_G];
     int i, order;
     for (i = 0; i < VMI_OSC_G; i++) e[i] = VM_FABS(before[i] - after[i]);
+    vmi_expansion_find_sizes(&p->ripple, e, &size);
     for (order = 2; order <= 5; order++) {
-        const vm_real J = vmi_osc_size_J(&p->ripple, order + 1, e), psi = vmi_osc_size_psi(&p->ripple, order, e);
-        mean->knots_J[order - 2] += J * J;
-        mean->knots_psi[order - 2] += psi * psi;
+        mean->knots_J[order - 2] += size.J[order + 1] * size.J[order + 1];
+        mean->knots_psi[order - 2] += size.psi[order] * size.psi[order];
     }
 }
 

@@ -1,9 +1,11 @@
-/* Calls that read every table of jacobi.h and ateb.h (-DATEB), or of one pair of integrators.h (-DRK45, -DRK87: both do
-   not fit into 32 KB of flash). It prints the bits of each result. tests/test_avr.sh compares the lines of an ATmega328P,
+/* Calls that read every table of jacobi.h and ateb.h (-DATEB), those of the law of order five (-DCLOSED=HEADER), or of
+   one pair of integrators.h (-DRK45, -DRK87: both do not fit into 32 KB of flash). It prints the bits of each result. tests/test_avr.sh compares the lines of an ATmega328P,
    whose tables may lie in flash, with those of a PC. */
 #define VM_USE_FLOAT
 #ifdef ATEB
 #include "../../ateb.h"
+#elif defined CLOSED
+#include "../../varmass.h"
 #else
 #include "../../integrators.h"
 #endif
@@ -48,6 +50,29 @@ static void read_tables(void)
     ateb_saca(far_phase, 3, &sa, &ca);
     show(sa);
     show(ateb_beta((vm_real)0.5, (vm_real)3.25));
+}
+#elif defined CLOSED
+#ifdef __AVR__
+#include <avr/pgmspace.h>
+#else
+#define PROGMEM
+#define memcpy_P memcpy
+#endif
+#include CLOSED /* the constant `plan` in flash, printed by examples/print_plan */
+
+/* The motion of a leaking oscillator whose plan was made on a PC */
+static void read_tables(void)
+{
+    static vm_osc_closed c;
+    vm_real x = 0, v = 0;
+    int i;
+    memcpy_P(&c, &plan, sizeof c);
+    show(c.error);
+    for (i = 0; i < 16; i++) {
+        vm_osc_closed_at(&c, 2 * (vm_real)i, &x, &v);
+        show(x);
+        show(v);
+    }
 }
 #else
 static int cubic(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)

@@ -140,11 +140,29 @@ static void check_phase(void)
     }
 }
 
+static int is_a_limit(vm_real a) { return a == 0 || (a > 0 && !is_finite(a)); }
+
+/* Logarithms of the beta functions beside the functions themselves */
+static void check_ln_beta(vm_real x, vm_real a, vm_real b, vm_real B, vm_real p)
+{
+    const vm_real ln_B = ateb_ln_beta(a, b), ln_p = ateb_ln_beta_inc(x, a, b);
+    if (B > VM_MIN / VM_EPSILON && is_finite(B))
+        HOLDS(within(ln_B, R(log((double)B)), 4 * EPS * (1 + fabs((double)ln_B))));
+    HOLDS(ln_p <= 0);
+    if (p > VM_MIN / VM_EPSILON && a >= R(1e-3) && a <= R(1e4) && b >= R(1e-3) && b <= R(1e4))
+        HOLDS(within(ln_p, R(log((double)p)), 64 * EPS * (1 + fabs((double)ln_p))));
+}
+
 static void check_beta(void)
 {
     const vm_real a = MOSTLY(draw_log(1e-4, 1e5)), b = MOSTLY(draw_log(1e-4, 1e5)), x = MOSTLY(draw_in(0, 1));
     vm_real p, q, p2, q2, B;
     B = ateb_beta(a, b);
+    if (is_a_limit(a) || is_a_limit(b)) {
+        p = ateb_beta_inc(x, a, b);
+        HOLDS((is_nan(B) || B == 0 || !is_finite(B)) && (is_nan(p) || p == 0 || p == 1));
+        return;
+    }
     if (!(a >= R(1e-4) && a <= R(1e5) && b >= R(1e-4) && b <= R(1e5))) {
         HOLDS(is_nan(B) && is_nan(ateb_beta_inc(x, a, b)) && is_nan(ateb_beta_inc_inv(x, a, b)));
         return;
@@ -154,6 +172,7 @@ static void check_beta(void)
         return;
     }
     HOLDS(B >= 0 && close_to(B, ateb_beta(b, a), 4));
+    check_ln_beta(x, a, b, B, ateb_beta_inc(x, a, b));
     if (B > VM_MIN / VM_EPSILON && B < VM_MAX / 4) /* B(a + 1, b) = B(a, b) a/(a + b) */
         HOLDS(close_to(ateb_beta(a + 1, b), B * (a / (a + b)), 8 + ((double)(a + b))) || a + 1 > R(1e5));
     if (!(a >= R(1e-3) && a <= R(1e4) && b >= R(1e-3) && b <= R(1e4))) { /* less accurate */
@@ -194,6 +213,7 @@ static void check_means(void)
     const vm_real alpha = draw_alpha(), p = MOSTLY(draw_in(-0.9, 12)), q = MOSTLY(draw_in(-0.9, 12));
     vm_real mean;
     mean = ateb_mean(alpha, p, q);
+    HOLDS(same_bits(mean, ateb_mean_nm(1, alpha, p, q, 0)) || is_nan(mean));
     if (!alpha_valid(alpha) || !(p > -1 && p <= R(1e6)) || !(q > -1 && q <= R(1e6))) HOLDS(is_nan(mean));
     else if (alpha_promised(alpha)) HOLDS(mean >= 0 && (p < 0 || q < 0 || mean <= 1 + 4 * VM_EPSILON));
     if (alpha_promised(alpha) && p > -1 && p + 2 <= R(1e6) && q > -1 && q <= R(1e6) && mean > VM_MIN / VM_EPSILON) {

@@ -21,6 +21,7 @@ static void check_lambert(void)
         HOLDS(fabs((double)wm1 * exp((double)wm1) - (double)x) <=
               4 * EPS * fabs((double)x) * (2 + fabs((double)wm1)));
     }
+    HOLDS(is_nan(l) == is_nan(w));
     if (is_finite(l)) {
         HOLDS(w >= 0 && !is_nan(w));
         if (VM_FABS(l) < 80)
@@ -29,7 +30,8 @@ static void check_lambert(void)
     if (l <= -1 && is_finite(l)) {
         const vm_real a = vm_lambert_w0_neg_exp(l), b = vm_lambert_wm1_neg_exp(l);
         HOLDS(a <= 0 && a >= -1 && b <= -1 && is_finite(b));
-    } else HOLDS(is_nan(vm_lambert_w0_neg_exp(l)) && is_nan(vm_lambert_wm1_neg_exp(l)));
+    } else if (l <= -1) HOLDS(vm_lambert_w0_neg_exp(l) == 0 && vm_lambert_wm1_neg_exp(l) == l);
+    else HOLDS(is_nan(vm_lambert_w0_neg_exp(l)) && is_nan(vm_lambert_wm1_neg_exp(l)));
 }
 
 static vm_drum draw_drum(void)

@@ -287,9 +287,44 @@ static void check_at(void)
     else HOLDS(is_finite(rates[0]) && is_finite(rates[1]) && is_finite(rates[2]));
 }
 
+static void check_closed_law(void)
+{
+    table_of tables[2];
+    vm_real ctx[3][3];
+    const vm_osc_problem p = draw_problem(tables, ctx);
+    const vm_real t = MOSTLY(draw_in(-5, 5)), t_end = MOSTLY(draw_in(-5, 5));
+    const int order = 1 + draw_below(6);
+    vm_osc_closed c, copy;
+    vm_osc_plan plan;
+    vm_osc_motion m;
+    vm_real motion[2], again[2];
+    int status;
+    memset(&c, 0, sizeof c); /* order 2 leaves fields out */
+    STAIN(c);
+    status = vm_osc_closed_init(&c, &p, order, t_end);
+    HOLDS(status <= 0 && (status == 0 || UNTOUCHED(c)));
+    if (status) return;
+    HOLDS(order >= 2 && order <= 5 && c.error >= 0);
+    STAIN(motion);
+    status = vm_osc_closed_at(&c, t, motion, motion + 1);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(motion));
+        return;
+    }
+    HOLDS(is_finite(motion[0]) && is_finite(motion[1]));
+    memcpy(&copy, &c, sizeof c); /* it is plain data */
+    HOLDS(vm_osc_closed_at(&copy, t, again, again + 1) == 0 && same_bits(again[0], motion[0]) &&
+          same_bits(again[1], motion[1]));
+    if (order == 5 && vm_osc_plan_init(&plan, &p) == 0 && vm_osc_plan_by_route(&plan, VM_ROUTE_ORDER5, t, 0, &m) == 0)
+        HOLDS(same_bits(m.x, motion[0]) && same_bits(m.v, motion[1]));
+    status = order == 2 ? vm_osc_closed_at_order2(&c, t, again, again + 1) : vm_osc_closed_at_order3(&c, t, again, again + 1);
+    if (order <= 3) HOLDS(status == 0 && same_bits(again[0], motion[0]) && same_bits(again[1], motion[1]));
+}
+
 static void fuzz_oscillators(void)
 {
     switch (draw_below(7)) {
+    case 6: check_closed_law(); break;
     case 0: check_constants(); break;
     case 1: check_laws(); break;
     case 2: check_routes(); break;

@@ -11,10 +11,12 @@ the constant term and the slope in two words, the first of the slope's with half
 The logarithm and the exponential of one word: ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2), e^z = 1 + z + z^2 E(z). The rough
 ones, of base 2: log2((1 + t)/(1 - t)) = t L(t^2), 2^z/4.
 
+The remainder of Stirling's formula: z delta(z), z >= 6, in powers of 1/z^2.
+
 What the Pade approximant of p/(X/4) lacks beyond r = 0.55: (X/4)^3 q (1 - q) (cubic in q + (X/4) (linear in q)), by least
 squares of the relative error.
 """
-from mpmath import mp, mpf, atanh, binomial, cos, expm1, lu_solve, matrix, pi, sqrt, gamma, polyval, log, nstr
+from mpmath import mp, mpf, atanh, binomial, cos, expm1, loggamma, lu_solve, matrix, pi, sqrt, gamma, polyval, log, nstr
 
 mp.dps = 60
 
@@ -95,6 +97,12 @@ def E(z):
     return (expm1(z) - z) / z**2
 
 
+def remainder(w):
+    """z delta(z) for z = 1/sqrt(w), delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2"""
+    z = 1 / sqrt(w)
+    return z * (loggamma(z) - (z - mpf(1) / 2) * log(z) + z - log(2 * pi) / 2)
+
+
 def interpolated(name, f, low, high, degree, digits):
     """coefficients of the powers of x itself, by interpolation in the Chebyshev points of low .. high"""
     middle, half = mpf(low + high) / 2, mpf(high - low) / 2
@@ -146,3 +154,5 @@ if __name__ == "__main__":
         interpolated("L", L, mpf(0), mpf("0.0325"), degree, digits)
     for degree, digits in ((10, 20), (5, 12)):
         interpolated("E", E, mpf("-0.37"), mpf("0.36"), degree, digits)
+    for degree, digits in ((8, 20), (3, 12)):
+        interpolated("delta", remainder, mpf(0), 1 / mpf(36), degree, digits)

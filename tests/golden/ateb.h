@@ -97,6 +97,9 @@ static void golden_beta(void)
         fold(ateb_beta(a, b));
         fold(ateb_beta_inc(x, a, b));
         fold(ateb_beta_inc_inv(x, a, b));
+        fold(ateb_ln_beta(a * 1000, b / 1000));
+        fold(ateb_ln_beta_inc(small, 100 * a, b));
+        fold(ateb_mean_nm(a, b, 2, x, 0));
         ateb_beta_inc_both(1 - small, small, a, b, &p, &q);
         fold(p);
         fold(q);

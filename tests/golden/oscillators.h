@@ -183,6 +183,29 @@ static void try_osc_plans(void)
     }
 }
 
+static void try_closed_laws(void)
+{
+    int order;
+    for (order = 1; order <= 6; order++) { /* orders 1 and 6 are refused */
+        vm_osc_problem p = some_problem(order, 0);
+        vm_osc_closed c;
+        vm_real x = 1, v = 2;
+        memset(&c, 0, sizeof c);
+        p.damping = 0;
+        p.mass = order % 2 ? vm_law_linear(2, VM_C(0.0625)) : vm_law_exponential(2, VM_C(-0.0625));
+        p.stiffness = order % 2 ? vm_law_power(3, VM_C(0.03125), VM_C(0.5)) : vm_law_linear(3, 0);
+        fold_int(vm_osc_closed_init(&c, &p, order, 8));
+        fold(c.error);
+        fold_int(vm_osc_closed_at(&c, uniform(-4, 8), &x, &v));
+        fold(x);
+        fold(v);
+        fold_int(vm_osc_closed_at_order2(&c, 3, &x, &v));
+        fold(x);
+        fold_int(vm_osc_closed_at_order3(&c, 3, &x, &v));
+        fold(v);
+    }
+}
+
 static void golden_oscillators(void)
 {
     try_oscillators();
@@ -195,4 +218,5 @@ static void golden_routes(void)
     try_routes();
     try_integrated_routes();
     try_osc_plans();
+    try_closed_laws();
 }

@@ -1,0 +1,347 @@
+/* oscillators/closed.h - the law of order five as plain data, where all its integrals have closed forms
+
+   A vm_osc_closed predicts the motion of m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 at any time t. It needs no
+   integrator, no table of a law and no pointer, so it may be a constant in the flash of a microcontroller
+   (examples/print_plan.c prints it). Mass and stiffness must be
+     m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
+   with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
+   must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and
+   shorter. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
+       vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
+                               VM_C(0.005), 0,                       NULL,                        NULL};
+       vm_osc_closed motion;
+       vm_real x, v;
+       int status = vm_osc_closed_init(&motion, &sieve, 5, 3); // motion.error holds up to 3 s
+       if (!status) status = vm_osc_closed_at(&motion, 1, &x, &v);
+
+   Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
+     G_0 = p (p - a + base),   delta = p + (p - a + base),   el = 1 + base t,   p(t) = p/el,   A = A(0) exp(-p u),
+     W = W(0) exp(delta u)/el,   E_k = (k+1)! E_0(0) (-delta/W(0))^k exp(-(k+2) delta u),
+   where A and W are the mean amplitude and the mean rate of the phase. Integrals of W, W E_0 and W E_0^2 over t are
+   differences of exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
+#ifndef VARMASS_OSCILLATORS_CLOSED_H
+#define VARMASS_OSCILLATORS_CLOSED_H
+
+#include "../ateb/period.h"
+#include "../ateb/plans.h"
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "expansion.h"
+#include "laws.h"
+#include "problem.h"
+#include "reduction.h"
+#include "ripple.h"
+
+/* -- The laws -- */
+
+/* Mass and stiffness as exponentials of the same u; see the top of this file. All are in 1/s. */
+typedef struct VM_TAG(vmi_osc_rates_of_u) {
+    vm_real base, rate_m, rate_k;
+} vmi_osc_rates_of_u;
+
+/* Finds the exponential form of both laws. Returns 0 if there is none in a common u, or if the integral of b/m is not
+   proportional to u. It is so for m = m0 (1 + base t), which includes a constant mass with base = 0. */
+VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u *u)
+{
+    vm_real base_m, base_k;
+    if (!vmi_law_exponential_form(&o->mass, &base_m, &u->rate_m)) return 0;
+    if (!vmi_law_exponential_form(&o->stiffness, &base_k, &u->rate_k)) return 0;
+    if (o->force) return 0;
+    u->base = base_m;
+    if (u->rate_m == 0) u->base = base_k;
+    if (u->rate_m == 0 && u->rate_k == 0) u->base = 0;
+    if (u->rate_m != 0 && u->rate_k != 0 && base_m != base_k) return 0;
+    return o->damping == 0 || u->rate_m == u->base;
+}
+
+/* What the disturbances at t = 0 depend on, in 1/s: p, and delta and rest = p - a + base, so that G_0 = p rest */
+typedef struct VM_TAG(vmi_osc_closed_rates) {
+    vm_real p, rest, delta;
+} vmi_osc_closed_rates;
+
+/* The rates at t = 0, where m0 is the mass, kg. Differences that vanish in exact arithmetic, such as base - a for a
+   linear mass with the full reactive force, vanish here, too. */
+VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, const vmi_osc_rates_of_u *u, vm_real m0)
+{
+    const vm_real decay = o->damping / m0;
+    vmi_osc_closed_rates r;
+    r.p = (u->rate_k + (2 * o->reactive - 1) * u->rate_m + 2 * decay) / (o->alpha + 3);
+    r.rest = r.p + ((u->base - o->reactive * u->rate_m) - decay);
+    r.delta = r.p + r.rest;
+    return r;
+}
+
+/* Writes E_0 ... E_(n-1), n <= VMI_OSC_G, for the rate W of the phase. */
+VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W, int n, vm_real *E)
+{
+    const vm_real step = r->delta / W;
+    int k;
+    E[0] = r->p / W * (r->rest / W);
+    for (k = 1; k < n; k++) E[k] = -(vm_real)(k + 1) * step * E[k - 1];
+}
+
+/* -- The mean motion -- */
+
+/* The mean motion at t = 0, and what is needed to follow it to any t */
+typedef struct VM_TAG(vmi_osc_closed_mean) {
+    vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and W, the rate that the action gives it, 1/s */
+    vm_real base;               /* 1/s; see the top of this file */
+    vmi_osc_closed_rates rates; /* rates at t = 0 */
+    vm_real first, second;      /* what E_0 and E_0^2 add to the rate of the mean phase at t = 0, 1/s */
+} vmi_osc_closed_mean;
+
+/* The mean motion at t; u, el and delta are explained at the top of this file. */
+typedef struct VM_TAG(vmi_osc_closed_now) {
+    vmi_osc_reduced state; /* mean amplitude, m, mean phase, and the rate W that the action gives it, 1/s */
+    vm_real u, el;         /* u is in s */
+    vm_real ln_A;          /* ln(A/A(0)) of the mean amplitude A */
+    vm_real ratio;         /* W/W(0) */
+    vm_real decay;         /* exp(-delta u) */
+    vm_real inverse;       /* the integral of `decay` over u, s */
+    vm_real phase;         /* the integral of W/W(0) from 0 to t, s */
+    vm_real first, second; /* the parts of the mean phase that are proportional to E_0 and to E_0^2 */
+} vmi_osc_closed_now;
+
+/* Prepares the mean motion, whose values at t = 0 are *start. */
+VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduced *start, vm_real base,
+                                     const vmi_osc_closed_rates *rates, const vmi_ripple *r)
+{
+    vm_real E;
+    c->start = *start;
+    c->base = base;
+    c->rates = *rates;
+    c->first = 0;
+    c->second = 0;
+    if (start->W == 0) return; /* a body at rest at x = 0 */
+    vmi_osc_closed_disturbance(rates, start->W, 1, &E);
+    c->first = vmi_expansion_first(r) * start->W * E;
+    c->second = vmi_expansion_second(r) * start->W * E * E;
+}
+
+/* Returns e^x and writes (e^x - 1)/x to *ratio, which is 1 for x = 0, both within 2 ulp. With e^x = 2^k (1 + p), where
+   |p| < 0.42, e^x - 1 is 2^k p + (2^k - 1). */
+VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
+{
+    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* beyond it e^x is infinite or 0 */
+    const vm_real inside = vmi_smaller(vmi_larger(x, -largest), largest);
+    vm_real p_lo, p, scale;
+    int k;
+    p = vmi_exp_core(inside, 0, &k, &p_lo);
+    scale = vmi_ldexp(1, k);
+    *ratio = 1;
+    if (x != 0) *ratio = (scale * p + (scale - 1)) / x;
+    return scale + scale * p;
+}
+
+/* The mean motion at t, where 1 + base t must be positive. The integral of exp(-3 delta u) is that of exp(-delta u)
+   times (1 + decay + decay^2)/3. */
+VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_osc_closed_now *now)
+{
+    const vm_real u = t * vmi_log_ratio(c->base * t);
+    vm_real decay, inverse, ratio;
+    decay = 1 / vmi_exp_and_ratio(c->rates.delta * u, &ratio);
+    now->phase = u * ratio;
+    inverse = now->phase * decay;
+    now->u = u;
+    now->el = 1 + c->base * t;
+    now->decay = decay;
+    now->inverse = inverse;
+    now->first = c->first * inverse;
+    now->second = c->second * inverse * (1 + decay * (1 + decay)) / 3;
+    now->ln_A = -c->rates.p * u;
+    now->state.A = c->start.A * vmi_exp(now->ln_A, 0);
+    now->state.psi = c->start.psi + (c->start.W * now->phase + (now->first + now->second));
+    now->ratio = 1 / (decay * now->el);
+    now->state.W = c->start.W * now->ratio;
+}
+
+/* Writes the first n numbers E_k at the time of *now. */
+VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, int n,
+                                          vm_real *E)
+{
+    vmi_osc_closed_disturbance(&c->rates, c->start.W / now->decay, n, E);
+}
+
+/* A bound of what order five leaves out of the mean phase between 0 and the time of *now (vmi_expansion_third_rate) */
+VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
+{
+    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* as in vmi_osc_closed_mean_at */
+    vm_real E[3], e;
+    vmi_osc_closed_disturbance(&c->rates, c->start.W, 3, E);
+    e = VM_FABS(E[0]);
+    return c->start.W * VM_FABS(now->inverse) * sum / 5 * vmi_expansion_third_rate(r, e * VM_FABS(E[2]), e * e * e);
+}
+
+/* -- The object -- */
+
+/* The motion of one oscillator as plain data. vm_osc_closed_init fills it. Read its fields, but do not change them. */
+typedef struct VM_TAG(vm_osc_closed) {
+    int order;                /* order of the law, 2 to 5 */
+    int beyond;               /* the status for times with 1 + base t <= 0: VM_BAD_MASS or VM_BAD_STIFFNESS */
+    vm_real error;            /* estimate, from t = 0 to t_end of vm_osc_closed_init, of the larger of |error of x|/A
+                                 and |error of v|/vmax, where vmax is the largest velocity at the amplitude A; it is
+                                 infinite where the error is unknown */
+    vmi_osc_closed_mean mean; /* the mean motion */
+    ateb_plan ateb;           /* Ateb functions for alpha */
+    vmi_ripple ripple;        /* functions of the ripple for alpha; order 2 leaves out its polynomials */
+} vm_osc_closed;
+
+/* -- Preparing it -- */
+
+/* What vm_osc_closed_init computes before it writes anything */
+typedef struct VM_TAG(vmi_osc_closed_start) {
+    vmi_osc_rates_of_u laws;
+    vmi_osc_closed_rates rates;
+    vmi_osc_reduced state; /* the reduced state at t = 0 */
+    vm_real E[VMI_OSC_G];  /* its numbers E_k */
+} vmi_osc_closed_start;
+
+/* Checks that the terms of the law of order five are small at the start: (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2
+   with d = (alpha + 1 + pi)/(2 pi), which is more than Pi_alpha/(2 pi). Then no number overflows. */
+VM_API int vmi_osc_closed_is_slow(const vm_real *E, vm_real alpha)
+{
+    const vm_real d = (alpha + 1 + VM_PI) / (2 * VM_PI), L = (alpha + 1) * (alpha + 3) / 4;
+    return L * (VM_FABS(E[0]) + d * d * d * VM_FABS(E[3])) < VM_C(0.5);
+}
+
+/* Checks the problem from t = 0 to t_end, and computes *s. */
+VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_osc_closed_start *s)
+{
+    vm_real m0 = 0, k0 = 0;
+    int status = vmi_osc_check_problem(o, t_end, &m0, &k0);
+    if (status) return status;
+    if (!vmi_osc_find_closed_form(o, &s->laws)) return VM_NO_LAW;
+    s->rates = vmi_osc_closed_rates_of(o, &s->laws, m0);
+    s->state = vmi_osc_reduce_by_series(VM_SQRT(k0 / m0), o->alpha, o->x, o->v + s->rates.p * o->x);
+    if (!VM_IS_FINITE(s->state.A) || !VM_IS_FINITE(s->state.psi) || !VM_IS_FINITE(s->state.W)) return VM_NOT_FINITE;
+    if (s->state.A == 0) return VM_OK;
+    vmi_osc_closed_disturbance(&s->rates, s->state.W, VMI_OSC_G, s->E);
+    return vmi_osc_closed_is_slow(s->E, o->alpha) ? VM_OK : VM_NO_LAW;
+}
+
+/* The estimate of the error at all times from 0 to t_end, where E holds the numbers E_k of the state at t = 0. All of
+   the estimate's terms rise or fall steadily with t, so that the larger values at both ends are bounds. */
+VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_real *E, vm_real t_end)
+{
+    const vmi_ripple *r = &c->ripple;
+    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], turns, error;
+    vmi_osc_closed_now end;
+    int k;
+    vmi_osc_closed_mean_at(&c->mean, t_end, &end);
+    vmi_osc_closed_disturbance_at(&c->mean, &end, VMI_OSC_G, e);
+    for (k = 0; k < VMI_OSC_G; k++) {
+        e0[k] = VM_FABS(E[k]);
+        e[k] = vmi_larger(e0[k], VM_FABS(e[k]));
+    }
+    if (!(r->scale * e[0] < VM_C(0.5))) return VM_INFINITY;
+    turns = VM_FABS(c->mean.start.W * end.phase);
+    error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e),
+                                vmi_expansion_left_out_at_start(r, order, e0), turns,
+                                vmi_osc_closed_third(&c->mean, &end, r)) +
+            4 * VM_EPSILON * (2 + turns);
+    return error < largest_known ? error : VM_INFINITY;
+}
+
+/* Finds the mean motion at t = 0 and the estimate of the error, when the rest of *c is ready. */
+VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_closed_start *s, vm_real t_end)
+{
+    vmi_osc_reduced mean = s->state;
+    vm_real sa, ca;
+    c->order = order;
+    c->error = 0;
+    if (mean.A != 0) {
+        ateb_plan_saca(&c->ateb, mean.psi, &sa, &ca);
+        mean = vmi_expansion_to_mean(&c->ripple, order, &s->state, sa, ca, s->E);
+    }
+    vmi_osc_closed_mean_init(&c->mean, &mean, s->laws.base, &s->rates, &c->ripple);
+    if (mean.A != 0) c->error = vmi_osc_closed_error(c, order, s->E, t_end);
+}
+
+/* Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate. c->error holds
+   for times between 0 and t_end, s, of either sign. The problem is not needed any more afterwards. An error leaves *c
+   untouched; it returns
+     VM_BAD_ARGUMENT for null pointers, another order, and a law that no constructor made,
+     VM_NOT_FINITE for a number that is infinite or NaN,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at 0 or t_end,
+     VM_DOMAIN for alpha < 0,
+     VM_NO_LAW for laws without the closed form at the top of this file, for a force F, and where mass, stiffness or
+       damping changes the motion so fast that the law of order five does not hold; use vm_osc_plan_init then.
+   The time is that of some 100 values; order 2 needs less than half of it. */
+VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, int order, vm_real t_end)
+{
+    vmi_osc_closed_start s;
+    int status;
+    if (!c || !problem || order < 2 || order > 5) return VM_BAD_ARGUMENT;
+    if (VM_IS_FINITE(t_end)) status = vmi_osc_closed_check(problem, t_end, &s);
+    else status = vmi_first_error(VM_NOT_FINITE, vmi_osc_closed_check(problem, 0, &s));
+    if (status) return status;
+    c->beyond = s.laws.rate_m != 0 ? VM_BAD_MASS : VM_BAD_STIFFNESS;
+    ateb_plan_init(&c->ateb, problem->alpha);
+    vmi_ripple_init(&c->ripple, problem->alpha, vmi_ateb_fine_constants);
+    if (order > 2) vmi_ripple_complete(&c->ripple);
+    vmi_osc_closed_begin(c, order, &s, t_end);
+    return VM_OK;
+}
+
+/* -- Using it -- */
+
+/* Checks the arguments of a value by the law of this order. */
+VM_API int vmi_osc_closed_check_call(const vm_osc_closed *c, int order, vm_real t, const vm_real *x, const vm_real *v)
+{
+    if (!c || !x || !v || order > c->order) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    if (!(1 + c->mean.base * t > 0)) return c->beyond;
+    return VM_OK;
+}
+
+/* Writes the motion at t by the law of an order that is at most that of *c. */
+VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, vm_real *x, vm_real *v)
+{
+    const vmi_osc_closed_mean *mean = &c->mean;
+    vmi_osc_closed_now now;
+    vm_real E[VMI_EXPANSION_E] = {0, 0, 0, 0}, sa, ca, result[2] = {0, 0}; /* E_3 is not needed here */
+    int status = vmi_osc_closed_check_call(c, order, t, x, v);
+    if (status) return status;
+    if (mean->start.A != 0) {
+        vmi_osc_closed_mean_at(mean, t, &now);
+        ateb_plan_saca(&c->ateb, now.state.psi, &sa, &ca);
+        if (order > 2) {
+            vmi_osc_closed_disturbance_at(mean, &now, 3, E);
+            now.state = vmi_expansion_from_mean(&c->ripple, order, &now.state, sa, ca, E);
+            ateb_plan_saca(&c->ateb, now.state.psi, &sa, &ca);
+        }
+        vmi_osc_unreduce(&now.state, mean->rates.p / now.el, c->ripple.alpha, sa, ca, &result[0], &result[1]);
+    }
+    if (!VM_IS_FINITE(result[0]) || !VM_IS_FINITE(result[1])) return VM_NOT_FINITE;
+    *x = result[0];
+    *v = result[1];
+    return VM_OK;
+}
+
+/* Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared.
+   c->error estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT
+   for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law
+   is not positive at t. The results have the bits of vm_osc_plan_by_route if *c has order 5. */
+VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
+{
+    int order = 0;
+    if (c) order = c->order;
+    return vmi_osc_closed_motion(c, order, t, x, v);
+}
+
+/* As vm_osc_closed_at, but by order 2 for any order of *c. Alone it links the shortest code: no ripple. */
+VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
+{
+    return vmi_osc_closed_motion(c, 2, t, x, v);
+}
+
+/* As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT. It links shorter code. */
+VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
+{
+    return vmi_osc_closed_motion(c, 3, t, x, v);
+}
+
+#endif
