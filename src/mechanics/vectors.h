@@ -7,8 +7,8 @@
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
    The functions vm_... are for users too: sum, difference, multiple, dot product, cross product, length and direction
-   of vectors, product and normalisation of quaternions. The others read three or four numbers of a state as a vector or a
-   quaternion, or make rotation matrices. No function here checks its arguments: infinite and NaN numbers go through the
+   of vectors, product and normalisation of quaternions. The others read numbers of a state as a vector or a quaternion,
+   or make rotation matrices. No function here checks its arguments: infinite and NaN numbers go through the
    arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
