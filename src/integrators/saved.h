@@ -5,10 +5,13 @@
    options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point into the program.
 
        unsigned char bytes[RK45_SAVED(2, 0)]; // n = 2, no events
-       rk45 again;
-       rk45_save(&s, sizeof bytes, bytes); // s is a run by rk45; write the bytes to a file
+       double y0[2] = {1, 0}, work[RK45_WORK(2)], other_work[RK45_WORK(2)];
+       rk45 s, again;
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
+       rk45_solve(&s, 10.0);
+       rk45_save(&s, sizeof bytes, bytes); // the bytes may go to a file
        rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
-       rk45_resume(&again, sizeof bytes, bytes);
+       rk45_resume(&again, sizeof bytes, bytes); // goes on where s is
 
    Bytes are for the same machine, the same type vm_real and the same version of this header.
    Tests: tests/test_saved_runs.c. */
