@@ -20,7 +20,7 @@
        }
 
    METHODS, and when to take which method
-     rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
+     rk4    the classical method of order 4 with fixed steps, for control loops, where every step must take the same
             time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
             and none for the solution between steps. Begin with this method. It is also the best one in float,
@@ -39,25 +39,25 @@
      the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
-     A step gives two results, by the two orders of the pair. Their difference is the estimate of the error; the run
+     A step gives two results, one by each order of the pair. Their difference is the estimate of the error; the run
      goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
-     the step|) for every component i. The size of the next step is chosen by PI control. It stays the same after an
-     error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
-     The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
+     the step|) for every component i. The size of the next step is chosen by PI control [2]. It stays the same after
+     an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
      A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
-     No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
+     No step is shorter than h_min, or than 2 eps |t|, the resolution of t. If even a step of this smallest size
      misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
      the jump. If another such step misses the tolerance before three steps have kept it, f is singular there, or too
      stiff for the resolution of t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other
      directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both steps.
 
    TIME
-     A step ends at a time that the type can hold, and its length is exactly the difference of the two times. So s.t
+     A step ends at a time that the type can hold, and its length is exactly the difference of its two times. So s.t
      does not drift away from the motion, however far from 0 the run began and however many steps it takes. There are
-     two exceptions: a step so short that this would change its length by more than 1/64, and a step that ends at an
-     event. Then y belongs to a time between two numbers of the type, s.t is the nearest of them, and the run keeps the
-     difference.
+     two exceptions: a step so short that this rounding would change its length by more than 1/64, and a step that ends
+     at an event. Then y belongs to a time between two numbers of the type, s.t is the nearer of them, and the run keeps
+     the difference.
 
    EVENTS
      An event happens when g(t, y) reaches zero or changes its sign. The run finds its time on the continuous extension,
@@ -130,7 +130,7 @@
          condition of all coefficients here.
 
    INDEX
-     base/self_check: whether this compiler and this processor compute as varmass needs
+     base/self_check: a test of whether this compiler and this processor compute as varmass needs
        vm_self_check                  Returns 1 if the compiler and the processor compute as varmass needs, else 0
 
      integrators/ode: ordinary differential equations y' = f(t, y): right-hand sides and statuses
@@ -146,7 +146,7 @@
        rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
        rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
        rk45_step                      One accepted step of rk45, or the part of it before an event that ends the step
-       rk45_solve_with                Steps of rk45 to t_end, with f and n named again so that f is inlined
+       rk45_solve_with                Steps of rk45 to t_end, with f and n given once more so that f is inlined
        rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run
        rk45_interpolate               State y(t) at a time t within the last step of rk45, accurate to order 4
 
@@ -154,7 +154,7 @@
        rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
        rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
        rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
-       rk87_solve_with                Steps of rk87 to t_end, with f and n named again so that f is inlined
+       rk87_solve_with                Steps of rk87 to t_end, with f and n given once more so that f is inlined
        rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run
        rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8
 
@@ -172,9 +172,9 @@
 
 /* base/real.h - the number type, the macros that a user may set, the functions of the C library
 
-   All other files are built on this one. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
-   each macro that the user has not set its default, refuses compilers whose options change the values of results, and
-   names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
+   All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
+   default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
+   results. It names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -280,7 +280,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
-/* Linkage of functions that are rarely called from a fast loop and would slow it down if they were inlined into it */
+/* Linkage of functions that a fast loop calls rarely and that would slow down the loop if they were inlined into it */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_APART static __attribute__((noinline, unused))
 #else
@@ -304,8 +304,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
-   additional digits in variables. */
+/* Returns x rounded to the type vm_real. The function is needed where the processor's x87 unit computes with more
+   digits and gcc in its gnu modes keeps the additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -336,7 +336,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Makes a pair from its words hi and lo, which are not changed. */
+/* Returns the pair with the words hi and lo, which are stored as they are. */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -346,7 +346,7 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 }
 
 #endif
-/* base/self_check.h - whether this compiler and this processor compute as varmass needs
+/* base/self_check.h - a test of whether this compiler and this processor compute as varmass needs
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
@@ -360,8 +360,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #define VARMASS_BASE_SELF_CHECK_H
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
-   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
-   two halves. */
+   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
+   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot guess. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -442,7 +442,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
     return 1;
 }
 
-/* `VMI_EACH(i, n) statement` executes the statement for i = 0 ... n - 1. gcc unrolls this loop where it knows n. */
+/* `VMI_EACH(i, n) statement` executes the statement for i = 0, 1, ..., n - 1. gcc unrolls the loop where it knows n. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
     !defined(__OPTIMIZE_SIZE__)
 #define VMI_UNROLL _Pragma("GCC unroll 16")
@@ -451,8 +451,8 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #endif
 #define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
 
-/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL. An integrator then keeps a state of n
-   components in local arrays; otherwise it keeps the state in the caller's array `work`. */
+/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL, else 0. If it is 1, an integrator keeps a state
+   of n components in local arrays, which is faster; if it is 0, it keeps the state in the caller's array `work`. */
 #define VMI_SMALL 8
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
@@ -460,7 +460,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #define VMI_IS_SMALL(n) 0
 #endif
 
-/* Copies n numbers. The arrays `from` and `to` must not overlap, but they may be one and the same array. */
+/* Copies n numbers. The arrays `from` and `to` may be one and the same array, but must not overlap in any other way. */
 VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 {
     int i;
@@ -545,10 +545,11 @@ VM_API const char *ode_strerror(int status)
 #ifndef VARMASS_INTEGRATORS_RK4_H
 #define VARMASS_INTEGRATORS_RK4_H
 
-#define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
+#define RK4_WORK(n) (3 * (n)) /* number of elements of the array work for n components */
 
-/* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
-   k_4; z receives the states at which f is evaluated. Returns 0, or the number with which f has stopped the run. */
+/* Computes the four stages of a step of size h from the state y at t; k_1 ... k_4 are the values of f in them. sum
+   becomes k_1 + 2 k_2 + 2 k_3, and k becomes k_4; z is the state at which f is evaluated. Returns 0, or the number with
+   which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -822,9 +823,10 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
-   and estimates the error by another sum of the k_i. For each pair there is a file with its public functions, its
-   coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a vmi_rk_pair, holds all that an adaptive run needs
-   to know of the pair. To add a pair, write such a file and include it in src/integrators.h.
+   where c_i, a_ij and b_i are the coefficients of the pair. Another sum of the k_i estimates the error. For each pair
+   there is a file with its public functions, its coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a
+   vmi_rk_pair, holds all that an adaptive run needs to know of the pair. To add a pair, write such a file and include
+   it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -832,12 +834,13 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
 struct VM_TAG(rk45);
 
-/* The parts of a run's work, of n numbers each: VMI_Y is the state y, VMI_Y_OLD the state at t_old, VMI_Z the state at
-   which a stage evaluates f (after the stages the new state). The derivatives k_1, k_2 ... begin at VMI_K. */
+/* Indices of the parts of a run's work array. Each part has n numbers: VMI_Y is the state y, VMI_Y_OLD the state at
+   t_old, VMI_Z the state at which a stage evaluates f, and after the last stage the new state. VMI_K is k_1; k_2, k_3
+   ... follow. */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
-/* The equations y' = f(t, y) that a step solves, n of them, and the arrays of the step: part p, such as VMI_Y, begins
-   at w + p m, where m >= n. ctx is the pointer that f receives. */
+/* The n equations y' = f(t, y) that a step solves, and w, the array of the step: its part number p, such as VMI_Y,
+   begins at w + p m, where m >= n. ctx is the pointer that f receives. */
 typedef struct VM_TAG(vmi_rk_system) {
     ode_rhs f;
     void *ctx;
@@ -851,7 +854,7 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage gives f at the new state, the next k_1; 0: the run evaluates it */
+    int last_is_first;    /* 1: the last stage is f at the new state, the next k_1; 0: the run evaluates f there */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
@@ -868,8 +871,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
 } vmi_rk_pair;
 
 /* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
-   inlines make_stages and step_error into the loop. The two functions are no part of vmi_rk_pair, which each run
-   stores, because the compiler would then compile them a second time. */
+   inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run stores a
+   vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more, outside the
+   loop. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -882,17 +886,17 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 
 #define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
 
-/* Linkage of descriptors and of the parts of vmi_advance. Inlining turns the descriptors into constants, and each part
-   is called in one place only, so that inlining makes the code smaller. These functions are therefore inlined even
-   where VM_INLINE does not inline, in order to keep the code small. */
+/* Linkage of descriptors and of the parts of vmi_advance. These functions are inlined even where VM_INLINE does not
+   inline. This makes the code smaller, since the descriptors become constants and each part is called in one place
+   only. */
 #if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
 #define VMI_FOLDED static inline __attribute__((always_inline))
 #else
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* Linkage of the loop over the steps of one pair. The loop is inlined, in order to be fast, but not if the compiler
-   optimises for size: then one copy for any n is enough. */
+/* Linkage of the loop over the steps of one pair. The loop is inlined, because this makes it fast. If the compiler
+   optimises for size, it is not inlined, so that one copy serves every n. */
 #ifdef __OPTIMIZE_SIZE__
 #define VMI_LOOP VMI_APART
 #else
@@ -906,9 +910,9 @@ VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
-   stops the run, it returns from the function that makes the stages. In every sum h
-   is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
-   between one evaluation of f and the next. */
+   stops the run, it returns from the function that makes the stages. In every sum h is multiplied into the
+   coefficients, and the k that was evaluated last is the last term, so that only one multiplication and one addition
+   lie between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
     do {                                 \
@@ -1135,8 +1139,8 @@ VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* number of bits that store the mantissa */
-#define VMI_BIAS 1023     /* stored exponent of the number 1 */
+#define VMI_STORED_DIG 52 /* number of bits in which the mantissa is stored */
+#define VMI_BIAS 1023     /* the number that is stored as the exponent of 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
@@ -1167,8 +1171,8 @@ VM_API vm_real vmi_power_below(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
 }
 
-/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
-   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
+/* Returns x 2^k. The function multiplies x twice by about 2^(k/2), because 2^k itself may overflow or underflow. It
+   rounds at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -1181,12 +1185,12 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* Returns (y + y_lo) 2^k for y from 1/2 to 2 and its low word y_lo. The result is rounded once, even if subnormal. */
+/* Returns (y + y_lo) 2^k for 1/2 <= y <= 2 and a low word y_lo of y. The result is rounded once, even if subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
-           superfluous digits with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. The code adds a power of two and subtracts it again, which
+           removes the superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -2165,8 +2169,9 @@ VM_INLINE int vmi_end_solve(vm_real t_end, int status)
 #endif
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
    Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4 takes no further evaluation. Begin with rk45. It is better than
-   rk87 in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
+   evaluations of f. The continuous extension of order 4, which gives the states inside a step, takes no further
+   evaluation. Try this method first. It is better than rk87 in float, for loose tolerances, for right-hand sides that
+   are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -2212,8 +2217,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of the results of orders
-   5 and 4. */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of the two new states, of
+   order 5 and of order 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2231,8 +2236,8 @@ VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the factor of k_{j+1} in the state of stage 7 minus its factor in the state of stage 6.
-   Both stages evaluate f at the end of the step. */
+/* Returns, for the test of stiffness, the factor of k_{j+1} in the state of stage 7 minus its factor in the state of
+   stage 6. Both stages evaluate f at the end of the step. */
 VM_API vm_real vmi_rk45_end_difference(int j)
 {
     VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
@@ -2294,7 +2299,7 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the array work for n components */
 
 /* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
    If options_or_NULL is NULL, all options have their defaults. */
@@ -2328,9 +2333,9 @@ VM_INLINE int rk45_step(rk45 *s)
     return vmi_rk45_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
-   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
-   all else is as in rk45_solve. */
+/* Steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n are
+   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all else
+   is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
@@ -2353,9 +2358,10 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_i
 
 #endif
 /* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
-   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
-   f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
-   larger than those of rk45. Use rk87 for a smooth f in double, where the errors must be small.
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8, which gives the states inside
+   a step, takes seven more evaluations of f in each step in which it is used. The coefficients of the pair are up to
+   123, so that its rounding errors are larger than those of rk45. Use rk87 for a smooth f in double, where the errors
+   must be small.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_H
@@ -2396,8 +2402,8 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
 
 /* Computes stages 8 to 13 of a step of Verner's pair [4], and the new state, whose derivative is evaluated only after
    the step is accepted. Large coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use
-   the differences of such k, which are exact, so that roundings remain small. Returns 0, or the number with which f has
-   stopped the run. */
+   the differences of such k. These differences have no rounding error, so that the rounding errors of the sums are
+   small. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2468,10 +2474,11 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 }
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
-   This error is up to a quarter of the jump. The result of order 8 minus that of order 7 hardly shows a jump in the
-   first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. In the sum
-   `seen`, of order 5, the weights of the k before the jump add up in magnitude to
-     0.11 for a jump before 0.155 of the step (k1), 0.17 before 0.465 (k1, k7), 0.25 before 0.9 (k1, k7, k6).
+   This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 hardly shows a jump in the
+   first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. `seen` is the
+   magnitude of another sum of the k, of order 5. In it the weights of the k before the jump add up in magnitude to
+     0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
+     k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
    If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The result
    seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
    loose. */
@@ -2484,8 +2491,8 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the larger of two: the difference of the
-   results of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
+/* The largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
+   difference of the new states of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2507,8 +2514,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the factor of k_{j+1} in the new state minus its factor in the state of stage 13. The run
-   evaluates f for both states at the end of the step. */
+/* Returns, for the test of stiffness, the factor of k_{j+1} in the new state minus its factor in the state of stage 13.
+   The run evaluates f for both states at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -2527,7 +2534,7 @@ VM_API vm_real vmi_rk87_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* Numbers of k_i: those that a step itself makes, and those that the continuous extension adds */
+/* How many k_i a step itself computes, and how many the continuous extension adds */
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
@@ -2590,8 +2597,8 @@ VM_API int vmi_rk87_extend(rk45 *s)
     return ODE_OK;
 }
 
-/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7; b_{j+1} is the weight of k_{j+1} in the
-   continuous extension. Coefficients of powers of x would be larger [4]. */
+/* Returns coefficient i of the polynomial b_{j+1}(x)/x, as a sum of Bernstein's polynomials of degree 7. b_{j+1}(x) is
+   the weight of k_{j+1} in the continuous extension. In powers of x the coefficients would be larger [4]. */
 VM_API vm_real vmi_rk87_bernstein(int i, int j)
 {
     VM_TABLE vm_real c[8][21] = {
@@ -2693,7 +2700,7 @@ VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the array work for n components */
 
 /* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
 typedef rk45_options rk87_options;
@@ -2719,7 +2726,7 @@ VM_INLINE int rk87_step(rk87 *s)
     return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk87 to t_end, with f and n named again so that f is inlined. All else is as in rk45_solve_with. */
+/* Steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
