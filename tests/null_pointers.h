@@ -136,6 +136,16 @@ static void null_bodies(void)
     NUMBER(3, vm_energy_loss(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, IN(2, vm_body, &part)));
 }
 
+static void null_attitude(void)
+{
+    static const vm_real identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const vm_quat turned = {1, 0, 0, 1};
+    STATUS(1, vm_quat_to_matrix(turned, X(0, vm_real)));
+    STATUS(2, vm_quat_from_matrix(IN(0, vm_real, identity), X(1, vm_quat)));
+    STATUS(1, vm_euler_313_angles(turned, X(0, vm_real)));
+    STATUS(1, vm_euler_321_angles(turned, X(0, vm_real)));
+}
+
 static void null_torque_free(void)
 {
     const vm_quat turned = {1, 0, 0, 0};
@@ -661,6 +671,7 @@ static void null_scenes(void)
 static void call_with_null_pointers(void)
 {
     null_bodies();
+    null_attitude();
     null_torque_free();
     null_rotor();
     null_lagrange();

@@ -389,7 +389,7 @@ static void test_bad_inertias(void)
     x.inertia.xy = R(0.5); /* moments 0.02 +- 0.5 */
     REFUSED(VM_BAD_INERTIA, vm_attach(&whole, &x, NULL, &out.body));
     x = part;
-    x.r = vmi_add(whole.r, vector(20, 0, 0));
+    x.r = vm_add(whole.r, vector(20, 0, 0));
     REFUSED(VM_BAD_INERTIA, vm_separate(&whole, &x, NULL, &out.body));
 }
 

@@ -49,11 +49,11 @@ static void check_spring_in_space(double damping)
     begin(&s);
     vm_scene_point_at(&s.scene, 0, spring.at, s.y, &r, &v);
     vm_scene_point_at(&s.scene, 1, origin, s.y, &q, &w);
-    before = (double)size_of(vmi_sub(r, q)) - 0.5;
+    before = (double)size_of(vm_sub(r, q)) - 0.5;
     run(&s, 3, VM_OK);
     vm_scene_point_at(&s.scene, 0, spring.at, s.y, &r, &v);
     vm_scene_point_at(&s.scene, 1, origin, s.y, &q, &w);
-    after = (double)size_of(vmi_sub(r, q)) - 0.5;
+    after = (double)size_of(vm_sub(r, q)) - 0.5;
     balanced(&s, "spring in space", 10, 100);
     CHECK(vm_scene_budget_at(&s.scene, s.t, s.y, &now) == VM_OK);
     agrees("spring in space", "impulse", size_of(now.impulse), 0, 10, 1e-12);
@@ -163,7 +163,7 @@ static void check_drift(void)
         if ((double)size_of(a) > most) most = (double)size_of(a);
         vm_scene_point_at(&s.scene, 0, list[1].other_at, s.y, &a, &v);
         vm_scene_point_at(&s.scene, 1, list[1].at, s.y, &b, &v);
-        if ((double)size_of(vmi_sub(a, b)) > most) most = (double)size_of(vmi_sub(a, b));
+        if ((double)size_of(vm_sub(a, b)) > most) most = (double)size_of(vm_sub(a, b));
     }
     energy = (2 * (double)(s.y[3] * s.y[3] + s.y[4] * s.y[4]) + 0.3 * (double)(s.y[5] * s.y[5]) +
               1.5 * (double)(s.y[9] * s.y[9] + s.y[10] * s.y[10]) + 0.1 * (double)(s.y[11] * s.y[11])) / 2 +
@@ -413,14 +413,14 @@ static void check_rods(void)
     run(&s, is_float ? 1 : 3, VM_OK);
     for (i = 0; i < 3; i++) vm_scene_body_at(&s.scene, i, s.y, now + i);
     agrees("rods", "length", size_of(now[0].r), 1, 1, 1e-9);
-    agrees("rods", "length", size_of(vmi_sub(now[1].r, now[0].r)), 0.5, 1, 1e-9);
+    agrees("rods", "length", size_of(vm_sub(now[1].r, now[0].r)), 0.5, 1, 1e-9);
     for (i = 0; i < 2; i++) {
-        energy += (double)now[i].mass * ((double)vmi_dot(now[i].v, now[i].v) / 2 + gravity * (double)now[i].r.y);
+        energy += (double)now[i].mass * ((double)vm_dot(now[i].v, now[i].v) / 2 + gravity * (double)now[i].r.y);
         spin += (double)(now[i].mass * (now[i].r.z * now[i].v.x - now[i].r.x * now[i].v.z));
     }
     agrees("rods", "energy", REAL(energy), 2 + 4.25 - 3 * 0.8 * gravity, 20, 1e-9);
     agrees("rods", "angular momentum", REAL(spin), -0.6 * 2 + 2 * (0.5 * 0.4 - 0.6 * 2), 4, 1e-9);
-    agrees("rods", "hung up rod", vmi_dot(now[2].omega, now[2].omega),
+    agrees("rods", "hung up rod", vm_dot(now[2].omega, now[2].omega),
            1 + 2 * 3 * gravity * (0.5 - (double)now[2].r.y), 10, 1e-9);
 }
 

@@ -16,7 +16,7 @@
        vmi_orbit_ripple ripple;
        vmi_orbit_ripple_values now;
        vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit
-       vmi_orbit_ripple_at(&ripple, &orbit, phi, &now);
+       vmi_orbit_ripple_at(&ripple, &orbit, 1, &now); // at the phase 1
    Source: the averaging of canonical equations by Lie series, to second order; docs/duffing.md.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H

@@ -38,8 +38,8 @@ typedef struct VM_TAG(vm_contact) {
    and *normal becomes the unit vector out of the ground. */
 VM_API vm_real vmi_contact_height(const vm_contact *contact, const vmi_body_point *p, vm_vec3 *normal)
 {
-    *normal = vmi_over(contact->normal, vmi_norm2(contact->normal));
-    return vmi_dot(vmi_sub(p->r, contact->on), *normal) - contact->radius;
+    *normal = vmi_over(contact->normal, vm_norm(contact->normal));
+    return vm_dot(vm_sub(p->r, contact->on), *normal) - contact->radius;
 }
 
 VM_API void vmi_apply_contact(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -52,8 +52,8 @@ VM_API void vmi_apply_contact(const vm_effect *e, vm_real t, const vm_real *y, v
     vmi_point_now(s, e->body, contact->at, y, &p);
     height = vmi_contact_height(contact, &p, &normal);
     if (height >= 0) return;
-    force = -contact->stiffness * height - contact->damping * vmi_dot(p.v, normal);
-    if (force > 0) vmi_point_push(s->bodies + e->body, &p, vmi_scale(force, normal));
+    force = -contact->stiffness * height - contact->damping * vm_dot(p.v, normal);
+    if (force > 0) vmi_point_push(s->bodies + e->body, &p, vm_scale(force, normal));
     if (!VM_IS_FINITE(force)) s->status = VM_NOT_FINITE;
 }
 
@@ -64,7 +64,7 @@ VM_API int vmi_contact_check_parts(const vm_scene *s, int body, const vm_contact
         !vmi_vec3_is_finite(contact->on) || !vmi_vec3_is_finite(contact->normal))
         status = vmi_first_error(status, VM_NOT_FINITE);
     if (contact->stiffness < 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
-    if (contact->radius < 0 || contact->damping < 0 || vmi_norm2(contact->normal) == 0)
+    if (contact->radius < 0 || contact->damping < 0 || vm_norm(contact->normal) == 0)
         status = vmi_first_error(status, VM_DOMAIN);
     return status;
 }
@@ -126,17 +126,17 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_evaluate(s, t, y);
     vmi_point_now(s, e->body, contact->at, y, &p);
     vmi_contact_height(contact, &p, &normal);
-    v = vmi_dot(p.v, normal);
+    v = vm_dot(p.v, normal);
     mobility = vmi_point_mobility(s->bodies + e->body, &p, normal);
     if (v >= 0 || mobility == 0) return VM_OK;
-    impulse = vmi_scale(-v / mobility, normal);
+    impulse = vm_scale(-v / mobility, normal);
     if (s->budget) s->budget->totals(s, y, &before);
     vmi_point_kick(s->bodies + e->body, &p, impulse, y);
     if (!s->budget) return VM_OK;
     s->budget->totals(s, y, &after);
     s->budget->jump_energy += after.energy - before.energy;
-    s->budget->impulse = vmi_add(s->budget->impulse, impulse);
-    s->budget->angular_impulse = vmi_add(s->budget->angular_impulse, vmi_cross(p.r, impulse));
+    s->budget->impulse = vm_add(s->budget->impulse, impulse);
+    s->budget->angular_impulse = vm_add(s->budget->angular_impulse, vm_cross(p.r, impulse));
     return VM_OK;
 }
 

@@ -96,10 +96,10 @@ VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_
     if (body < 0) return;
     b = s->bodies + body;
     alpha = vmi_point_spin(b, &p->axes, vmi_scene_turning(b, b->load.force), p->omega);
-    moving = vmi_cross(p->omega, p->arm);
-    if (b->grows) moving = vmi_sub(moving, b->load.drift);
+    moving = vm_cross(p->omega, p->arm);
+    if (b->grows) moving = vm_sub(moving, b->load.drift);
     end->a = vmi_point_move(b, vmi_scene_moving(b, b->load.force));
-    end->a = vmi_add(end->a, vmi_add(vmi_cross(alpha, p->arm), vmi_cross(p->omega, moving)));
+    end->a = vm_add(end->a, vm_add(vm_cross(alpha, p->arm), vm_cross(p->omega, moving)));
 }
 
 /* Begins a further equation of a joint, with the response of both bodies to the force 1 along a unit vector */
@@ -114,7 +114,7 @@ VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, cons
         const vmi_body_point *p = &ends[i].point;
         row->turn[i] = row->move[i] = row->spin[i] = zero;
         if (bodies[i] < 0) continue;
-        row->turn[i] = vmi_cross(p->arm, along);
+        row->turn[i] = vm_cross(p->arm, along);
         row->move[i] = vmi_point_move(s->bodies + bodies[i], along);
         row->spin[i] = vmi_point_spin(s->bodies + bodies[i], &p->axes, row->turn[i], zero);
     }
@@ -133,16 +133,16 @@ VM_API int vmi_joint_is_in_space(const vm_scene *s, int body)
 VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
 {
     const int in_space = vmi_joint_is_in_space(s, joint->body) || vmi_joint_is_in_space(s, joint->other);
-    const vm_vec3 C = vmi_sub(ends[0].point.r, ends[1].point.r), v = vmi_sub(ends[0].point.v, ends[1].point.v);
-    const vm_vec3 a = vmi_sub(ends[0].a, ends[1].a);
+    const vm_vec3 C = vm_sub(ends[0].point.r, ends[1].point.r), v = vm_sub(ends[0].point.v, ends[1].point.v);
+    const vm_vec3 a = vm_sub(ends[0].a, ends[1].a);
     const int n = in_space ? 3 : 2;
     int i;
     for (i = 0; i < n; i++) {
         const vm_vec3 along = vmi_vec3((vm_real)(i == 0), (vm_real)(i == 1), (vm_real)(i == 2));
         vmi_joint_row *row = vmi_joint_add_row(joint, s, ends, along);
-        row->gap = vmi_dot(along, C);
-        row->gap_rate = vmi_dot(along, v);
-        row->gap_acceleration = vmi_dot(along, a);
+        row->gap = vm_dot(along, C);
+        row->gap_rate = vm_dot(along, v);
+        row->gap_acceleration = vm_dot(along, a);
     }
 }
 
@@ -150,12 +150,12 @@ VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_join
    nearly constant; C' = d v/|d| and C'' = (d a + v^2)/|d|, as for a link. */
 VM_API void vmi_rod_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
 {
-    const vm_vec3 d = vmi_sub(ends[0].point.r, ends[1].point.r), v = vmi_sub(ends[0].point.v, ends[1].point.v);
-    const vm_real l = vmi_norm2(d);
+    const vm_vec3 d = vm_sub(ends[0].point.r, ends[1].point.r), v = vm_sub(ends[0].point.v, ends[1].point.v);
+    const vm_real l = vm_norm(d);
     vmi_joint_row *row = vmi_joint_add_row(joint, s, ends, vmi_over(d, l));
     row->gap = (l - joint->length) * (l + joint->length) / (2 * l);
-    row->gap_rate = vmi_dot(row->along, v);
-    row->gap_acceleration = vmi_dot(row->along, vmi_sub(ends[0].a, ends[1].a)) + vmi_dot(v, v) / l;
+    row->gap_rate = vm_dot(row->along, v);
+    row->gap_acceleration = vm_dot(row->along, vm_sub(ends[0].a, ends[1].a)) + vm_dot(v, v) / l;
 }
 
 /* A pin between the point `at` of a body and the point other_at of the body `other`, or of the ground. In the plane it
@@ -196,7 +196,7 @@ VM_API vm_real vmi_joint_coupling(const vm_joint *i, const vmi_joint_row *row, c
         for (m = 0; m < 2; m++) {
             vm_real part;
             if (bodies[k] < 0 || bodies[k] != others[m]) continue;
-            part = vmi_dot(row->along, by->move[m]) + vmi_dot(row->turn[k], by->spin[m]);
+            part = vm_dot(row->along, by->move[m]) + vm_dot(row->turn[k], by->spin[m]);
             sum += k == m ? part : -part;
         }
     return sum;
@@ -262,7 +262,7 @@ VM_API vm_vec3 vmi_joint_force(const vm_joint *joint, const vm_real *forces)
 {
     vm_vec3 sum = {0, 0, 0};
     int k;
-    for (k = 0; k < joint->n_rows; k++) sum = vmi_add(sum, vmi_scale(forces[k], joint->row[k].along));
+    for (k = 0; k < joint->n_rows; k++) sum = vm_add(sum, vm_scale(forces[k], joint->row[k].along));
     return sum;
 }
 
@@ -274,7 +274,7 @@ VM_API void vmi_joint_push(const vm_joint *joint, const vm_real *y, vm_scene *s)
     vmi_point_push(s->bodies + joint->body, &p, joint->force);
     if (joint->other < 0) return;
     vmi_point_now(s, joint->other, joint->other_at, y, &p);
-    vmi_point_push(s->bodies + joint->other, &p, vmi_scale(-1, joint->force));
+    vmi_point_push(s->bodies + joint->other, &p, vm_scale(-1, joint->force));
 }
 
 VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -321,10 +321,10 @@ VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
         impulses += joint->n_rows;
         if (joint->n_rows == 0) continue;
         vmi_joint_kick(s, joint->body, joint->at, impulse, y);
-        vmi_joint_kick(s, joint->other, joint->other_at, vmi_scale(-1, impulse), y);
+        vmi_joint_kick(s, joint->other, joint->other_at, vm_scale(-1, impulse), y);
         if (joint->other >= 0 || !s->budget) continue;
-        s->budget->impulse = vmi_add(s->budget->impulse, impulse);
-        s->budget->angular_impulse = vmi_add(s->budget->angular_impulse, vmi_cross(joint->other_at, impulse));
+        s->budget->impulse = vm_add(s->budget->impulse, impulse);
+        s->budget->angular_impulse = vm_add(s->budget->angular_impulse, vm_cross(joint->other_at, impulse));
     }
     return VM_OK;
 }

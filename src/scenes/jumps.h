@@ -73,10 +73,10 @@ VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
     const vm_vec3 d = vmi_times(&turn, part->r);
-    part->r = vmi_add(body->r, d);
-    part->v = vmi_add(vmi_times(&turn, part->v), vmi_add(body->v, vmi_cross(body->omega, d)));
-    part->omega = vmi_add(vmi_times(&turn, part->omega), body->omega);
-    part->q = vmi_quat_is_none(part->q) ? body->q : vmi_quat_times(body->q, part->q);
+    part->r = vm_add(body->r, d);
+    part->v = vm_add(vmi_times(&turn, part->v), vm_add(body->v, vm_cross(body->omega, d)));
+    part->omega = vm_add(vmi_times(&turn, part->omega), body->omega);
+    part->q = vmi_quat_is_none(part->q) ? body->q : vm_quat_times(body->q, part->q);
 }
 
 VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
@@ -139,10 +139,10 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vm_scene_body *b = s->bodies + body;
     vm_real *state = y + b->at;
     vm_vec3 step;
-    if (b->shift) b->shift(b, vmi_sub(r, vmi_scene_moving(b, state)), state);
+    if (b->shift) b->shift(b, vm_sub(r, vmi_scene_moving(b, state)), state);
     if (!b->grows) return;
-    step = vmi_times_transposed(&b->axes, vmi_sub(r, vmi_scene_moving(b, state)));
-    vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
+    step = vmi_times_transposed(&b->axes, vm_sub(r, vmi_scene_moving(b, state)));
+    vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
 /* Lets effects that hold bodies together act even if their first body is not present: they leave out such bodies */
@@ -202,8 +202,8 @@ VM_API int vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *res
     if (!budget) return status;
     budget->totals(s, y, &after);
     budget->jump_energy += after.energy - before.energy;
-    budget->impulse = vmi_add(budget->impulse, e->external.linear);
-    budget->angular_impulse = vmi_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    budget->impulse = vm_add(budget->impulse, e->external.linear);
+    budget->angular_impulse = vm_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
     return status;
 }
 

@@ -226,7 +226,7 @@ VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 
     const vm_inertia *i = &b->invertible;
     const vm_vec3 own = vmi_times_transposed(axes, torque);
     vm_real a[9];
-    vmi_set3(rates, vmi_sub(own, vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
+    vmi_set3(rates, vm_sub(own, vm_cross(omega, vmi_inertia_times(&b->inertia, omega))));
     a[0] = i->xx;
     a[4] = i->yy;
     a[8] = i->zz;

@@ -55,9 +55,9 @@ VM_API void vmi_point_of_body(const vm_scene_body *b, vm_vec3 at, const vm_real 
     p->axes = vmi_point_axes(b, state);
     p->omega = vmi_scene_turning(b, rates);
     if (b->motion == VM_FREE) p->omega = vmi_times(&p->axes, p->omega);
-    p->arm = vmi_times(&p->axes, vmi_sub(at, b->grows ? vmi_growth_centre(b, state) : b->centre));
-    p->r = vmi_add(vmi_scene_moving(b, state), p->arm);
-    p->v = vmi_add(vmi_scene_moving(b, rates), vmi_cross(p->omega, p->arm));
+    p->arm = vmi_times(&p->axes, vm_sub(at, b->grows ? vmi_growth_centre(b, state) : b->centre));
+    p->r = vm_add(vmi_scene_moving(b, state), p->arm);
+    p->v = vm_add(vmi_scene_moving(b, rates), vm_cross(p->omega, p->arm));
 }
 
 /* Computes a point of a body of the scene in the state y, or of the ground, which rests */
@@ -79,7 +79,7 @@ VM_API void vmi_point_now(const vm_scene *s, int body, vm_vec3 at, const vm_real
 VM_API void vmi_point_push(vm_scene_body *b, const vmi_body_point *p, vm_vec3 f)
 {
     if (b->motion == VM_LINE) b->load.force[0] += f.x;
-    else vmi_scene_add(b, b->load.force, f, vmi_cross(p->arm, f));
+    else vmi_scene_add(b, b->load.force, f, vm_cross(p->arm, f));
 }
 
 /* The mass, or on an axle the inertia, that resists acceleration */
@@ -114,7 +114,7 @@ VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_v
 VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
 {
     const vm_vec3 zero = {0, 0, 0}, move = vmi_point_move(b, impulse);
-    vm_vec3 spin = vmi_point_spin(b, &p->axes, vmi_cross(p->arm, impulse), zero);
+    vm_vec3 spin = vmi_point_spin(b, &p->axes, vm_cross(p->arm, impulse), zero);
     vm_real *velocities = y + b->at + b->positions;
     if (b->motion == VM_FREE) spin = vmi_times_transposed(&p->axes, spin);
     if (b->motion == VM_LINE) velocities[0] += move.x;
@@ -124,8 +124,8 @@ VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_v
 /* The acceleration of a point along a unit vector by a force of 1 N along this vector */
 VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 along)
 {
-    const vm_vec3 zero = {0, 0, 0}, turn = vmi_cross(p->arm, along);
-    return vmi_dot(along, vmi_point_move(b, along)) + vmi_dot(turn, vmi_point_spin(b, &p->axes, turn, zero));
+    const vm_vec3 zero = {0, 0, 0}, turn = vm_cross(p->arm, along);
+    return vm_dot(along, vmi_point_move(b, along)) + vm_dot(turn, vmi_point_spin(b, &p->axes, turn, zero));
 }
 
 /* Whether a body has inertia against every force at the point `at`. Forces turn a body about all axes normal to `at`.
@@ -142,15 +142,15 @@ VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
     whole = vmi_invertible_inertia(&b->start.inertia);
     hollow = vmi_inertia_plus(whole, -1, b->start.inertia);
     trace = hollow.xx + hollow.yy + hollow.zz;
-    square = vmi_dot(at, at);
-    return trace * square - vmi_dot(at, vmi_inertia_times(&hollow, at)) <= noise * (trace * square);
+    square = vm_dot(at, at);
+    return trace * square - vm_dot(at, vmi_inertia_times(&hollow, at)) <= noise * (trace * square);
 }
 
 /* Notes that a jump has moved the mass centre of a body by `step`, in inertial axes: its points stay where they are */
 VM_API void vmi_point_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
 {
     const vmi_mat3 axes = vmi_point_axes(b, state);
-    b->centre = vmi_add(b->centre, vmi_times_transposed(&axes, step));
+    b->centre = vm_add(b->centre, vmi_times_transposed(&axes, step));
 }
 
 /* Checks a point of a body of the scene, or of the ground, and lets jumps of the body call vmi_point_shift. The scene

@@ -35,15 +35,15 @@ typedef struct VM_TAG(vm_point_spring) {
    has no direction (VM_SINGULAR). */
 VM_API int vmi_point_spring_force(const vm_point_spring *spring, vm_vec3 d, vm_vec3 v, vm_vec3 *f)
 {
-    const vm_real length = vmi_norm2(d);
+    const vm_real length = vm_norm(d);
     vm_vec3 along;
     vm_real pull;
-    *f = vmi_scale(-spring->damping, v);
+    *f = vm_scale(-spring->damping, v);
     if (length == 0 && (spring->rest == 0 || spring->stiffness == 0)) return VM_OK;
     if (length == 0) return VM_SINGULAR;
     along = vmi_over(d, length);
-    pull = spring->stiffness * (length - spring->rest) + spring->damping * vmi_dot(along, v);
-    *f = vmi_scale(-pull, along);
+    pull = spring->stiffness * (length - spring->rest) + spring->damping * vm_dot(along, v);
+    *f = vm_scale(-pull, along);
     return VM_OK;
 }
 
@@ -55,9 +55,9 @@ VM_API void vmi_apply_point_spring(const vm_effect *e, vm_real t, const vm_real 
     (void)t;
     vmi_point_now(s, e->body, spring->at, y, &here);
     vmi_point_now(s, e->other, spring->other_at, y, &there);
-    if (vmi_point_spring_force(spring, vmi_sub(here.r, there.r), vmi_sub(here.v, there.v), &f)) s->status = VM_SINGULAR;
+    if (vmi_point_spring_force(spring, vm_sub(here.r, there.r), vm_sub(here.v, there.v), &f)) s->status = VM_SINGULAR;
     vmi_point_push(s->bodies + e->body, &here, f);
-    if (e->other >= 0) vmi_point_push(s->bodies + e->other, &there, vmi_scale(-1, f));
+    if (e->other >= 0) vmi_point_push(s->bodies + e->other, &there, vm_scale(-1, f));
 }
 
 VM_API int vmi_point_spring_check(const vm_scene *s, const vm_effect *e)
