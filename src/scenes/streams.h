@@ -92,7 +92,7 @@ VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossin
     if (!s->budget) return;
     vmi_scene_add(b, load->reactive, force, torque);
     vmi_scene_add(b, load->brought, force, torque);
-    load->mixing -= vmi_dot(force, c->seen.v) + vmi_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
+    load->mixing -= vm_dot(force, c->seen.v) + vm_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
 }
 
 VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -102,17 +102,17 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     vmi_crossing c;
     vm_vec3 shift, spin, turning;
     vmi_crossing_now(e, t, y, s, &c);
-    shift = vmi_scale(1 / load->mass, c.sum.crossing);
+    shift = vm_scale(1 / load->mass, c.sum.crossing);
     load->mass_rate += c.sum.rate;
-    load->drift = vmi_add(load->drift, vmi_times(c.seen.turn, shift));
-    load->centre_rate = vmi_add(load->centre_rate, shift);
+    load->drift = vm_add(load->drift, vmi_times(c.seen.turn, shift));
+    load->centre_rate = vm_add(load->centre_rate, shift);
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
     if (!s->budget) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
-    turning = vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
-    vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v), turning);
+    turning = vm_add(vmi_times(c.seen.turn, spin), vm_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
+    vmi_scene_add(b, load->brought, vm_scale(c.sum.rate, c.seen.v), turning);
     load->brought_energy += c.sum.brought / 2;
-    load->mixing += (c.sum.brought - c.sum.rate * vmi_dot(c.seen.v, c.seen.v) - vmi_dot(spin, c.seen.omega)) / 2;
+    load->mixing += (c.sum.brought - c.sum.rate * vm_dot(c.seen.v, c.seen.v) - vm_dot(spin, c.seen.omega)) / 2;
 }
 
 VM_API void vmi_apply_stream_force(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -120,8 +120,8 @@ VM_API void vmi_apply_stream_force(const vm_effect *e, vm_real t, const vm_real 
     vmi_crossing c;
     vm_vec3 force;
     vmi_crossing_now(e, t, y, s, &c);
-    force = vmi_sub(c.sum.absolute, vmi_scale(c.sum.rate - c.sum.carried, c.seen.v));
-    vmi_crossing_push(e, s, &c, vmi_add(vmi_times(c.seen.turn, c.sum.pushed), force), vmi_vec3(0, 0, 0));
+    force = vm_sub(c.sum.absolute, vm_scale(c.sum.rate - c.sum.carried, c.seen.v));
+    vmi_crossing_push(e, s, &c, vm_add(vmi_times(c.seen.turn, c.sum.pushed), force), vmi_vec3(0, 0, 0));
 }
 
 VM_API void vmi_apply_stream_moment(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -136,7 +136,7 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing c;
     vm_vec3 torque;
     vmi_crossing_now(e, t, y, s, &c);
-    torque = vmi_sub(c.sum.own, vmi_inertia_times(&c.sum.inertia, c.seen.omega));
+    torque = vm_sub(c.sum.own, vmi_inertia_times(&c.sum.inertia, c.seen.omega));
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 

@@ -63,8 +63,8 @@ static void check_quiet_streams(const vm_body *body, vm_vec3 centre, int n, cons
         scale += fabs((double)quiet[i].rate) * (trace_of(&quiet[i].gyration) + r * r) * turning;
     }
     if (vm_reactive_loads(body, centre, n, quiet, &sum)) return;
-    HOLDS(size3(vmi_add(sum.moment, sum.torque)) <= 32 * EPS * scale);
-    HOLDS(within3(sum.force, vmi_scale(body->mass, vmi_cross(body->omega, sum.drift)),
+    HOLDS(size3(vm_add(sum.moment, sum.torque)) <= 32 * EPS * scale);
+    HOLDS(within3(sum.force, vm_scale(body->mass, vm_cross(body->omega, sum.drift)),
                   32 * EPS * (size3(sum.force) + (double)body->mass * turning * size3(sum.drift)) +
                       32 * EPS * scale));
 }
@@ -91,7 +91,7 @@ static void check_loads(void)
         status = vm_reactive_loads(&body, centre, 1, streams + i, &one);
         HOLDS(status == VM_OK || fuzz.wild); /* an overflow in one may be absent in the sum */
         if (status) return;
-        total = vmi_add(total, one.force);
+        total = vm_add(total, one.force);
         scale += size3(one.force) + fabs((double)streams[i].rate) *
                                         (size3(body.v) + size3(streams[i].velocity) + 4 * size3(body.omega));
     }
