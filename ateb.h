@@ -2098,7 +2098,7 @@ VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, con
    w = sa^2. */
 VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 {
-    const vm_real change_over = VM_C(-0.84); /* ln(w/x) for w = 0.302, the largest that vmi_ateb_w_fraction allows */
+    const vm_real change_over = VM_C(-0.84); /* ln(w/(1 - w)) for w = 0.302; vmi_ateb_w_fraction allows no larger w */
     vm_two minus_size = h;
     vm_real e;
     if (!(h.hi < 0)) minus_size = vmi_minus(h);

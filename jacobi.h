@@ -3650,10 +3650,10 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1. The characteristic n is any number.
    Pi is odd in phi, and Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
-   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 Pi has poles where n sin^2 phi = 1, and is Cauchy's
-   principal value beyond; the error is then at most 16 eps of the larger of |F| and |Pi|, plus the change that 4 ulp of
-   n make. The result is 0 for infinite n and for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF
-   19.2.7. */
+   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 Pi has poles where n sin^2 phi = 1. Beyond
+   the first pole Pi is Cauchy's principal value. For n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect
+   of changing n by 4 ulp. The result is 0 for infinite n and for m = -infinity, and NaN for m > 1. docs/cost.md has the
+   time. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     return vmi_Pi_incomplete(phi, n, m, 1 - m);

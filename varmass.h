@@ -309,8 +309,8 @@
        vm_osc_route_name              Name of a route VM_ROUTE_..., in English; "unknown route" for any other number
        vm_osc_plan_by_route           Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan
        vm_osc_plan_within             Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan
-       vm_osc_by_route                Motion x(t), x'(t) at time t (s, either sign) by a given route
-       vm_osc_within                  Motion x(t), x'(t) at time t (s, either sign) within a tolerance
+       vm_osc_by_route                Computes x(t), x'(t) at time t (s, either sign) by a given route
+       vm_osc_within                  Computes x(t), x'(t) at time t (s, either sign) within a tolerance, by the cheapest route
 
      oscillators/odd_force: vibration under an odd elastic force of any form, with constant mass
        vm_odd_force_user              Odd elastic force F(x) by a user's function
@@ -2359,7 +2359,7 @@ enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters name
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q;           /* attitude of the body that the jump changes; inertias are added along its axes */
+    vm_quat q;           /* attitude of the body that the jump changes; inertias are added in this body's axes */
     vmi_mat3 turn;       /* the rotation matrix of q */
     vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;
@@ -4255,8 +4255,8 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
 }
 
 /* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign*part + impulse, where `before` and `after` are mass
-   matrices. The unknown is the change qdot_after - qdot. A part of little mass causes a small change, and the error is
-   small even compared with this change. */
+   matrices, and `part` is the vector of generalized momenta of the part that joins or separates. The unknown is the
+   change qdot_after - qdot: it is small if the part has little mass, and the error is small even compared with it. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
@@ -8541,8 +8541,8 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H
 
-/* Numbers of terms: TERMS in each polynomial, KEPT in the Chebyshev series of a power w^i, SERIES in the power series
-   in w or y */
+/* Numbers of terms of each polynomial (TERMS), of the Chebyshev series of each power w^i (KEPT), and of each power
+   series in w or y (SERIES), where w = |ca|^(alpha+1) and y = sa^2 */
 #if VM_MANT_DIG > 24
 enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
 #else
@@ -8987,8 +8987,8 @@ typedef struct VM_TAG(vmi_left_out) {
     vm_real J, psi;
 } vmi_left_out;
 
-/* The sizes of the first terms that the transformation of this order leaves out at t, where e[k] = |E_k|. The terms of
-   the next weight may vanish at t; therefore the terms of the weight after the next count, too. */
+/* The sizes of the first terms that the transformation of this order leaves out at t, where e[k] = |E_k|. The
+   largest of these terms may vanish at t; therefore the terms that are one weight higher count, too. */
 VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -9592,16 +9592,16 @@ VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
 
 /* Raises *edge to the relative difference between f and its value by a series, if this difference is larger than *edge.
-   by_series is the value of the series, which is the series of 1/f with `reciprocal`, and of f without. */
+   by_series is the value that the series gives: for 1/f if `reciprocal` is 1, for f if it is 0. */
 VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
 {
     const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
     if (!(miss <= *edge)) *edge = miss;
 }
 
-/* Raises *edge to the larger of the relative differences between a law and its series at both ends of the panel. With
-   `reciprocal` the series is that of 1/f. Only this test notices a kink between an end and the nearest point of Gauss'
-   rule. */
+/* Raises *edge to the larger of the relative differences between a law and its series at both ends of the panel. If
+   `reciprocal` is 1, the series gives 1/f, where f is the law. Only this test notices a kink between an end and the
+   nearest point of Gauss' rule. */
 VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
                           const vm_real *series, vm_real *edge)
 {
@@ -9889,9 +9889,10 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + phase_matters * (1 + 1 / phase) / phase;
 }
 
-/* Adds the panel's part to mean->change, the integrals of |d^i E_0/dpsi^i|, where the root mean square takes the place
-   of the absolute value, and to mean->third. Coefficients of E_0 that are as small as rounding errors are set to 0
-   first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
+/* Adds what the panel contributes to mean->change and to mean->third, the bound of what order five leaves out of psi.
+   For each integral of |d^i E_0/dpsi^i| in mean->change it takes the root mean square over the panel instead of the
+   absolute value. Before that, it sets coefficients of E_0 to 0 if they are as small as rounding errors, and adds their
+   integral to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], phase_length = W * VM_FABS(length);
@@ -9952,8 +9953,8 @@ VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, 
     return VM_OK;
 }
 
-/* Sets the fields now, ln_A and ratio of *mean for the time t. Where the laws' derivatives jump at t, their values on
-   the side from which the walk comes are taken; side is 1 forward, -1 backward in time. */
+/* Sets `now`, `ln_A` and `ratio` of *mean for the time t. Where derivatives of the laws jump at t, it takes their
+   values on the side of t that the walk has already covered. side is 1 forward, -1 backward in time. */
 VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
@@ -11143,7 +11144,7 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
-    vmi_step_rates history[2][VMI_HISTORY];         /* rates of earlier whole steps over each part */
+    vmi_step_rates history[2][VMI_HISTORY];         /* rates from earlier steps that covered all of a part */
     int latest[2];                                  /* index in history of the latest step; earlier ones come after it */
     int known[2];                                   /* number of earlier steps over each part that history holds */
     int status;
@@ -11723,8 +11724,9 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
    difference of the two runs gives the error. With F the averaged equations of the first three routes are integrated,
    too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
 
-   Choice. vm_osc_within takes the first of these seven solutions whose estimate is within the tolerance. Where none is,
-   or where F is given, it integrates: by collocation if amplitude and phase describe the motion, otherwise by rk87.
+   Choice. vm_osc_within takes the first of these seven solutions whose estimated error is within the tolerance. If
+   there is none, or a force F is given, it integrates numerically: by collocation if amplitude and phase describe the
+   motion, otherwise by rk87.
 
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
@@ -11956,8 +11958,9 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
     return vmi_osc_start(plan);
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) by a given route. It is for a single value of t. Arguments, result
-   and statuses are those of vm_osc_plan_by_route; it also returns the statuses of vm_osc_plan_init. */
+/* Computes x(t), x'(t) at time t (s, either sign) by a given route. Use it for a single t; for several, make a plan.
+   Arguments, result and statuses are those of vm_osc_plan_by_route; it also returns the statuses of
+   vm_osc_plan_init. */
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
@@ -11969,8 +11972,8 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
     return vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance. It is for a single value of t, by the cheapest
-   route. Arguments, result and statuses are those of vm_osc_plan_within; it also returns the statuses of
+/* Computes x(t), x'(t) at time t (s, either sign) within a tolerance, by the cheapest route. Use it for a single t; for
+   several, make a plan. Arguments, result and statuses are those of vm_osc_plan_within; it also returns the statuses of
    vm_osc_plan_init. */
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
@@ -12052,9 +12055,10 @@ struct VM_TAG(vmi_orbit) {
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
     vm_real lambda, m1;        /* rate of the argument of Jacobi's functions, and 1 - k^2 with their modulus k */
-    int pieces;                /* of other forces: equal pieces of 0 ... `size`, on each of which F is a series */
-    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* of other forces: Legendre series of F on the pieces */
-    vm_real above[VMI_ORBIT_PARTS];             /* of other forces: integral of F from the end of a piece to `size` */
+    int pieces;                /* for a user's force: number of equal pieces of 0 ... `size`; a series gives F
+                                  on each piece */
+    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* for a user's force: Legendre series of F on each piece */
+    vm_real above[VMI_ORBIT_PARTS];             /* for a user's force: integral of F from a piece's end to `size` */
 };
 
 /* A point of an orbit, 0 <= theta <= pi/2; theta = 0 is the turning point with the largest |x|. x is positive. */
@@ -13718,7 +13722,7 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
         if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
 }
 
-/* Integrates to t, from one point of a table to the next. */
+/* Integrates from the present time to t, and stops and restarts at every table point of the laws on the way. */
 VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -13739,7 +13743,7 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 }
 
 /* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. Where there is no
-   vibration the amplitude is NaN, and the units of the run take the places of the other two. */
+   vibration, the amplitude is NaN, *swing is c->length and *vmax is c->velocity. */
 VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -13815,8 +13819,8 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
     return VM_OK;
 }
 
-/* The motion at t by rk87. Pairs of runs with stricter and stricter tolerances follow each other until the estimated
-   error is within the tolerance. A pair that is not better than the best one halves the longest step; after three such
+/* Computes the motion at t by rk87. It makes pairs of runs with stricter and stricter tolerances until the estimated
+   error is within `tolerance`. A pair that is not better than the best one halves the longest step; after three such
    pairs the best one is the result. */
 VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
@@ -13852,7 +13856,7 @@ VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance,
 
 /* -- Routes -- */
 
-/* Checks what all calls with a plan share, and replaces a tolerance of 0 by the default. */
+/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
 VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance,
                               const vm_odd_motion *motion)
 {
@@ -13922,8 +13926,8 @@ VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance
 }
 
 /* Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan.
-   It is for a single value of t. Arguments, result and statuses are those of vm_odd_plan_within and of
-   vm_odd_plan_init. */
+   Use it for a single t; for several, make a plan. Arguments, result and statuses are those of vm_odd_plan_within and
+   of vm_odd_plan_init. */
 VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_plan plan;
@@ -14444,8 +14448,8 @@ VM_API void vmi_vdp_find_constants(vmi_vdp_ripple *v, const vmi_ripple *r)
     v->constant = g / 2 * Z + H - (alpha + 3) * n / (2 * (alpha + 7)) * (VM_C(1.) / 6 + 1 / (alpha + 15)) * m6;
 }
 
-/* Prepares the alpha of r, which must have its polynomials. The mean of S^2 is its integral over a quarter of the
-   period, taken from both ends of the quarter up to the phase where sa^2 = 1/2. */
+/* Computes *v for the alpha of *r, whose polynomials must be ready. For the mean of S^2 it integrates S^2 over a
+   quarter of the period, which it splits at the phase where sa^2 = 1/2. */
 VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
@@ -14533,8 +14537,8 @@ VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple
 
 /* -- The mean motion -- */
 
-/* The rate of ln J divided by W e, without its first term F. These are the terms of order epsilon^2 in the equation of
-   (ln J)' at the top of this file. */
+/* Returns (ln J)'/(W e) - F, which is of order epsilon^2. Multiplied by W e, it gives all terms but the first, W F e,
+   in the equation of (ln J)' at the top of this file. */
 VM_API vm_real vmi_vdp_mean_second(const vmi_vdp_ripple *v, const vmi_vdp_disturbance *now)
 {
     return v->K3 * now->e * now->e + v->K1 * now->e1 + v->KQ * now->Q0 + v->KE * now->E0;
@@ -14685,8 +14689,8 @@ VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
 
 /* -- The start -- */
 
-/* Starts the mean motion at the state r->A, r->psi, r->W of the reduction, where sa or ca is 0. mean->t and mean->now
-   must already belong to the time of this state. The errors that the start causes are added to those in *mean. */
+/* Starts the mean motion at the reduced state (r->A, r->psi, r->W), a point where sa or ca is 0. mean->t and mean->now
+   must already be set for the time of this state. The errors that the start causes are added to those in *mean. */
 VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi_vdp_mean *mean)
 {
     const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
@@ -14835,8 +14839,8 @@ typedef struct VM_TAG(vmi_vdp_nodes) {
     vm_real rate[VMI_GAUSS];
 } vmi_vdp_nodes;
 
-/* ln of r = exp(-2 integral of p dt) over a time in which the mass changes by the factor exp(ln_m), and the integral
-   of dt/m is `way` */
+/* Returns ln r, where r = exp(-2 integral of p dt), for an interval of time in which the mass changes by the factor
+   exp(ln_m). `way` is the integral of dt/m over this interval. */
 VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real way)
 {
     vm_real ln_A, ln_Om;
@@ -14877,7 +14881,7 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
     panel->first_ln_A = 1 + gain * length * panel->r[0]; /* y at the end of the panel */
 }
 
-/* Computes the mean motion of order three at the nodes, from the series `second` of the terms of second order. */
+/* Computes the mean motion of order three at the nodes. `second` is the Legendre series of nodes->second. */
 VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
                                  const vmi_osc_panel_laws *at, const vm_real *second, vmi_vdp_nodes *nodes,
                                  vmi_vdp_panel *panel)
@@ -15008,8 +15012,8 @@ VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_
 
 /* -- The walk -- */
 
-/* Sets the rates of *mean for its time. side is the direction of the walk, 1 forward, -1 backward in time; where
-   derivatives jump, their values on the side from which the walk comes are taken. */
+/* Sets mean->now for the time mean->t. side is the direction of the walk, 1 forward, -1 backward in time. Where
+   derivatives of the mass jump at this time, it takes their values on the side that the walk has already covered. */
 VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(&p->osc), way = VM_FABS(mean->t);
@@ -15018,8 +15022,8 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
     return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
 }
 
-/* Takes the mean motion past its time, a point of a table. It goes back to the last phase before the point where sa or
-   ca is 0, and from there by the exact equations to the first such phase after the point. */
+/* Takes the mean motion past mean->t, the time of a table point. It goes back to the last phase before this time at
+   which sa or ca is 0, and from there by the exact equations to the first such phase after this time. */
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
@@ -15028,7 +15032,8 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the points are too close */
+    /* The way back must not pass the table point before this one, or t = 0: the two would be too close together. */
+    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED;
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);
         if (status) return status;
@@ -15162,8 +15167,8 @@ VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *
 
 /* -- One route -- */
 
-/* Integrates the exact equations to the tolerance, by a function of oscillators/routes.h. The term -c x^2 x' is the
-   further force. */
+/* Integrates the exact equations to the tolerance, by a function of oscillators/routes.h. The term -c x^2 x' takes
+   the place of the force F of that file. */
 VM_API int vmi_vdp_integrate(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan exact = p->osc;
@@ -15268,10 +15273,10 @@ typedef struct VM_TAG(vm_vdp_cycle) {
     int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
 } vm_vdp_cycle;
 
-/* Writes the coefficients of epsilon^2 in two series in epsilon = feed/(m W): *kx in that of the largest x, *kw in that
-   of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the code has them for
-   epsilon = 1. The largest x is reached where x' = 0, that is V = p x. The phase there is `late` times epsilon; the
-   phase 0 has V = 0. */
+/* Writes two coefficients of epsilon^2, where epsilon = feed/(m W): *kx belongs to the power series of the largest x in
+   epsilon, *kw to that of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the
+   code has them for epsilon = 1. The largest x is reached where x' = 0, that is V = p x. The phase there is `late`
+   times epsilon; the phase 0 has V = 0. */
 VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
 {
     const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
@@ -15333,8 +15338,8 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
    A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), and F_e(rho)
    the shaft's elastic force at the deflection rho = |z|. The stiffness K_e(rho) is the quotient F_e(rho)/rho; the
    dissertation [1] writes F_e'(rho) for it, although it is no derivative. g is the gyroscopic constant of the remark
-   after (516). r is the share of the reactive force of mass that joins or leaves with the velocity u, and F_z is an
-   external force. The equation of motion is
+   after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive force m' (u - z')
+   that acts on the disc. F_z is an external force. The equation of motion is
        m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
    Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
    nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
