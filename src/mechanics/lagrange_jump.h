@@ -92,7 +92,7 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
 
 /* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign*part + impulse, where `before` and `after` are mass
    matrices, and `part` is the vector of generalized momenta of the part that joins or separates. The unknown is the
-   change qdot_after - qdot: it is small if the part has little mass, and the error is small even compared with it. */
+   change qdot_after - qdot. A part of little mass causes a small change; the error is small even compared with it. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
