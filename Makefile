@@ -80,12 +80,12 @@ run: $(EXAMPLES:%=build/examples/%)
 
 # A line a program; all that they print, the tables of worst errors too, is in build/tests/NAME.log
 test:
-	$(call RUN_TESTS,$(LOGS))
+	+$(call RUN_TESTS,$(LOGS))
 
 # What make test leaves out, and its programs again: as headers are used, included and compiled with the caller's code, and
 # with fused multiply-adds; logs in build/tests/all
 test-all:
-	$(call RUN_TESTS,$(LONG_LOGS))
+	+$(call RUN_TESTS,$(LONG_LOGS))
 
 lint: build/command
 	@sh tests/install.sh -w "for the warnings of C++" "command -v g++" g++; \

@@ -361,6 +361,8 @@ static void null_odd_force(void)
     STATUS(2, vm_odd_plan_within(IN(0, vm_odd_plan, &p), 1, 0, X(1, vm_odd_motion)));
     STATUS(2, vm_odd_within(IN(0, vm_odd_problem, &o), 1, 0, X(1, vm_odd_motion)));
     NOTHING(2, vm_duffing_exact_from(1, 1, 0, 1, 1, X(0, vm_real), X(1, vm_real)));
+    o.force = vm_odd_force_user(NULL, NULL);
+    CHECK(vm_odd_plan_init(&p, &o, 2) == VM_BAD_ARGUMENT);
 }
 
 static void null_van_der_pol(void)

@@ -292,6 +292,21 @@ static void test_limits(void)
     CHECK(jacobi_RG(0, 0, 4) == 1 && jacobi_RG(0, 0, 0) == 0);
 }
 
+/* Arguments of Carlson's integrals whose quotients are larger than the largest number: of R_F(y, y, x) and R_C(x, y), two
+   elementary functions of one quotient, ln(4 x/y)/(2 sqrt(x)) is left. R_D and R_J refuse them. */
+static void test_quotients(void)
+{
+    const double size = by_precision(1e300, 1e30);
+    const vm_real x = R(size), y = R(1 / size);
+    const double exact = (log(4.) + log((double)x) - log((double)y)) / (2 * sqrt((double)x));
+    check_error("R_F", "quotients", "eps", fabs((double)jacobi_RF(y, x, y) / exact - 1) / eps, 8, 0, 0);
+    check_error("R_C", "quotients", "eps", fabs((double)jacobi_RC(x, y) / exact - 1) / eps, 8, 0, 0);
+    check_error("R_C", "quotients", "eps", fabs((double)jacobi_RC(x, -y) / exact - 1) / eps, 8, 0, 0);
+    check_error("R_G", "quotients", "eps", fabs((double)(jacobi_RG(y, y, x) / VM_SQRT(x)) - 0.5) / eps, 1, 0, 0);
+    CHECK(is_nan(jacobi_RD(y, y, x)) && is_nan(jacobi_RD(x, 1, y)));
+    CHECK(is_nan(jacobi_RJ(y, y, x, 1)) && is_nan(jacobi_RJ(1, 1, y, x)) && is_nan(jacobi_RJ(x, 1, 1, -y)));
+}
+
 static void test_domain(void)
 {
     const vm_real half = R(0.5), bad[3] = {R(1.5), VM_NAN, VM_INFINITY};
@@ -350,6 +365,7 @@ int main(void)
     test_symmetric();
     test_zeros_and_seams();
     test_limits();
+    test_quotients();
     test_domain();
     test_any_parameter();
     return check_finish("integrals");

@@ -5,6 +5,7 @@
 
 #include "../varmass.h"
 #include "check.h"
+#include "judgement.h"
 #include "oscillator_checks.h"
 #include "routes_problems.h"
 
@@ -67,7 +68,7 @@ static int route_of(int order) { return order == 1 ? (int)VM_ROUTE_ATEB : (int)V
 
 static void prepare(double alpha, vmi_ripple *r, vmi_vdp_ripple *v)
 {
-    vmi_ripple_init(r, R(alpha), ateb_pi(R(alpha)));
+    vmi_ripple_init(r, R(alpha), vmi_ateb_constants);
     vmi_ripple_complete(r);
     vmi_vdp_ripple_init(v, r);
 }
@@ -174,18 +175,6 @@ static void test_check_values(void)
 
 /* ---- Orders ---- */
 
-static int rising(const void *a, const void *b)
-{
-    const double d = *(const double *)a - *(const double *)b;
-    return d < 0 ? -1 : d > 0;
-}
-
-static double median(double *values, int n)
-{
-    qsort(values, (size_t)n, sizeof *values, rising);
-    return values[n / 2];
-}
-
 /* The largest error of an order at the four times of a case */
 static double largest_error(const vdp_case *s, int order)
 {
@@ -224,27 +213,6 @@ static void test_orders(void)
 }
 
 /* ---- Estimates ---- */
-
-typedef struct judgement {
-    double *sharp; /* estimate by true error */
-    int count, beyond, unknown;
-    double worst;
-} judgement;
-
-static void judge(judgement *j, double error, double estimate)
-{
-    j->sharp[j->count++] = estimate / fmax(error, 1e-300);
-    j->worst = fmax(j->worst, error / estimate);
-    j->beyond += error > 3 * estimate;
-}
-
-static void report(const char *name, judgement *j, double sharp, double unknown)
-{
-    check_error(name, "true > 3 est", "%", 100. * j->beyond / j->count, 1, j->count, 0);
-    check_error(name, "true/est, worst", "", j->worst, 10, 0, 0);
-    check_error(name, "unknown", "%", 100. * j->unknown / (j->count + j->unknown), unknown, j->unknown, 0);
-    check_error(name, "est/true, median", "", median(j->sharp, j->count), sharp, 0, 0);
-}
 
 static void judge_table(const vdp_case *cases, int count, int order, judgement *j)
 {
