@@ -3231,6 +3231,9 @@ VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
     return scale;
 }
 
+/* Is 1 if a positive argument is so much smaller than the largest one that the scale makes it subnormal or 0 */
+VM_API int vmi_carlson_is_lost(vmi_carlson_scale by, vm_real x) { return x > 0 && by.factor * x < VM_MIN; }
+
 /* Is 1 if x, y, z >= 0 */
 VM_API int vmi_carlson_allowed(vm_real x, vm_real y, vm_real z) { return x >= 0 && y >= 0 && z >= 0; }
 
@@ -3256,11 +3259,10 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
     const int zeros = vmi_two_zeros(x, y, z), infinite = !VM_IS_FINITE(largest);
-    vmi_carlson_scale by;
     if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
     if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
-    by = vmi_carlson_scale_of(largest);
-    return by.root * vmi_rf(by.factor * x, by.factor * y, by.factor * z);
+    if (largest <= 1) return vmi_rf(x, y, z);
+    return VM_C(0.25) * vmi_rf(x / 16, y / 16, z / 16); /* sums of the arguments do not overflow */
 }
 
 /* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
@@ -3273,12 +3275,13 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
     if (!(x >= 0) || y != y) return VM_NAN;
     if (y == 0 || !VM_IS_FINITE(largest)) return vmi_carlson_limit(y == 0, !VM_IS_FINITE(largest));
     by = vmi_carlson_scale_of(largest);
-    return by.root * vmi_rc(by.factor * x, by.factor * y);
+    if (!vmi_carlson_is_lost(by, VM_FABS(y))) return by.root * vmi_rc(by.factor * x, by.factor * y);
+    return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* which does not depend on the sign of so little a number */
 }
 
 /* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
    y. The error is at most 8 ulp. It is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite; NaN if one
-   is negative. DLMF 19.16.5. */
+   is negative, and if the quotient of two of them that are not 0 is above 1e307 (float 1e37). DLMF 19.16.5. */
 VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -3288,6 +3291,7 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
     if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
     by = vmi_carlson_scale_of(largest);
+    if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;
     vmi_rf_rd(by.factor * x, by.factor * y, by.factor * z, &rd);
     return by.root * (by.root * (by.root * rd));
 }
@@ -3306,8 +3310,8 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
    error is at most 8 ulp where the quotients of the arguments are below 1e16, and at most 16 ulp elsewhere. For p < 0
    it is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). It is infinite
-   if p = 0 or two of the others are 0, and 0 if an argument is infinite; NaN if x, y or z is negative. DLMF 19.16.2.
-   */
+   if p = 0 or two of the others are 0, and 0 if an argument is infinite; NaN if x, y or z is negative, and if the
+   quotient of two arguments that are not 0 is above 1e307 (float 1e37). DLMF 19.16.2. */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
@@ -3317,6 +3321,8 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     if (!vmi_carlson_allowed(x, y, z) || p != p) return VM_NAN;
     if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
     by = vmi_carlson_scale_of(largest);
+    if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;
+    if (vmi_carlson_is_lost(by, VM_FABS(p))) return VM_NAN;
     x *= by.factor;
     y *= by.factor;
     z *= by.factor;
@@ -3339,8 +3345,8 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
     vmi_carlson_scale by;
     if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
     if (!VM_IS_FINITE(largest)) return VM_INFINITY;
-    if (middle == 0) return VM_SQRT(largest) / 2;
     by = vmi_carlson_scale_of(largest);
+    if (middle == 0 || vmi_carlson_is_lost(by, middle)) return VM_SQRT(largest) / 2;
     low = by.factor * least;
     middle *= by.factor;
     high = by.factor * largest;

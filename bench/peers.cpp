@@ -230,6 +230,13 @@ template <function f> static double largest_error()
     return error;
 }
 
+// The number as a table has it
+static void write_error(double error)
+{
+    if (error == error) printf(" %.1e |", error);
+    else printf(" no number |");
+}
+
 template <function kit, function peer> static void against(const char *peer_name)
 {
     run_length = RUN;
@@ -237,8 +244,11 @@ template <function kit, function peer> static void against(const char *peer_name
     const double error = largest_error<kit>(), peer_error = largest_error<peer>();
     const timing t = time_beside(loop<kit>, run_length, loop<peer>, run_length);
     const bool won = 1 / t.ratio < MARGIN && peer_error <= error;
-    printf("| %s | %s | %.1e | %.4g | %s | %.1e | %.4g | %.2f |%s\n", function_name, region_name, error, t.ns, peer_name,
-           peer_error, t.ns / t.ratio, t.ratio, won ? " wins" : "");
+    printf("| %s | %s |", function_name, region_name);
+    write_error(error);
+    printf(" %.4g | %s |", t.ns, peer_name);
+    write_error(peer_error);
+    printf(" %.4g | %.2f |%s\n", t.ns / t.ratio, t.ratio, won ? " wins" : "");
     fflush(stdout);
     wins += won;
 }
