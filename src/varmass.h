@@ -123,6 +123,7 @@
 #include "mechanics/flow2.h"
 #include "mechanics/flow1.h"
 #include "mechanics/rocket.h"
+#include "mechanics/supply.h"
 #include "mechanics/drum.h"
 #include "mechanics/lagrange.h"
 #include "mechanics/euler_angles.h"
