@@ -33,7 +33,7 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb rk4 pairs adaptive dense events coincidences bodies jumps jumps2 relative inverse \
-    jump_equations torque_free streams flow flow1 flow2 drum drum_shaft lambert broken_rotor broken_rotor_stability \
+    jump_equations torque_free streams flow flow1 flow2 supply orbit drum drum_shaft lambert broken_rotor broken_rotor_stability \
     lagrange lagrange_jump pendulum constant_mass laws averaging slow_motion closed_law collocation routes ladder van_der_pol \
     jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
     dissertation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \

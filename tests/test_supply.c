@@ -18,7 +18,7 @@ static vm_supply some_supply(int kind)
 
 /* ---- Sums over particles ---- */
 
-static vm_vec3 unit(vm_vec3 a) { return vmi_scale(1 / size_of(a), a); }
+static vm_vec3 unit(vm_vec3 a) { return vmi_scale(R(1 / size_of(a)), a); }
 
 /* Fills *sum with mass centre and inertia of a hollow cylinder of particles: rings of equal mass, of 8 particles each */
 static void particles(const vm_supply *s, double length, double bore, double mass, vm_vec3 *centre, vm_inertia *inertia)
@@ -95,7 +95,6 @@ static void test_identities(int kind)
         check_error("differences", "centre", "eps", apart(by_mass, left.centre_by_mass) / eps, 2, kind, i);
         rate = vmi_inertia_plus(vmi_inertia_plus(a.inertia, -1, b.inertia), R(-.125),
                                 vmi_inertia_plus(c.inertia, -1, d.inertia));
-        growth = vmi_inertia_plus(left.inertia, 0, left.inertia);
         memset(&growth, 0, sizeof growth);
         rate = vmi_inertia_plus(growth, 2 / (3 * h), rate);
         check_error("differences", "inertia", "eps", tensors_apart(&rate, &left.inertia_by_mass) / eps, 64, kind, i);
@@ -229,7 +228,7 @@ static void test_scene_of_supply(int kind)
     vm_real y[VM_FLOW_STATES], z[23], work[VM_SCENE_WORK(23)], t = 0;
     vm_scene_body bodies[1];
     vm_effect effects[4];
-    vm_scene scene;
+    vm_scene stage;
     rk45_options options = rk45_defaults(NULL);
     int i;
     emptied_init(&k, kind, 1);
@@ -252,29 +251,29 @@ static void test_scene_of_supply(int kind)
     memset(z, 0, sizeof z);
     z[13] = k.whole.mass;
     vary_store(0, z, &k.stream, &k);
-    memset(&scene, 0, sizeof scene);
+    memset(&stage, 0, sizeof stage);
     bodies[0] = vm_scene_body_growing_free(vm_scene_body_free(&k.whole));
     effects[0] = vm_effect_stream_mass(0, &k.stream);
     effects[1] = vm_effect_stream_force(0, &k.stream);
     effects[2] = vm_effect_stream_moment(0, &k.stream);
     effects[3] = vm_effect_stream_torque(0, &k.stream);
     for (i = 0; i < 4; i++) effects[i] = vm_effect_varying(effects[i], vary_store, &k);
-    scene.bodies = bodies;
-    scene.n_bodies = 1;
-    scene.effects = effects;
-    scene.n_effects = 4;
-    options.rtol = PICK(1e-11, 1e-5);
-    options.atol = PICK(1e-11, 1e-5);
-    CHECK(vm_scene_start(&scene, t, z, NULL) == VM_OK);
-    CHECK(vm_scene_run(&scene, &t, 3, z, work, &options) == VM_OK);
-    vm_scene_body_at(&scene, 0, z, &got);
+    stage.bodies = bodies;
+    stage.n_bodies = 1;
+    stage.effects = effects;
+    stage.n_effects = 4;
+    options.rtol = R(PICK(1e-11, 1e-5));
+    options.atol = R(PICK(1e-11, 1e-5));
+    CHECK(vm_scene_start(&stage, t, z, NULL) == VM_OK);
+    CHECK(vm_scene_run(&stage, &t, 3, z, work, &options) == VM_OK);
+    vm_scene_body_at(&stage, 0, z, &got);
     check_error("scene", "r", "abs", apart(got.r, wanted.r), PICK(1e-8, 2e-3), kind, 0);
     check_error("scene", "v", "abs", apart(got.v, wanted.v), PICK(1e-8, 2e-3), kind, 0);
     check_error("scene", "omega", "abs", apart(got.omega, wanted.omega), PICK(1e-9, 2e-4), kind, 0);
     check_error("scene", "inertia", "abs", tensors_apart(&got.inertia, &wanted.inertia), PICK(1e-8, 2e-3), kind, 0);
     k.store.at.x += 1; /* now a flow off the axis, whose angular momentum a scene would neglect */
     k.stream.from = &k.store;
-    CHECK(vm_scene_check(&scene, NULL) == VM_STORED_STREAM);
+    CHECK(vm_scene_check(&stage, NULL) == VM_STORED_STREAM);
 }
 
 /* ---- Refusals ---- */
