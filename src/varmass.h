@@ -22,8 +22,8 @@
      mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
                     part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
                     Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
-                    rotation; streams of mass with their reactive force and torque; rockets; a band that winds up on a
-                    drum
+                    rotation; streams of mass with their reactive force and torque; rockets; tanks and grains; orbits of
+                    two bodies; a band that winds up on a drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping; Van
                     der Pol's oscillator, Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation,
                     resonance, turning points

@@ -20,7 +20,7 @@ static vm_supply some_supply(int kind)
 
 static vm_vec3 unit(vm_vec3 a) { return vmi_scale(R(1 / size_of(a)), a); }
 
-/* Fills *sum with mass centre and inertia of a hollow cylinder of particles: rings of equal mass, of 8 particles each */
+/* Sets *centre and *inertia to those of a hollow cylinder of particles: rings of equal mass, each of 8 particles */
 static void particles(const vm_supply *s, double length, double bore, double mass, vm_vec3 *centre, vm_inertia *inertia)
 {
     enum { RINGS = 20, LAYERS = 200, ROUND = 8 };
@@ -69,15 +69,17 @@ static void test_particles(int kind)
         particles(&s, length, bore, m, &centre, &inertia);
         check_error("particles", "centre", "abs", apart(left.centre, centre), PICK(1e-14, 1e-6), kind, m);
         check_error("particles", "inertia", "rel", tensors_apart(&left.inertia, &inertia) / m, 5e-5, kind, m);
-        if (kind == VM_TANK_OF_LIQUID) check_error("particles", "level", "eps", fabs((double)left.size - length) / eps, 4, m, 0);
-        if (kind == VM_GRAIN) check_error("particles", "bore", "eps", fabs((double)left.size - bore) / eps, 4, m, 0);
+        if (kind == VM_TANK_OF_LIQUID)
+            check_error("particles", "level", "eps", fabs((double)left.size - length) / eps, 4, m, 0);
+        if (kind == VM_GRAIN)
+            check_error("particles", "bore", "eps", fabs((double)left.size - bore) / eps, 4, m, 0);
     }
 }
 
 /* ---- Identities ---- */
 
-/* d(m c)/dm = s and dI/dm = Q + P(s - c); the rates by differences of polynomials of the third degree, which five points
-   give exactly */
+/* d(m c)/dm = s and dI/dm = Q + P(s - c), and the rates by differences, which are exact for polynomials of the third
+   degree */
 static void test_identities(int kind)
 {
     vm_supply s = some_supply(kind);
@@ -203,9 +205,10 @@ static void test_flow_of_supply(int kind)
     CHECK(!vm_flow_start(&flow, &k.whole, y) && solve(vm_flow_rhs, &flow, VM_FLOW_STATES, y, 0, 3) >= 0);
     CHECK(!vm_flow_body(&flow, VM_FLOW_STATES, y, &later));
     wanted = with_supply(&k, 10);
-    check_error("vm_flow_rhs", "mass centre", "abs", apart(vmi_get3(y + VM_Y_CENTRE), wanted.r), PICK(1e-12, 1e-5), kind, 0);
-    check_error("vm_flow_rhs", "inertia", "abs", tensors_apart(&later.inertia, &wanted.inertia), PICK(1e-10, 1e-3), kind,
-                0);
+    check_error("vm_flow_rhs", "mass centre", "abs", apart(vmi_get3(y + VM_Y_CENTRE), wanted.r),
+                PICK(1e-12, 1e-5), kind, 0);
+    check_error("vm_flow_rhs", "inertia", "abs", tensors_apart(&later.inertia, &wanted.inertia),
+                PICK(1e-10, 1e-3), kind, 0);
 }
 
 static void vary_store(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)

@@ -1,7 +1,7 @@
 /* mechanics/orbit.h - two bodies that attract each other, with constant masses and with masses that change
 
-   The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins has
-   the velocity of its body (reactive = 0). vm_orbit solves this equation for constant mu (Kepler's problem), for
+   The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
+   has the velocity of its body (reactive = 0). vm_orbit solves this equation for constant mu (Kepler's problem), for
    ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for Meshchersky's law
    mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. The scene with vm_effect_gravitation
    takes any law of mass.
@@ -9,7 +9,7 @@
        vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
        vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
 
-   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (their dot product)
+   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (the dot product)
    and beta = 2 - v0^2, and the functions of Stumpff in the form
      G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
    (sines and cosines of sqrt(beta) s for beta > 0, hyperbolic ones for beta < 0), the time is t = s + sigma G2 +
@@ -151,7 +151,8 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
     vmi_orbit o;
     vmi_orbit_point p;
     if (!r || !v) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(mu) || !vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(mu)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
     distance0 = vmi_norm2(r0);
     if (!(mu > 0 && distance0 > 0)) return VM_DOMAIN;
     speed = VM_SQRT(mu / distance0);
@@ -180,9 +181,9 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
 }
 
 /* Position and velocity after t seconds, while the attraction changes by Meshchersky's law mu/(1 + rate t).
-   The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that leaves
-   or joins has the velocity of its body. The equation is that of Gylden and Meshchersky, r'' = -mu/(1 + rate t) r/|r|^3.
-   The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if 1 + rate t is not positive, and
+   The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
+   leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
+   r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if 1 + rate t is not positive, and
    the errors of vm_orbit. */
 VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {

@@ -204,8 +204,7 @@ VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 /* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
    each evaluation vary receives a copy of the stream and writes the values of its fields for the time t and the state
    y: the point, which may move in the body, the rate, the velocity or the store (vm_supply_at gives that of a tank).
-   vm_scene_start returns VM_BAD_ARGUMENT if vary is
-   NULL or the effect has no stream. */
+   vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)
