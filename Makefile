@@ -22,6 +22,7 @@
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
 #   make law       docs/law.md, the law of order five, with its figures
 #   make toronto   the Toronto test set of initial value problems, docs/toronto.md
+#   make validation   published numbers of other programs and papers beside ours, docs/validation.md
 #   make clean    remove build/
 
 CC = cc
@@ -32,11 +33,11 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb rk4 pairs adaptive dense events coincidences bodies jumps jumps2 relative inverse \
+TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events coincidences bodies jumps jumps2 relative inverse \
     jump_equations torque_free streams flow flow1 flow2 supply orbit drum drum_shaft lambert broken_rotor broken_rotor_stability \
-    lagrange lagrange_jump pendulum constant_mass laws averaging slow_motion closed_law collocation routes ladder van_der_pol \
-    jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
-    dissertation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
+    lagrange lagrange_jump pendulum constant_mass laws averaging slow_motion closed_law collocation routes ladder duffing odd_force van_der_pol \
+    van_der_pol_law jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
+    dissertation validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
 # Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
 SCRIPTS = headers readme documents errors parts golden errata install gsl hard_cases
@@ -53,7 +54,7 @@ RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS))
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law toronto test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: headers part parts-table law duffing van-der-pol toronto validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -80,12 +81,12 @@ run: $(EXAMPLES:%=build/examples/%)
 
 # A line a program; all that they print, the tables of worst errors too, is in build/tests/NAME.log
 test:
-	$(call RUN_TESTS,$(LOGS))
+	+$(call RUN_TESTS,$(LOGS))
 
 # What make test leaves out, and its programs again: as headers are used, included and compiled with the caller's code, and
 # with fused multiply-adds; logs in build/tests/all
 test-all:
-	$(call RUN_TESTS,$(LONG_LOGS))
+	+$(call RUN_TESTS,$(LONG_LOGS))
 
 lint: build/command
 	@sh tests/install.sh -w "for the warnings of C++" "command -v g++" g++; \
@@ -127,8 +128,9 @@ exhaustive: $(EXHAUSTIVE)
 points: build/command
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	mkdir -p build/points && python3 tests/gen/jacobi_reference.py 20 build/points $(SEED)
+	python3 tests/gen/elliptic_integrals_reference.py 10 build/points $(SEED)
 	python3 tests/gen/ateb_reference.py 23 $(SEED) build/points/ateb_table.h
-	for flags in "" -DVM_USE_FLOAT "-O3 -march=native -ffp-contract=fast"; do for test in jacobi ateb; do \
+	for flags in "" -DVM_USE_FLOAT "-O3 -march=native -ffp-contract=fast"; do for test in jacobi elliptic_integrals ateb; do \
 	    $(COMPILE) $$flags -DPOINTS tests/test_$$test.c -o build/points/test -lm && ./build/points/test || exit 1; \
 	    done; done
 
@@ -253,16 +255,35 @@ law: build/law build/examples/solvable
 build/law: bench/law.c build/command $(HEADERS)
 	$(COMPILE) bench/law.c -o $@ -lm
 
+# docs/duffing.md: Duffing's oscillator and other odd forces; its text is bench/duffing.md
+duffing: build/duffing
+	@sh tests/install.sh "command -v gnuplot" gnuplot-nox
+	sh bench/duffing.sh build
+build/duffing: bench/duffing.c build/command $(HEADERS)
+	$(COMPILE) bench/duffing.c -o $@ -lm
+
+# docs/van-der-pol.md: the law of order three for Van der Pol's oscillator
+van-der-pol: build/van_der_pol
+	@sh tests/install.sh "command -v gnuplot" gnuplot-nox
+	sh bench/van_der_pol.sh build
+build/van_der_pol: bench/van_der_pol.c build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
+
 # docs/toronto.md: the Toronto test set, beside version 0.1 and DOP853
 toronto: build/toronto
 	./build/toronto markdown bench/toronto_before.csv >build/toronto.md && mv build/toronto.md docs/toronto.md
 build/toronto: bench/toronto.c bench/dop853.h tests/detest.h tests/data/detest_table.h build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
+# docs/validation.md: numbers that others have published, beside ours
+validation: build/tests/double/validation
+	./build/tests/double/validation markdown >build/validation.md && mv build/validation.md docs/validation.md
+
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	python3 tests/gen/ateb_reference.py
 	python3 tests/gen/jacobi_reference.py
+	python3 tests/gen/elliptic_integrals_reference.py
 	python3 tests/gen/beta_reference.py
 	python3 tests/gen/lambert_reference.py
 	python3 tests/gen/drum_reference.py
@@ -359,6 +380,7 @@ $(LONG_SCRIPTS:%=build/tests/all/%.log): build/tests/all/%.log: tests/test_%.sh 
 # what these read of the programs above
 build/tests/headers.log: build/tests/double/headers.o build/tests/float/headers.o
 build/tests/hard_cases.log: build/tests/double/hard build/tests/float/hard
+build/tests/documents.log: build/tests/double/validation
 
 build/tests/all/exhaustive_jacobi.log: build/tests/exhaustive_jacobi FORCE
 	@$(IN_BUILD) && sh tests/run.sh one $@ "./$< 997"

@@ -1,4 +1,4 @@
-/* jacobi.h - Jacobi's elliptic functions, complete elliptic integrals, and the modulus from its quarter period
+/* jacobi.h - Jacobi's elliptic functions, elliptic integrals, and the modulus from its quarter period
 
    Part of varmass (MIT licence), usable alone: copy this one file, include it, link with -lm.
 
@@ -22,7 +22,13 @@
    WHAT TO CALL
      jacobi_sncndn        sn, cn and dn for one u and one m; the twelve quotients and the amplitude have functions of
                           their own
-     jacobi_K, jacobi_E   complete elliptic integrals
+     jacobi_sncndn_any    sn, cn and dn for m > 1 too, as a rotating pendulum needs them
+     jacobi_K, jacobi_E, jacobi_Pi
+                          complete elliptic integrals of the first, second and third kind
+     jacobi_F, jacobi_E_incomplete, jacobi_Pi_incomplete
+                          incomplete elliptic integrals from 0 to any angle phi; F is the inverse of the amplitude
+     jacobi_inverse_sn    u from sn(u | m); jacobi_inverse_cn and jacobi_inverse_dn do the same for cn and dn
+     jacobi_RF            Carlson's symmetric integrals R_F, R_C, R_D, R_J, R_G, of which all others are sums
      jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
                           jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
                           examples/print_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
@@ -33,7 +39,9 @@
                           argument
 
    ERRORS
-     m > 1, m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give NaN. m = 1 gives the limits:
+     m > 1 (but for jacobi_sncndn_any), m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give
+     NaN. The incomplete integrals, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
+     argument, and NaN where there is none. m = 1 gives the limits:
      K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u, for u = +-infinity too. A quotient at a pole is
      infinite. A plan refuses a bad m with -1 and stays as it was. Nothing else can fail. The functions allocate no
      memory and keep no state; the value of errno means nothing.
@@ -46,6 +54,7 @@
      words.
      Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
      or 1/(1 - m), which is then at most 0.003.
+     Incomplete integrals, inverses: Carlson's duplications and a series of order 10, after the angle is reduced by pi.
      A plan has polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
 
    MACROS, to be defined before the include
@@ -81,6 +90,9 @@
      k'K          <= 5 ulp
      means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
+     F, E, Pi     <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; for n > 1 as at jacobi_Pi_incomplete
+     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp, but R_G <= 10 ulp, and R_J as at jacobi_RJ
+     m > 1        as sn, cn, dn for m <= 1, with k u in place of u
      solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
 
    COST
@@ -93,9 +105,10 @@
      [3] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
      [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (307) are its equations.
      [5] DLMF, 23.9 (Laurent series of Weierstrass' function), 22.6 (duplication).
+     [6] B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numer. Algorithms 10 (1995) 13-26.
 
    INDEX
-     base/self_check: whether this compiler and this processor compute as varmass needs
+     base/self_check: a test of whether this compiler and this processor compute as varmass needs
        vm_self_check                  Returns 1 if the compiler and the processor compute as varmass needs, else 0
 
      jacobi/integrals: complete elliptic integrals K and E
@@ -141,15 +154,43 @@
 
      jacobi/descending: sn, cn, dn and K by the arithmetic-geometric mean
        jacobi_agm_sncndn              sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1
-       jacobi_agm_K                   K(m) by the arithmetic-geometric mean, for m <= 1 */
+       jacobi_agm_K                   K(m) by the arithmetic-geometric mean, for m <= 1
+
+     jacobi/carlson: Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
+       jacobi_RF                      R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0
+       jacobi_RC                      R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y
+       jacobi_RD                      R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0
+       jacobi_RJ                      R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0
+       jacobi_RG                      R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0
+
+     jacobi/incomplete: incomplete elliptic integrals F, E and Pi, and the complete one of the third kind
+       jacobi_F                       F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1
+       jacobi_F_m1                    F(phi | m) from the complementary parameter m1 = 1 - m >= 0
+       jacobi_E_incomplete            E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1
+       jacobi_E_incomplete_m1         E(phi | m) from the complementary parameter m1 = 1 - m >= 0
+       jacobi_Pi                      Pi(n | m), the complete elliptic integral of the third kind, for m <= 1
+       jacobi_Pi_m1                   Pi(n | m) from the complementary parameter m1 = 1 - m >= 0
+       jacobi_Pi_incomplete           Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1
+       jacobi_Pi_incomplete_m1        Pi(n; phi | m) from the complementary parameter m1 = 1 - m >= 0
+
+     jacobi/inverse: the inverses of sn, cn and dn
+       jacobi_inverse_sn              The inverse of sn
+       jacobi_inverse_sn_m1           The inverse of sn from the complementary parameter m1 = 1 - m >= 0
+       jacobi_inverse_cn              The inverse of cn
+       jacobi_inverse_cn_m1           The inverse of cn from the complementary parameter m1 = 1 - m >= 0
+       jacobi_inverse_dn              The inverse of dn
+       jacobi_inverse_dn_m1           The inverse of dn from the complementary parameter m1 = 1 - m >= 0
+
+     jacobi/reciprocal: sn, cn and dn for any parameter, also for m > 1
+       jacobi_sncndn_any              sn, cn and dn of the argument u for any finite parameter m */
 #ifndef VARMASS_JACOBI_H
 #define VARMASS_JACOBI_H
 
 /* base/real.h - the number type, the macros that a user may set, the functions of the C library
 
-   All other files are built on this one. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
-   each macro that the user has not set its default, refuses compilers whose options change the values of results, and
-   names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
+   All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
+   default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
+   results. It names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -255,7 +296,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
-/* Linkage of functions that are rarely called from a fast loop and would slow it down if they were inlined into it */
+/* Linkage of functions that a fast loop calls rarely and that would slow down the loop if they were inlined into it */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_APART static __attribute__((noinline, unused))
 #else
@@ -279,8 +320,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
-   additional digits in variables. */
+/* Returns x rounded to the type vm_real. The function is needed where the processor's x87 unit computes with more
+   digits and gcc in its gnu modes keeps the additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -311,7 +352,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Makes a pair from its words hi and lo, which are not changed. */
+/* Returns the pair with the words hi and lo, which are stored as they are. */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -321,7 +362,7 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 }
 
 #endif
-/* base/self_check.h - whether this compiler and this processor compute as varmass needs
+/* base/self_check.h - a test of whether this compiler and this processor compute as varmass needs
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
@@ -335,8 +376,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #define VARMASS_BASE_SELF_CHECK_H
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
-   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
-   two halves. */
+   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
+   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot guess. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -412,8 +453,8 @@ VM_API int vm_self_check(void)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* number of bits that store the mantissa */
-#define VMI_BIAS 1023     /* stored exponent of the number 1 */
+#define VMI_STORED_DIG 52 /* number of bits in which the mantissa is stored */
+#define VMI_BIAS 1023     /* the number that is stored as the exponent of 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
@@ -436,8 +477,8 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
-   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
+/* Returns x 2^k. The function multiplies x twice by about 2^(k/2), because 2^k itself may overflow or underflow. It
+   rounds at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -450,12 +491,12 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* Returns (y + y_lo) 2^k for y from 1/2 to 2 and its low word y_lo. The result is rounded once, even if subnormal. */
+/* Returns (y + y_lo) 2^k for 1/2 <= y <= 2 and a low word y_lo of y. The result is rounded once, even if subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
-           superfluous digits with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. The code adds a power of two and subtracts it again, which
+           removes the superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -477,10 +518,10 @@ typedef int32_t vmi_signed_bits;
 #endif
 /* base/words.h - products, quotients and roots with two and three times the digits
 
-   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
-   number in three words (vmi_three, hi + mid + lo) has three times as many. p is the number of digits of vm_real, 53 or
-   24 bits. The error of a product, quotient or root is given relative to the result; that of a sum, relative to its
-   larger term.
+   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, and a
+   number in three words (vmi_three, hi + mid + lo) has three times the digits. p is the number of binary digits of a
+   vm_real, 53 or 24. Errors of products, quotients and roots are given relative to the result, errors of sums relative
+   to the larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -514,9 +555,9 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     return p;
 }
 
-/* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
-   apart from rounding, with an error of 2^-(2p) x, and writes the number of this multiple modulo 4 to *quarter.
-   For x above 2^(p-1) q the digits of x do not determine its distance from a multiple: then both results are 0. */
+/* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
+   lies between -q/2 and q/2 (or slightly outside by rounding), with an error of 2^-(2p) x, and writes j modulo 4 to
+   *quarter. For x above 2^(p-1) q the digits of x do not determine x - j q, and both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -561,13 +602,13 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* The number hi + mid + lo, where each word is below an ulp of the word before it. Each operation on such numbers has
-   a relative error below 2^-(3p - 4). */
+/* The number hi + mid + lo, where mid is below an ulp of hi, and lo below an ulp of mid. Each operation on such numbers
+   has a relative error below 2^-(3p - 4). */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
-/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c|, at least approximately */
+/* Returns a + b + c as a number in three words. |a| >= |b| >= |c| must hold at least approximately. */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -596,7 +637,7 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
-/* The quotient x / y by long division: each of three steps gives a word of the quotient */
+/* The quotient x / y of numbers in three words, by long division: each of three steps gives a word of the quotient */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -617,7 +658,7 @@ VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* The square root of a: the root of the first word and two corrections by Newton's method, each of which adds a word */
+/* The square root of a. It starts as the root of the first word; then two steps of Newton's method add a word each. */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -642,7 +683,7 @@ VM_API vmi_three vmi_half_pi(void)
 #endif
 }
 
-/* Returns a - root^2 without loss of digits, where root is sqrt(a) after rounding. */
+/* Returns a - root^2 without loss of digits. The argument `root` must be the rounded square root of a. */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
     const vm_real head = vmi_head(root), tail = root - head;
@@ -716,10 +757,10 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 
 #include <stdint.h>
 
-/* Returns a constant for vmi_log, whose variable z is in interval number `row`, 0 to 31. c is a number close to all z
-   of this interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
-   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
-   rounding error. */
+/* Returns a constant for vmi_log. The variable z of vmi_log lies in one of 32 intervals; `row` is the interval's
+   number. Let c be a number close to all z of this interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln
+   c. The first words of ln c and of ln 2 are multiples of 2^-42 (float 2^-16). Therefore k ln 2 + ln c, computed from
+   the first words for an integer k, has no rounding error. */
 VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -796,8 +837,8 @@ VM_INLINE vm_real vmi_log_constant(int row, int column)
 
 /* Returns ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). Method: x = 2^k z,
    where z lies between 0.708 and 1.417. Let c be a constant close to z and r = z/c - 1; then
-   ln x = k ln 2 + ln c + ln(1 + r). The constant 1/c has few digits, so that the square of the first half of r is
-   exact. c is 1 where z is within 0.01 of 1. */
+   ln x = k ln 2 + ln c + ln(1 + r). The constant 1/c has few digits, so that the square of r_head, the first half of
+   r, is exact. If z is within 0.01 of 1, c is 1. */
 VM_API vm_two vmi_log(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -837,10 +878,10 @@ VM_API vm_two vmi_log(vm_real x)
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* Writes e^(x + x_lo) as 2^k (1 + p + p_lo), |p| < 0.42, and returns p. |x| must be at most 1500 (float 200), and
-   |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for |x| < 0.34, where
-   k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 + r^3 E(r), where the
-   square of the first half of r is exact. */
+/* Computes k, p, p_lo with e^(x + x_lo) = 2^k (1 + p + p_lo) and |p| < 0.42, and returns p. |x| must be at most 1500
+   (float 200), and |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for
+   |x| < 0.34, where k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 +
+   r^3 E(r) with a polynomial E. The square of the first half of r's digits is computed exactly. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
@@ -904,9 +945,9 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
-   subtracted from pi/2; if the result is above pi/8 (middle), pi/4 is subtracted from it. The angle is then at most
-   pi/8, and the polynomial A gives it. */
+/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: if the angle is above pi/4 (steep), it
+   is replaced by pi/2 minus the angle; if the result is above pi/8 (middle), pi/4 is subtracted from it. The size of
+   the remaining angle is at most pi/8, and a formula with the polynomial A gives this angle. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -932,8 +973,8 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     return angle;
 }
 
-/* Computes the sine and the cosine of the angle z, |z| <= 0.79, which is a little more than pi/4. |z.lo| is at most an
-   ulp of z.hi. */
+/* Computes the sine and the cosine of the angle z for |z| <= 0.79, a limit slightly above pi/4. |z.lo| must be at most
+   an ulp of z.hi. */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -961,7 +1002,7 @@ VM_INLINE int vmi_nearest(vm_real x)
     return (int)(x + VM_COPYSIGN(VM_C(0.5), x));
 }
 
-/* The logarithm of x; argument and result are double-word numbers (hi + lo). */
+/* Returns ln x. The argument and the result are numbers in two words, hi + lo. */
 VM_API vm_two vmi_two_log(vm_two x)
 {
     const vm_two l = vmi_log(x.hi);
@@ -969,8 +1010,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* Computes the sine and the cosine of any angle x in radians. First a multiple of pi/2, where pi/2 has two words, is
-   subtracted from |x|. Both results are NaN if x is infinite or NaN. */
+/* Computes the sine and the cosine of any angle x in radians. The function first subtracts from |x| the nearest
+   multiple of pi/2, taken in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1302,6 +1343,329 @@ VM_API vm_real jacobi_kpK(vm_real m)
 }
 
 #endif
+/* jacobi/period_table.h - the quarter period K from a table of polynomials
+
+   K is needed with more digits than a vm_real has, to reduce a large argument. The arithmetic-geometric mean gives them
+   (jacobi/agm.h), but takes one square root after another. Here K comes from one of 25 polynomials in k' = sqrt(1 - m),
+   for k' from 0.171875 to 1.5. Each octave of k' has eight pieces, and each piece has its own polynomial
+   c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8 kB (float 1 kB).
+
+       vmi_period K = vmi_period_by_table(VM_C(0.5), 0, VM_SQRT(VM_C(0.5))); // K(0.5) = K.head + K.middle + K.low
+
+   The table is computed by tests/gen/period_table.py. Tests: tests/test_jacobi.c, tests/scan.c. */
+#ifndef VARMASS_JACOBI_PERIOD_TABLE_H
+#define VARMASS_JACOBI_PERIOD_TABLE_H
+
+/* Is 1 if the table holds the quarter period for this k', else 0. */
+#define VMI_IN_PERIOD_TABLE(kp) ((kp) >= VM_C(0.171875) && (kp) < VM_C(1.5))
+
+/* The number of polynomials and the number of constants of each. Constants 0 and 1 are the two words of c_0, constants
+   2 and 3 those of c_1, and so on; after the first five coefficients (float three) each has one word. */
+enum { VMI_PERIOD_ROWS = 25, VMI_PERIOD_COLUMNS = VM_MANT_DIG > 24 ? 19 : 10 };
+
+/* Returns a constant of the polynomial number `row`. */
+VM_INLINE vm_real vmi_period_constant(vmi_bits row, int column)
+{
+#if VM_MANT_DIG > 24
+    VM_TABLE vm_real table[VMI_PERIOD_ROWS][VMI_PERIOD_COLUMNS] = {
+        {VM_C(3.1200943840667605), VM_C(3.2234590877852483e-10), VM_C(-5.415517104032915),
+         VM_C(7.073287238700407e-12), VM_C(15.67579460144043), VM_C(2.3814758196689725e-07), VM_C(-57.8125),
+         VM_C(-0.004351889902599495), VM_C(240.48583984375), VM_C(4.312139751079842e-05),
+         VM_C(-1069.2008992812432), VM_C(4955.6961400199425), VM_C(-23632.804742462962),
+         VM_C(115063.07701061308), VM_C(-569144.8978358798), VM_C(2850452.894803547), VM_C(-14420605.228307953),
+         VM_C(73983142.13974646), VM_C(-380075184.2342842)},
+        {VM_C(3.039096879772842), VM_C(-1.458724772615982e-10), VM_C(-4.964618488345877),
+         VM_C(-6.175192369676107e-13), VM_C(13.281128406524658), VM_C(1.381353788217289e-07), VM_C(-45.0625),
+         VM_C(-0.00017478324492667952), VM_C(172.36865234375), VM_C(-7.019827812869866e-05),
+         VM_C(-704.879174359522), VM_C(3005.383099578208), VM_C(-13184.823964719959), VM_C(59056.77147964698),
+         VM_C(-268742.5292560721), VM_C(1238259.1472850563), VM_C(-5763222.833350258), VM_C(27178129.55499403),
+         VM_C(-128451143.02714698)},
+        {VM_C(2.964604936540127), VM_C(1.9806473684746738e-10), VM_C(-4.580152494309004),
+         VM_C(7.386454342880199e-13), VM_C(11.396871089935303), VM_C(-1.9109587175333132e-07), VM_C(-35.8125),
+         VM_C(0.0065342859157047194), VM_C(126.7637939453125), VM_C(4.2992866992529755e-05),
+         VM_C(-479.868687700217), VM_C(1894.2261774170013), VM_C(-7694.073914388595), VM_C(31909.02329123051),
+         VM_C(-134445.94694798795), VM_C(573580.5560160861), VM_C(-2471841.4973641424),
+         VM_C(10785726.811449626), VM_C(-47199635.01901083)},
+        {VM_C(2.8956930385902524), VM_C(4.1164163562992076e-10), VM_C(-4.248424245524802),
+         VM_C(4.832487385927097e-12), VM_C(9.887404918670654), VM_C(9.076335017600868e-08), VM_C(-28.921875),
+         VM_C(-0.0029242539858942334), VM_C(95.3026123046875), VM_C(1.9727003929496146e-05),
+         VM_C(-335.80561273979396), VM_C(1233.9778410987187), VM_C(-4666.2620355323), VM_C(18016.743212843427),
+         VM_C(-70675.1519620111), VM_C(280720.2490710035), VM_C(-1126319.126381069), VM_C(4573134.735204485),
+         VM_C(-18632196.255222023)},
+        {VM_C(2.8316203728318214), VM_C(-8.791794729532627e-11), VM_C(-3.9592674190644175),
+         VM_C(-9.551979322508738e-13), VM_C(8.659367561340332), VM_C(-2.149465674630339e-07), VM_C(-23.703125),
+         VM_C(0.0001730894316877254), VM_C(73.0313720703125), VM_C(5.3992389736135624e-05),
+         VM_C(-240.6668341401514), VM_C(827.2039203726936), VM_C(-2926.0370678765626), VM_C(10568.326069653982),
+         VM_C(-38781.32801349843), VM_C(144098.6089929801), VM_C(-540852.9836640635), VM_C(2053386.2619395081),
+         VM_C(-7826226.208588889)},
+        {VM_C(2.743297071196139), VM_C(-4.324482224456551e-10), VM_C(-3.588990932039451),
+         VM_C(-2.1011362891506352e-12), VM_C(7.2058265209198), VM_C(-1.183130746249538e-08), VM_C(-18.0),
+         VM_C(0.007523341960603012), VM_C(50.518798828125), VM_C(2.5398078091927636e-06),
+         VM_C(-151.72906408506452), VM_C(475.39277780075594), VM_C(-1533.0350234303698),
+         VM_C(5048.159731634414), VM_C(-16889.44514976924), VM_C(57214.73175744805), VM_C(-195795.2365218889),
+         VM_C(682723.7911603191), VM_C(-2372688.2581241406)},
+        {VM_C(2.637673015706241), VM_C(4.582302920084496e-10), VM_C(-3.1858196995963226),
+         VM_C(-2.5706228498877993e-12), VM_C(5.774693489074707), VM_C(1.56321033874785e-08), VM_C(-12.9140625),
+         VM_C(0.0009709230250467727), VM_C(32.42059326171875), VM_C(-2.599290676722129e-06),
+         VM_C(-87.07568404833184), VM_C(244.02739796700465), VM_C(-703.9766422779214), VM_C(2073.9207337842554),
+         VM_C(-6207.893140363168), VM_C(18815.774182295358), VM_C(-57610.361505866495),
+         VM_C(179358.90847286125), VM_C(-557696.5257574626)},
+        {VM_C(2.543389955535531), VM_C(-6.998650763845314e-12), VM_C(-2.859150813128508),
+         VM_C(9.20059316502088e-13), VM_C(4.730580806732178), VM_C(-1.050051139737992e-07), VM_C(-9.5859375),
+         VM_C(0.0035496619016598917), VM_C(21.75604248046875), VM_C(-6.919248586850534e-07),
+         VM_C(-52.83916534421908), VM_C(133.93211746283637), VM_C(-349.50633690730655), VM_C(931.4836962327715),
+         VM_C(-2522.5085366296844), VM_C(6917.194648024937), VM_C(-19161.532296368427), VM_C(53891.22274350994),
+         VM_C(-151604.9414096268)},
+        {VM_C(2.458388057537377), VM_C(3.1958700654394143e-10), VM_C(-2.589137242663128),
+         VM_C(1.5206249533558837e-12), VM_C(3.9453024864196777), VM_C(8.870598428335426e-09), VM_C(-7.30859375),
+         VM_C(0.0011621316776115117), VM_C(15.142410278320312), VM_C(-3.661931022144613e-06),
+         VM_C(-33.56094033694419), VM_C(77.64253467351422), VM_C(-184.9566634907376), VM_C(450.01612867375326),
+         VM_C(-1112.6135828030247), VM_C(2785.5734925581996), VM_C(-7045.181847351141),
+         VM_C(18070.358700058467), VM_C(-46413.10856679214)},
+        {VM_C(2.3811208568513393), VM_C(-4.3722812720431884e-10), VM_C(-2.3622631463149446),
+         VM_C(-1.2551230255063407e-12), VM_C(3.3397194147109985), VM_C(2.27236017674481e-08), VM_C(-5.69921875),
+         VM_C(-0.0012671740458013976), VM_C(10.864639282226562), VM_C(5.428470841603015e-06),
+         VM_C(-22.14239082874157), VM_C(47.11055252332709), VM_C(-103.22330184124286), VM_C(231.0280247532738),
+         VM_C(-525.4514133942547), VM_C(1210.2327706551507), VM_C(-2815.9090916350087), VM_C(6638.799347956145),
+         VM_C(-15686.96240964093)},
+        {VM_C(2.310397354885936), VM_C(4.4943816132307236e-10), VM_C(-2.1690028555094614),
+         VM_C(-3.0783638039106183e-12), VM_C(2.8628164529800415), VM_C(-2.5583690594056026e-08), VM_C(-4.53125),
+         VM_C(-0.0017327659072434464), VM_C(7.9983978271484375), VM_C(1.9241405468772697e-06),
+         VM_C(-15.08634941208909), VM_C(29.709247137296842), VM_C(-60.25911522122658), VM_C(124.85952509436666),
+         VM_C(-262.9214083418343), VM_C(560.6784331117852), VM_C(-1207.876384583304), VM_C(2634.8666661904936),
+         VM_C(-5764.636354385284)},
+        {VM_C(2.2452806038782), VM_C(1.5929193583224803e-11), VM_C(-2.002447675258736),
+         VM_C(-1.1918382274065734e-12), VM_C(2.480501174926758), VM_C(3.6031066842354633e-08), VM_C(-3.6640625),
+         VM_C(-0.00013660238446397286), VM_C(6.019432067871094), VM_C(3.0679851098781218e-06),
+         VM_C(-10.566113124379067), VM_C(19.36536050048058), VM_C(-36.560543713436246), VM_C(70.519329850864),
+         VM_C(-138.24030764786906), VM_C(274.4485002912677), VM_C(-550.4479429683332), VM_C(1117.2897640245117),
+         VM_C(-2275.7912322351303)},
+        {VM_C(2.185020098462701), VM_C(2.7877055985495364e-10), VM_C(-1.8574636568991991),
+         VM_C(7.748472886003439e-14), VM_C(2.1692839860916138), VM_C(1.1799983102101875e-08), VM_C(-3.00390625),
+         VM_C(-0.0003410611792930962), VM_C(4.617340087890625), VM_C(-1.311959866136205e-06),
+         VM_C(-7.579132163491498), VM_C(12.989870488169153), VM_C(-22.935822624351733), VM_C(41.37828055920222),
+         VM_C(-75.87315650410629), VM_C(140.90305008340616), VM_C(-264.3573180102745), VM_C(501.728185710565),
+         VM_C(-956.0015902139925)},
+        {VM_C(2.102429259568453), VM_C(-8.077842563041762e-11), VM_C(-1.6721612590772565),
+         VM_C(9.554872956093813e-13), VM_C(1.8007213473320007), VM_C(9.801283481440577e-09), VM_C(-2.28125),
+         VM_C(-0.00043303059970795874), VM_C(3.198528289794922), VM_C(-5.475212897755724e-07),
+         VM_C(-4.784629973738347), VM_C(7.472772359459962), VM_C(-12.025358494248854), VM_C(19.775197584239713),
+         VM_C(-33.055383179012274), VM_C(55.96157541211502), VM_C(-95.72132853472863), VM_C(166.84665767150673),
+         VM_C(-289.87326983903307)},
+        {VM_C(2.004440844990313), VM_C(-4.5010771996226664e-10), VM_C(-1.4710127689540968),
+         VM_C(-1.8072160687858196e-12), VM_C(1.4376887083053589), VM_C(-1.4029519873472607e-08),
+         VM_C(-1.6376953125), VM_C(-0.00027706738645310783), VM_C(2.056182861328125),
+         VM_C(-5.616458750896704e-07), VM_C(-2.7507567275484277), VM_C(3.8414042271742685),
+         VM_C(-5.5279349969667395), VM_C(8.1304038333738), VM_C(-12.156675369508667), VM_C(18.411441765190272),
+         VM_C(-28.174077697187347), VM_C(43.84389519643396), VM_C(-68.14882879730841)},
+        {VM_C(1.9177475841715932), VM_C(-1.9997115215481755e-10), VM_C(-1.3086786530438985),
+         VM_C(1.6026422324320387e-12), VM_C(1.172825574874878), VM_C(-1.359834957426624e-08), VM_C(-1.21484375),
+         VM_C(-0.0003492524285075808), VM_C(1.3818416595458984), VM_C(-6.872390288395432e-07),
+         VM_C(-1.672148490159854), VM_C(2.1114992966434434), VM_C(-2.7476562871197405),
+         VM_C(3.6548373291234326), VM_C(-4.942879942200957), VM_C(6.771814195753297), VM_C(-9.374360314146198),
+         VM_C(13.17750883114574), VM_C(-18.53015252836741)},
+        {VM_C(1.8402594467625022), VM_C(2.0249718952219971e-10), VM_C(-1.1750830864621093),
+         VM_C(3.4135389345175896e-13), VM_C(0.9737151265144348), VM_C(7.838856940231847e-09),
+         VM_C(-0.92626953125), VM_C(0.00023426604361437487), VM_C(0.962921142578125),
+         VM_C(-5.9133252239829695e-09), VM_C(-1.0638615813542538), VM_C(1.2259680921838525),
+         VM_C(-1.4558498195354896), VM_C(1.7673865438206877), VM_C(-2.181731462041832), VM_C(2.728508285359651),
+         VM_C(-3.4481530399745504), VM_C(4.420051305238651), VM_C(-5.674456749708208)},
+        {VM_C(1.7704079924151301), VM_C(2.6181450039848477e-11), VM_C(-1.0633550278726034),
+         VM_C(-3.364736394299506e-13), VM_C(0.8203088045120239), VM_C(-8.14803002160217e-09),
+         VM_C(-0.7216796875), VM_C(0.0001108432531028098), VM_C(0.6915140151977539),
+         VM_C(2.9924920657377865e-07), VM_C(-0.7030076017095191), VM_C(0.7450335571706033),
+         VM_C(-0.8135644938649125), VM_C(0.9082656052187542), VM_C(-1.0311707468404132),
+         VM_C(1.1861554969375157), VM_C(-1.3788502991192686), VM_C(1.6244718612624807),
+         VM_C(-1.9184651339803893)},
+        {VM_C(1.7069863928481936), VM_C(1.2317388542324716e-10), VM_C(-0.9686466927578294),
+         VM_C(-8.279890501249515e-13), VM_C(0.6996612846851349), VM_C(1.3190958932255998e-08),
+         VM_C(-0.57275390625), VM_C(-0.0001503992077719784), VM_C(0.5093860626220703),
+         VM_C(3.8547769831121483e-07), VM_C(-0.4796712194666632), VM_C(0.47056519124915314),
+         VM_C(-0.4755809964528156), VM_C(0.4914101522145601), VM_C(-0.5164101564199564),
+         VM_C(0.5498886327854214), VM_C(-0.5917615430237934), VM_C(0.6450016691606806),
+         VM_C(-0.7052326221747047)},
+        {VM_C(1.6490464988164604), VM_C(1.4092343928193297e-10), VM_C(-0.8874393933547253),
+         VM_C(-2.528730806555513e-13), VM_C(0.6031083464622498), VM_C(2.189236526603104e-09),
+         VM_C(-0.462158203125), VM_C(-6.906982244360925e-05), VM_C(0.3834667205810547),
+         VM_C(-9.968686271711333e-08), VM_C(-0.33637856935369204), VM_C(0.307188734190347),
+         VM_C(-0.28894367051935693), VM_C(0.2778620518313248), VM_C(-0.27177003940302646),
+         VM_C(0.2693613149724727), VM_C(-0.2698285538482113), VM_C(0.2736310673498627),
+         VM_C(-0.2785177170135954)},
+        {VM_C(1.5958301280625165), VM_C(7.69171178984451e-11), VM_C(-0.8171171152152965),
+         VM_C(1.5509128100481976e-13), VM_C(0.5246719419956207), VM_C(8.270597045298386e-09),
+         VM_C(-0.378173828125), VM_C(3.264455219463898e-05), VM_C(0.2941460609436035),
+         VM_C(-2.0350739001975062e-07), VM_C(-0.24155078309886438), VM_C(0.20635129762942256),
+         VM_C(-0.1815167284418184), VM_C(0.16323414616929355), VM_C(-0.14930603573692017),
+         VM_C(0.13839877507572465), VM_C(-0.1296676858274509), VM_C(0.12293726084348575),
+         VM_C(-0.117045268979489)},
+        {VM_C(1.5235462966375053), VM_C(-1.2886668387630985e-11), VM_C(-0.727827285798412),
+         VM_C(-1.0217751327455818e-13), VM_C(0.4320553094148636), VM_C(5.25174499193368e-09),
+         VM_C(-0.2861328125), VM_C(3.470758866239467e-05), VM_C(0.20365238189697266),
+         VM_C(3.252511456354899e-08), VM_C(-0.15268466389224913), VM_C(0.11894494932474993),
+         VM_C(-0.09536559352129662), VM_C(0.07815535992883661), VM_C(-0.06514827183541826),
+         VM_C(0.05503631242369706), VM_C(-0.046999257487729075), VM_C(0.040915197290837244),
+         VM_C(-0.0355132551090007)},
+        {VM_C(1.4388054376468062), VM_C(-7.04474549608874e-11), VM_C(-0.6318001541621925),
+         VM_C(-8.80018187608036e-13), VM_C(0.3412606567144394), VM_C(-7.212091968073193e-09),
+         VM_C(-0.2042236328125), VM_C(4.1587680610485594e-05), VM_C(0.1307060718536377),
+         VM_C(-1.0142484379213166e-07), VM_C(-0.08787019289171061), VM_C(0.061282373736543154),
+         VM_C(-0.04395293481649985), VM_C(0.03221290353535262), VM_C(-0.02401165321698189),
+         VM_C(0.01814022373011364), VM_C(-0.013854397242689116), VM_C(0.010764983943842649),
+         VM_C(-0.00835760518341378)},
+        {VM_C(1.3647932666353881), VM_C(-1.1412976847678343e-10), VM_C(-0.5551319894857443),
+         VM_C(1.7007059522883908e-13), VM_C(0.2754291743040085), VM_C(5.062714522143538e-09),
+         VM_C(-0.1505126953125), VM_C(2.0460565836481268e-05), VM_C(0.08761632442474365),
+         VM_C(4.843781452732208e-08), VM_C(-0.05342725032689799), VM_C(0.033743858299197294),
+         VM_C(-0.021898365172745352), VM_C(0.014515892499805274), VM_C(-0.00978506735286864),
+         VM_C(0.006685153923027192), VM_C(-0.0046174324161999784), VM_C(0.003239959921404032),
+         VM_C(-0.002275114409322478)},
+        {VM_C(1.2994312979280949), VM_C(1.351882297858641e-11), VM_C(-0.4927040895308892),
+         VM_C(-1.3683568870972404e-13), VM_C(0.22627606242895126), VM_C(1.305123317913712e-09),
+         VM_C(-0.1138916015625), VM_C(1.255884387467134e-05), VM_C(0.06085127592086792),
+         VM_C(-1.451458574211298e-08), VM_C(-0.033973749717431355), VM_C(0.019615519649488076),
+         VM_C(-0.011626502976192107), VM_C(0.00703569952421879), VM_C(-0.004328736981299801),
+         VM_C(0.0026990880049220754), VM_C(-0.0017014422088708497), VM_C(0.001088409261990386),
+         VM_C(-0.0006975974769562036)}};
+#else
+    VM_TABLE vm_real table[VMI_PERIOD_ROWS][VMI_PERIOD_COLUMNS] = {
+        {VM_C(3.1200943), VM_C(8.50726991e-8), VM_C(-5.41552734), VM_C(1.0239135e-5), VM_C(16.0),
+         VM_C(-0.32420516), VM_C(-57.8167763), VM_C(240.485504), VM_C(-1071.72986), VM_C(4968.00928)},
+        {VM_C(3.03909683), VM_C(4.73515804e-8), VM_C(-4.96484375), VM_C(2.25261319e-4), VM_C(13.0),
+         VM_C(0.281128556), VM_C(-45.0626335), VM_C(172.368393), VM_C(-706.289673), VM_C(3011.70117)},
+        {VM_C(2.96460485), VM_C(8.21544504e-8), VM_C(-4.58007813), VM_C(-7.43694982e-5), VM_C(11.0),
+         VM_C(0.396870911), VM_C(-35.8059387), VM_C(126.763733), VM_C(-480.691589), VM_C(1897.63916)},
+        {VM_C(2.89569306), VM_C(-2.47340672e-8), VM_C(-4.24853516), VM_C(1.10910616e-4), VM_C(10.0),
+         VM_C(-0.112594992), VM_C(-28.9247837), VM_C(95.3025742), VM_C(-336.304596), VM_C(1235.90454)},
+        {VM_C(2.83162045), VM_C(-8.2044302e-8), VM_C(-3.95922852), VM_C(-3.89035122e-5), VM_C(9.0),
+         VM_C(-0.340632647), VM_C(-23.7029419), VM_C(73.031395), VM_C(-240.979691), VM_C(828.333923)},
+        {VM_C(2.7432971), VM_C(-2.93034486e-8), VM_C(-3.58911133), VM_C(1.20393634e-4), VM_C(7.0),
+         VM_C(0.205826521), VM_C(-17.9923954), VM_C(50.5185356), VM_C(-152.386261), VM_C(477.557068)},
+        {VM_C(2.6376729), VM_C(1.15010906e-7), VM_C(-3.18579102), VM_C(-2.86850991e-5), VM_C(6.0),
+         VM_C(-0.225306496), VM_C(-12.9130545), VM_C(32.4204826), VM_C(-87.3772659), VM_C(244.915939)},
+        {VM_C(2.54339004), VM_C(-8.01007403e-8), VM_C(-2.85913086), VM_C(-1.99543101e-5), VM_C(4.5),
+         VM_C(0.230580702), VM_C(-9.5823698), VM_C(21.7559929), VM_C(-52.9888191), VM_C(134.330994)},
+        {VM_C(2.45838809), VM_C(-3.22767022e-8), VM_C(-2.58911133), VM_C(-2.5914831e-5), VM_C(4.0),
+         VM_C(-0.0546975024), VM_C(-7.30742216), VM_C(15.1423826), VM_C(-33.6401062), VM_C(77.8351669)},
+        {VM_C(2.38112092), VM_C(-6.37671604e-8), VM_C(-2.36230469), VM_C(4.15410177e-5), VM_C(3.25),
+         VM_C(0.0897194371), VM_C(-5.70048046), VM_C(10.8646326), VM_C(-22.1865616), VM_C(47.2094154)},
+        {VM_C(2.31039739), VM_C(-3.12155279e-8), VM_C(-2.16894531), VM_C(-5.75431077e-5), VM_C(2.75),
+         VM_C(0.112816431), VM_C(-4.53297949), VM_C(7.99839306), VM_C(-15.1121292), VM_C(29.7626667)},
+        {VM_C(2.2452805), VM_C(9.96674459e-8), VM_C(-2.00244141), VM_C(-6.26906831e-6), VM_C(2.5),
+         VM_C(-0.0194987897), VM_C(-3.66419721), VM_C(6.01943159), VM_C(-10.5817518), VM_C(19.395525)},
+        {VM_C(2.18502021), VM_C(-1.09617297e-7), VM_C(-1.85742188), VM_C(-4.17819356e-5), VM_C(2.25),
+         VM_C(-0.080715999), VM_C(-3.004246), VM_C(4.61733675), VM_C(-7.5889411), VM_C(13.0075674)},
+        {VM_C(2.10242915), VM_C(1.07952637e-7), VM_C(-1.67211914), VM_C(-4.21196819e-5), VM_C(1.75),
+         VM_C(0.0507213585), VM_C(-2.28167295), VM_C(3.19851112), VM_C(-4.80525017), VM_C(7.50668478)},
+        {VM_C(2.00444078), VM_C(6.00858598e-8), VM_C(-1.47106934), VM_C(5.65664159e-5), VM_C(1.5),
+         VM_C(-0.0623113066), VM_C(-1.63796771), VM_C(2.05617547), VM_C(-2.76022935), VM_C(3.85533738)},
+        {VM_C(1.91774762), VM_C(-3.27962617e-8), VM_C(-1.30871582), VM_C(3.71669885e-5), VM_C(1.125),
+         VM_C(0.04782556), VM_C(-1.21519065), VM_C(1.38183796), VM_C(-1.67685449), VM_C(2.11775947)},
+        {VM_C(1.84025943), VM_C(1.41723362e-8), VM_C(-1.17504883), VM_C(-3.42584863e-5), VM_C(1.0),
+         VM_C(-0.026284866), VM_C(-0.926034033), VM_C(0.962919652), VM_C(-1.06635416), VM_C(1.22899425)},
+        {VM_C(1.77040803), VM_C(-4.18833359e-8), VM_C(-1.06335449), VM_C(-5.35768493e-7), VM_C(0.8125),
+         VM_C(0.0078087966), VM_C(-0.721568167), VM_C(0.691513538), VM_C(-0.704400122), VM_C(0.74658823)},
+        {VM_C(1.70698643), VM_C(-3.43357627e-8), VM_C(-0.96862793), VM_C(-1.87631194e-5), VM_C(0.6875),
+         VM_C(0.0121612977), VM_C(-0.572903931), VM_C(0.509386063), VM_C(-0.480485052), VM_C(0.471406162)},
+        {VM_C(1.64904654), VM_C(-4.13029326e-8), VM_C(-0.887451172), VM_C(1.17784903e-5), VM_C(0.625),
+         VM_C(-0.0218916517), VM_C(-0.462227017), VM_C(0.383466393), VM_C(-0.336872935), VM_C(0.307664156)},
+        {VM_C(1.59583008), VM_C(4.52460611e-8), VM_C(-0.817138672), VM_C(2.15566415e-5), VM_C(0.5),
+         VM_C(0.0246719494), VM_C(-0.378141046), VM_C(0.294145733), VM_C(-0.241861299), VM_C(0.206630558)},
+        {VM_C(1.52354634), VM_C(-4.14567403e-8), VM_C(-0.727844238), VM_C(1.69518589e-5), VM_C(0.4375),
+         VM_C(-0.005444685), VM_C(-0.286096811), VM_C(0.203651369), VM_C(-0.15333876), VM_C(0.119481057)},
+        {VM_C(1.43880546), VM_C(-2.33535111e-8), VM_C(-0.631774902), VM_C(-2.52521077e-5), VM_C(0.34375),
+         VM_C(-0.00248935027), VM_C(-0.204181463), VM_C(0.130705535), VM_C(-0.0881714523), VM_C(0.0615031868)},
+        {VM_C(1.3647933), VM_C(-3.41074049e-8), VM_C(-0.555114746), VM_C(-1.72435357e-5), VM_C(0.28125),
+         VM_C(-0.00582082057), VM_C(-0.150491938), VM_C(0.0876161754), VM_C(-0.0535772741), VM_C(0.0338433124)},
+        {VM_C(1.29943132), VM_C(-2.6063514e-8), VM_C(-0.492706299), VM_C(2.20922107e-6), VM_C(0.21875),
+         VM_C(0.00752606383), VM_C(-0.113878883), VM_C(0.0608511679), VM_C(-0.0340533741), VM_C(0.0196637064)}};
+#endif
+    return VM_READ(table[row][column]);
+}
+
+/* The quarter period as the sum head + middle + low. head and middle are so short that their products with a whole
+   number below 2^20 (float 2^13) are exact. rough is the sum in one word with a relative error below 2^-27 (float
+   2^-23). */
+typedef struct VM_TAG(vmi_period) {
+    vm_real head, middle, low, rough;
+} vmi_period;
+
+/* The number of digits of k' that are cut off to make t short, and numbers that round a sum by being added and
+   subtracted: t^2 to a multiple of 2^-21, c_1 to a multiple of 2^-16 (float c_0 to one of 2^-9), and the sum of c_1 t,
+   c_2 t^2, ... to a multiple of 2^-36 (float 2^-14) */
+#if VM_MANT_DIG > 24
+#define VMI_PERIOD_CUT 34
+#define VMI_SQUARE_GRID VM_C(3221225472.0)
+#define VMI_SLOPE_GRID VM_C(103079215104.0)
+#define VMI_MIDDLE_GRID VM_C(98304.0)
+#else
+#define VMI_PERIOD_CUT 9
+#define VMI_HEAD_GRID VM_C(24576.0)
+#define VMI_MIDDLE_GRID VM_C(768.0)
+#endif
+
+/* Returns K for 1 - m = m1 + m1_lo, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1. The relative error is
+   below 2^-71 (float 2^-36).
+   Method: t = head + tail, where head has at most 14 digits (float 10). The products b1, b2, ... of the heads of c_1,
+   c_2, ... and the powers of head are exact, and so is the sum from which K.middle is subtracted. All other terms are
+   so small that one word holds them. The variable t has one word and misses kp_lo, the low word of k'. It is added in
+   `tail`; the terms with t^4 and t^5 (float t^3 and t^4) take it into account by their derivative. */
+VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
+{
+    const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);
+    const vmi_bits row = (bits >> (VMI_STORED_DIG - 3)) - (8 * (VMI_BIAS - 3) + 3);
+    const vm_real middle = vmi_from_bits((bits & ~(2 * half - 1)) | half);
+    const vm_real kp_head = vmi_from_bits(bits & ~(((vmi_bits)1 << VMI_PERIOD_CUT) - 1)), kp_tail = kp - kp_head;
+#if VM_MANT_DIG > 24
+    const vm_real residual = ((m1 - kp_head * kp_head) - 2 * kp_head * kp_tail) - (kp_tail * kp_tail - m1_lo);
+#else
+    const vm_real residual = vmi_root_residual(m1, kp) + m1_lo;
+#endif
+    const vm_real kp_lo = residual * (VM_C(0.5) / kp);
+    const vm_real head = kp_head - middle, t = kp - middle, tt = t * t, hh = head * head;
+    const vm_real c0 = vmi_period_constant(row, 0), c0_lo = vmi_period_constant(row, 1);
+    const vm_real c1 = vmi_period_constant(row, 2), c1_lo = vmi_period_constant(row, 3);
+    const vm_real c2 = vmi_period_constant(row, 4), c2_lo = vmi_period_constant(row, 5);
+    const vm_real b1 = c1 * head, b2 = c2 * hh;
+    vmi_period K;
+#if VM_MANT_DIG > 24
+    const vm_real c3 = vmi_period_constant(row, 6), c3_lo = vmi_period_constant(row, 7);
+    const vm_real c4 = vmi_period_constant(row, 8), c4_lo = vmi_period_constant(row, 9);
+    const vm_real c5 = vmi_period_constant(row, 10), t4 = tt * tt;
+    const vm_real g = vmi_rounded(tt + VMI_SQUARE_GRID) - VMI_SQUARE_GRID; /* the head of t^2 */
+    const vm_real c1_head = vmi_rounded(c1 + VMI_SLOPE_GRID) - VMI_SLOPE_GRID, c1_rest = (c1 - c1_head) + c1_lo;
+    const vm_real b3 = c3 * (head * hh), b4 = c4 * g * g, b5 = c1_head * kp_tail;
+    const vm_real b = b1 + (b2 + (b3 + (b4 + b5)));
+    const vm_real p56 = c5 + t * vmi_period_constant(row, 11);
+    const vm_real p78 = vmi_period_constant(row, 12) + t * vmi_period_constant(row, 13);
+    const vm_real p9A = vmi_period_constant(row, 14) + t * vmi_period_constant(row, 15);
+    const vm_real pBC = vmi_period_constant(row, 16) + t * vmi_period_constant(row, 17);
+    const vm_real p = (p56 + tt * p78) + t4 * ((p9A + tt * pBC) + t4 * vmi_period_constant(row, 18));
+    const vm_real words = (c0_lo + (c1_lo * head + (c2_lo + c3_lo * head) * hh)) + c4_lo * (g * g);
+    const vm_real rest4 = (c4 + c4_lo) * ((tt - g) * (tt + g)), slope45 = tt * t * (4 * c4 + 5 * t * c5);
+    const vm_real slope3 = (c3 + c3_lo) * (3 * head * t + kp_tail * kp_tail);
+    const vm_real slope = (c2 + c2_lo) * (head + t) + slope3; /* without c_1 */
+    const vm_real rest1 = kp_tail * (c1_rest + slope) + kp_lo * (c1 + slope + slope45);
+    K.middle = vmi_rounded(b + VMI_MIDDLE_GRID) - VMI_MIDDLE_GRID;
+    K.low = (((((b1 - K.middle) + b2) + b3) + b4) + b5) + (((words + rest4) + t4 * t * p) + rest1);
+    K.head = c0;
+    K.rough = c0 + (b + ((words + rest4) + (rest1 + t4 * (t * c5))));
+#else
+    const vm_real p34 = vmi_period_constant(row, 6) + t * vmi_period_constant(row, 7);
+    const vm_real p56 = vmi_period_constant(row, 8) + t * vmi_period_constant(row, 9);
+    const vm_real rest = tt * (t * (p34 + tt * p56)), slope = (c1 + c1_lo) + (c2 + c2_lo) * (head + t);
+    const vm_real words = c0_lo + (c1_lo * head + c2_lo * hh), tail = kp_tail + kp_lo;
+    const vm_real slope34 = tt * (3 * vmi_period_constant(row, 6) + 4 * t * vmi_period_constant(row, 7));
+    const vm_real c0_head = vmi_rounded(c0 + VMI_HEAD_GRID) - VMI_HEAD_GRID, c0_mid = c0 - c0_head;
+    const vm_real sum = c0_mid + (b1 + (b2 + rest));
+    K.middle = vmi_rounded(sum + VMI_MIDDLE_GRID) - VMI_MIDDLE_GRID;
+    K.low = (((b1 - K.middle) + c0_mid) + b2) + ((rest + words) + (tail * slope + kp_lo * slope34));
+    K.head = c0_head;
+    K.rough = c0_head + (sum + (words + tail * slope));
+#endif
+    return K;
+}
+
+#endif
 /* jacobi/theta.h - Neville's theta functions, from which sn, cn and dn are quotients
 
    Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so on.
@@ -1466,7 +1830,7 @@ VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_t
 }
 
 /* The theta functions far from 0 for a single v and m, without a plan */
-VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
+VMI_APART vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 {
     vmi_theta_form t;
     vmi_far_prepare(&t, m1, m1_lo);
@@ -1505,8 +1869,8 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 
    The argument is written as u = j K + v, where K is the quarter period, j a whole number and |v| at most K/2 apart
    from rounding. v needs a small relative error, because next to a zero of sn the value of sn is nearly v or -v. The
-   closer u is to a multiple of K, the more digits of K are needed. Therefore K is used in three forms: as one word with
-   corrections, in two words, or in three words.
+   closer u is to a multiple of K, the more digits of K are needed. Therefore K is used in four forms: from a
+   table (m between -1.25 and 0.97), as one word with corrections, in two words, or in three words.
 
    Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_REDUCTION_H
@@ -1563,7 +1927,7 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
    2 pi (1 + x S), where x S is small. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
    2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
    of u are exact. */
-VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
+VMI_APART vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
     const vm_real grid = VMI_REDUCTION_GRID, half_grid = grid / 2;
@@ -1588,7 +1952,7 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
 /* Returns u minus the nearest multiple j K in two words, for any u > 0 and m1 > 0. The last bits of *quarters become
    those of j. K is used in two words, or in three if u is below 128 K and next to a multiple of K. Where u is so large
    that no digit of the phase is left, the result is 0. */
-VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
+VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
     const vm_real next = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(8e-6);
@@ -1615,20 +1979,42 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
         return vmi_two_terms(vmi_reduce_pieces(u, K, rate.hi / half_pi.hi, quarters));
     }
     v = rest.hi / rate.hi;
-    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and no caller needs the low word of v */
+    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and 1.5 ulp of v are enough outside of the table */
     error = vmi_two_product(v, rate.hi);
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
+/* The largest argument that vmi_reduce_by_table reduces: then j is below 2^20 (float 2^13). */
+#define VMI_TABLE_REACH (VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(11000.0))
+
+/* Returns u minus the nearest multiple j K, for 0 <= u < VMI_TABLE_REACH and a k' = kp for which VMI_IN_PERIOD_TABLE is
+   1. The last bits of *quarters become those of j. K has a relative error below 2^-71 (float 2^-36), so that the result
+   is within half an ulp plus 2^-71 u (float 2^-36 u). Where this is too much next to a multiple of K, the result is
+   NaN, and u must be reduced by vmi_reduce_long. It is not NaN for j >= 128, since there only the absolute error
+   counts. */
+VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
+{
+    const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);
+    const vmi_period K = vmi_period_by_table(m1, m1_lo, kp);
+    const vm_real shifted = vmi_rounded(u / K.rough + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
+    const vm_real rest = ((u - j * K.head) - j * K.middle) - j * K.low; /* only the last product and difference round */
+    *quarters = vmi_to_bits(shifted); /* the last bits of `shifted` are those of j */
+    if (j < 128 && VM_FABS(rest) * closest < u) return VM_NAN;
+    return rest;
+}
+
 /* Returns u >= 0 minus the nearest multiple j K, or NaN if u or m1 is outside the domain of jacobi_sncndn. The low
-   word of the result goes to *v_lo, the last bits of j to *quarters. reach is about (2u/K)^2; if reach is below 30,
-   u < 2.5 K. */
-VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo,
+   word of the result goes to *v_lo, the last bits of j to *quarters. kp is k'. reach is about (2u/K)^2; if reach is
+   below 30, u < 2.5 K. */
+VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vm_real reach, vm_real *v_lo,
                               vmi_bits *quarters)
 {
     *v_lo = 0;
-    if (reach < 30 && VMI_MIDDLE(m1)) {
-        const vm_real v = vmi_reduce_short(u, m1, m1_lo, VM_SQRT(m1), quarters);
+    if (VMI_IN_PERIOD_TABLE(kp) && u < VMI_TABLE_REACH) {
+        const vm_real v = vmi_reduce_by_table(u, m1, m1_lo, kp, quarters);
+        if (v == v) return v;
+    } else if (reach < 30 && VMI_MIDDLE(m1)) {
+        const vm_real v = vmi_reduce_short(u, m1, m1_lo, kp, quarters);
         if (v == v) return v;
     }
     *quarters = 0;
@@ -1668,7 +2054,7 @@ VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), so also between 1 and m1 */
     if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
     *bound = VM_SQRT(m1);
-    v = vmi_reduced(VM_FABS(u), m1, m1_lo, reach, &v_lo, &quarters);
+    v = vmi_reduced(VM_FABS(u), m1, m1_lo, *bound, reach, &v_lo, &quarters);
     if (v * v * vmi_larger(m1, 1) > VMI_NEAR) theta = vmi_theta_far_unprepared(vmi_two(v, v_lo), m1, m1_lo);
     else theta = vmi_theta_near(v, m1);
     theta = vmi_theta_shift(theta, *bound, quarters);
@@ -1700,7 +2086,7 @@ VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_rea
    Domain and accuracy are those of jacobi_sncndn; m1 keeps its digits where m is close to 1. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    vmi_sncndn(u, m1, 0, sn, cn, dn);
+    vmi_sncndn(u, m1 + 0, 0, sn, cn, dn); /* m1 + 0 turns -0 into 0 */
 }
 
 /* Returns the theta function whose name is s, c, d or n. */
@@ -1840,9 +2226,9 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 #ifndef VARMASS_BASE_CHEBYSHEV_H
 #define VARMASS_BASE_CHEBYSHEV_H
 
-/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's polynomial of
-   degree n for the interval 0 <= t <= 1. The values in this interval change by at most |c_n| 2^(1-2n). Coefficients
-   with an index below `lowest` stay as they are. */
+/* Removes the term c_n t^n of the polynomial c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's
+   polynomial of degree n for the interval 0 <= t <= 1. In this interval the values of the polynomial change by at most
+   |c_n| 2^(1-2n) if `lowest` is 0. Coefficients with an index below `lowest` stay as they are. */
 VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 {
     vm_real term = c[n];
@@ -1963,7 +2349,7 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 
 /* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
    Domain and result are those of jacobi_plan_init; m1 keeps its digits where m is close to 1. */
-VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
+VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* 0 for -0 */
 
 /* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
    (compare vmi_theta_near). theta_s is v times the polynomial p->b, since the derivative of sc^2 is 2 sc nc dc. */
@@ -2601,6 +2987,777 @@ VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, v
         *re = vmi_cubic(d->re, cosine);
         *im = sine * vmi_cubic(d->im, cosine);
     }
+}
+
+#endif
+/* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
+
+   Every elliptic integral is a sum of these few, and they have no cases and no cancellations of their own:
+     R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
+     R_J(x, y, z, p) = 3/2 integral of dt/((t + p) s(t)),
+   R_C(x, y) = R_F(x, y, y), R_D(x, y, z) = R_J(x, y, z, z), and R_G, which gives the surface of an ellipsoid.
+
+       vm_real K = jacobi_RF(0, VM_C(0.75), 1); // K(m) = R_F(0, 1 - m, 1)
+
+   Method: Carlson's duplication brings the arguments together, until a series about their mean is exact enough. The
+   equations are those of Carlson, Numer. Algorithms 10 (1995) 13-26, with more terms, so that usually two or three
+   duplications are enough. Source: DLMF 19.15 to 19.36. Tests: tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_CARLSON_H
+#define VARMASS_JACOBI_CARLSON_H
+
+/* Three arguments on their way to their mean. Each duplication divides their distances from the mean, relative to it,
+   by about 4. */
+typedef struct VM_TAG(vmi_carlson) {
+    vm_real x, y, z; /* the arguments */
+    vm_real mean;    /* their mean (x + y + z)/3 */
+    vm_real X, Y;    /* mean - x and mean - y; mean - z is -(X + Y) */
+    vm_real a, b, c; /* the square roots of x, y, z in the last duplication */
+    vm_real lambda;  /* a b + b c + c a in the last duplication */
+} vmi_carlson;
+
+/* The series are used if all distances from the mean are at most this share of it. The first terms left out, of the
+   order 11 (float 5), are then below 1e-17 (float 4e-9). */
+#define VMI_CARLSON_CLOSE VM_C(0.0262)
+
+/* Begins with the arguments x, y, z. */
+VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
+{
+    vmi_carlson s;
+    s.x = x;
+    s.y = y;
+    s.z = z;
+    s.mean = (x + y + z) * VM_C(0.3333333333333333333);
+    s.X = s.mean - x;
+    s.Y = s.mean - y;
+    s.a = s.b = s.c = s.lambda = 0;
+    return s;
+}
+
+/* Returns the largest distance from the mean. */
+VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
+{
+    return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
+}
+
+/* One duplication (DLMF 19.26.18): each argument x becomes (x + lambda)/4. Nothing cancels. */
+VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
+{
+    s->a = VM_SQRT(s->x);
+    s->b = VM_SQRT(s->y);
+    s->c = VM_SQRT(s->z);
+    s->lambda = s->a * (s->b + s->c) + s->b * s->c;
+    s->x = (s->x + s->lambda) * VM_C(0.25);
+    s->y = (s->y + s->lambda) * VM_C(0.25);
+    s->z = (s->z + s->lambda) * VM_C(0.25);
+    s->mean = (s->mean + s->lambda) * VM_C(0.25);
+    s->X *= VM_C(0.25);
+    s->Y *= VM_C(0.25);
+}
+
+/* The two symmetric functions of the relative distances X, Y, Z from the mean, whose sum is 0:
+   E2 = XY + YZ + ZX, E3 = XYZ */
+VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real *E3)
+{
+    const vm_real per_mean = 1 / s->mean, X = s->X * per_mean, Y = s->Y * per_mean, Z = -(X + Y);
+    *E2 = X * Y - Z * Z;
+    *E3 = X * Y * Z;
+}
+
+/* R_F from arguments that are close together: the sum of t_N/(2N + 1), divided by the root of the mean. The terms t_N
+   are the coefficients of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2) (DLMF 19.19.7). */
+VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
+{
+    vm_real E2, E3, low, high = 0;
+    vmi_carlson_symmetric(s, &E2, &E3);
+    low = VM_C(0.07142857142857142857) * E3 - VM_C(0.1) * E2;
+    low += E2 * (VM_C(0.04166666666666666667) * E2);
+#if VM_MANT_DIG > 24
+    {
+        const vm_real E22 = E2 * E2, E33 = E3 * E3;
+        const vm_real five = VM_C(-0.06818181818181818182) * (E2 * E3);                                 /* -3/44 */
+        const vm_real six = VM_C(0.02884615384615384615) * E33 - VM_C(0.02403846153846153846) * (E22 * E2);
+        const vm_real seven = VM_C(0.0625) * (E22 * E3);                                                /* 1/16 */
+        const vm_real eight = E2 * (VM_C(0.01608455882352941176) * (E22 * E2) - VM_C(0.05514705882352941176) * E33);
+        const vm_real nine = E3 * (VM_C(0.01644736842105263158) * E33 - VM_C(0.05756578947368421053) * (E22 * E2));
+        const vm_real ten = E22 * (VM_C(0.078125) * E33 - VM_C(0.01171875) * (E22 * E2));
+        high = (five + six) + ((seven + eight) + (nine + ten));
+    }
+#endif
+    return (1 + (low + high)) / VM_SQRT(s->mean);
+}
+
+/* R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. The sum has the terms
+   3 T_N/(2N + 3), where T_N are the coefficients of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
+VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
+{
+    vm_real E2, E3, t, T, sum;
+    vmi_carlson_symmetric(s, &E2, &E3);
+    T = P;
+    sum = VM_C(0.6) * T;
+    t = VM_C(-0.5) * E2;
+    T = P * T + t;
+    sum += VM_C(0.4285714285714285714) * T;
+    t = VM_C(0.5) * E3;
+    T = P * T + t;
+    sum += VM_C(0.3333333333333333333) * T;
+    t = VM_C(0.375) * (E2 * E2);
+    T = P * T + t;
+    sum += VM_C(0.2727272727272727273) * T;
+#if VM_MANT_DIG > 24
+    {
+        const vm_real E22 = E2 * E2, E33 = E3 * E3, E222 = E22 * E2;
+        T = P * T - VM_C(0.75) * (E2 * E3);
+        sum += VM_C(0.2307692307692307692) * T;
+        T = P * T + (VM_C(0.375) * E33 - VM_C(0.3125) * E222);
+        sum += VM_C(0.2) * T;
+        T = P * T + VM_C(0.9375) * (E22 * E3);
+        sum += VM_C(0.1764705882352941176) * T;
+        T = P * T + E2 * (VM_C(0.2734375) * E222 - VM_C(0.9375) * E33);
+        sum += VM_C(0.1578947368421052632) * T;
+        T = P * T + E3 * (VM_C(0.3125) * E33 - VM_C(1.09375) * E222);
+        sum += VM_C(0.1428571428571428571) * T;
+        T = P * T + E22 * (VM_C(1.640625) * E33 - VM_C(0.24609375) * E222);
+        sum += VM_C(0.1304347826086956522) * T;
+    }
+#endif
+    return (1 + sum) / (s->mean * VM_SQRT(s->mean));
+}
+
+/* R_F for arguments x, y, z >= 0 of which at most one is 0, within 3 ulp */
+VM_INLINE vm_real vmi_rf(vm_real x, vm_real y, vm_real z)
+{
+    vmi_carlson s = vmi_carlson_begin(x, y, z);
+    vm_real spread = vmi_carlson_spread(&s);
+    while (spread > VMI_CARLSON_CLOSE * s.mean) {
+        vmi_carlson_duplicate(&s);
+        spread *= VM_C(0.25);
+    }
+    return vmi_carlson_first(&s);
+}
+
+/* R_F(x, y, z), and R_D(x, y, z) to *rd, for z > 0 and arguments of which at most one is 0. Both have the same
+   duplications; each of them adds a positive term to R_D (DLMF 19.26.20). */
+VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
+{
+    vmi_carlson s = vmi_carlson_begin(x, y, z);
+    vm_real spread = vmi_carlson_spread(&s), power = 1, sum = 0;
+    while (spread > VMI_CARLSON_CLOSE * s.mean) {
+        vmi_carlson_duplicate(&s);
+        spread *= VM_C(0.25);
+        sum += power / (4 * s.c * s.z); /* 4 z is here z + lambda of the formula */
+        power *= VM_C(0.25);
+    }
+    *rd = 3 * sum + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean);
+    return vmi_carlson_first(&s);
+}
+
+/* The series of R_C(1, 1 + e) for |e| <= 0.05: 1 - e/3 + e^2/5 - ... */
+VM_INLINE vm_real vmi_rc_series(vm_real e)
+{
+    const vm_real ee = e * e, e4 = ee * ee;
+    const vm_real low = (VM_C(-0.3333333333333333333) + e * VM_C(0.2)) +
+                        ee * (VM_C(-0.1428571428571428571) + e * VM_C(0.1111111111111111111));
+#if VM_MANT_DIG > 24
+    const vm_real middle = (VM_C(-0.09090909090909090909) + e * VM_C(0.07692307692307692308)) +
+                           ee * (VM_C(-0.06666666666666666667) + e * VM_C(0.05882352941176470588));
+    const vm_real high = VM_C(-0.05263157894736842105) + e * VM_C(0.04761904761904761905);
+    return 1 + e * (low + e4 * (middle + e4 * high));
+#else
+    return 1 + e * (low - e4 * VM_C(0.09090909091));
+#endif
+}
+
+/* R_C(1, y) for y > 0: the arctangent of sqrt(y - 1) divided by it, or for y < 1 the inverse hyperbolic tangent. Next
+   to y = 1 it is a series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
+VM_API vm_real vmi_rc_of_1(vm_real y)
+{
+    const vm_real e = y - 1;
+    vm_real root;
+    if (VM_FABS(e) < VM_C(0.18)) {
+        const vm_real sum = 1 + VM_SQRT(y);
+        return 2 * vmi_rc_series(e / (sum * sum)) / sum;
+    }
+    root = VM_SQRT(VM_FABS(e));
+    if (e > 0) return vmi_arctan(root, 1) / root;
+    return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
+}
+
+/* R_C(x, y) for x >= 0 and y != 0; for y < 0 its Cauchy principal value (DLMF 19.2.17, 19.2.20) */
+VM_API vm_real vmi_rc(vm_real x, vm_real y)
+{
+    if (y < 0) return VM_SQRT(x / (x - y)) * vmi_rc(x - y, -y);
+    if (2 * x < y) return vmi_arctan(VM_SQRT(y - x), VM_SQRT(x)) / VM_SQRT(y - x);
+    return vmi_rc_of_1(y / x) / VM_SQRT(x);
+}
+
+/* R_F(x, y, z), and R_J(x, y, z, p) to *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. They
+   should be about 1: d, which has their powers 3/2, must neither overflow nor underflow. Each duplication adds 6/d
+   R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995) with d = (r + a)(r + b)(r + c), r = sqrt(p). 1 + e is here 2
+   r (p + lambda)/d, in which nothing cancels. */
+VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
+{
+    vmi_carlson s = vmi_carlson_begin(x, y, z);
+    vm_real P = s.mean - p, spread = vmi_larger(vmi_carlson_spread(&s), VM_FABS(P)), power = 1, sum = 0;
+    while (spread > VMI_CARLSON_CLOSE * s.mean) {
+        const vm_real r = VM_SQRT(p);
+        vm_real d;
+        vmi_carlson_duplicate(&s);
+        d = (r + s.a) * (r + s.b) * (r + s.c);
+        sum += power / d * vmi_rc_of_1(2 * r * (p + s.lambda) / d);
+        p = (p + s.lambda) * VM_C(0.25);
+        P *= VM_C(0.25);
+        spread *= VM_C(0.25);
+        power *= VM_C(0.25);
+    }
+    *rj = 6 * sum + power * vmi_carlson_third(&s, P / s.mean);
+    return vmi_carlson_first(&s);
+}
+
+/* A power of 4 and what it does to an integral: the arguments are multiplied by `factor`, so that the largest is about
+   1 and no power of them overflows or underflows. R_F and R_C are then multiplied by `root`, the root of the factor. */
+typedef struct VM_TAG(vmi_carlson_scale) {
+    vm_real factor, root;
+} vmi_carlson_scale;
+
+/* Returns the scale for the largest of the arguments, a finite number > 0. */
+VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
+{
+    const int exponent = (int)(vmi_to_bits(largest) >> VMI_STORED_DIG) - VMI_BIAS, half = (exponent - 1) / 2;
+    vmi_carlson_scale scale;
+    scale.factor = vmi_ldexp(1, -2 * half);
+    scale.root = vmi_ldexp(1, -half);
+    return scale;
+}
+
+/* Is 1 if a positive argument is so much smaller than the largest one that the scale makes it subnormal or 0 */
+VM_API int vmi_carlson_is_lost(vmi_carlson_scale by, vm_real x) { return x > 0 && by.factor * x < VM_MIN; }
+
+/* Is 1 if x, y, z >= 0 */
+VM_API int vmi_carlson_allowed(vm_real x, vm_real y, vm_real z) { return x >= 0 && y >= 0 && z >= 0; }
+
+/* Is 1 if at least two of the three numbers, which are not negative, are 0 */
+VM_API int vmi_two_zeros(vm_real x, vm_real y, vm_real z)
+{
+    return x + y == 0 || y + z == 0 || z + x == 0;
+}
+
+/* The limit of R_F, R_D or R_J where two arguments are 0 (`zeros`) or one is infinite, else NaN: infinity for two
+   zeros, 0 for an infinite argument, and NaN where both meet. */
+VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
+{
+    if (zeros && infinite) return VM_NAN;
+    if (zeros) return VM_INFINITY;
+    return 0;
+}
+
+/* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
+   most 8 ulp. It is infinite if two arguments are 0, and 0 if one is infinite; NaN if one is negative. K(m) is R_F(0,
+   1 - m, 1), F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
+VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
+{
+    const vm_real largest = vmi_larger(vmi_larger(x, y), z);
+    const int zeros = vmi_two_zeros(x, y, z), infinite = !VM_IS_FINITE(largest);
+    if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
+    if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
+    if (largest <= 1) return vmi_rf(x, y, z);
+    return VM_C(0.25) * vmi_rf(x / 16, y / 16, z / 16); /* sums of the arguments do not overflow */
+}
+
+/* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
+   logarithm for x > y. The error is at most 8 ulp. For y < 0 it is Cauchy's principal value. It is infinite for y =
+   0, and 0 if an argument is infinite; NaN if x is negative. DLMF 19.2.17. */
+VM_API vm_real jacobi_RC(vm_real x, vm_real y)
+{
+    const vm_real largest = vmi_larger(x, VM_FABS(y));
+    vmi_carlson_scale by;
+    if (!(x >= 0) || y != y) return VM_NAN;
+    if (y == 0 || !VM_IS_FINITE(largest)) return vmi_carlson_limit(y == 0, !VM_IS_FINITE(largest));
+    by = vmi_carlson_scale_of(largest);
+    if (!vmi_carlson_is_lost(by, VM_FABS(y))) return by.root * vmi_rc(by.factor * x, by.factor * y);
+    return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* which does not depend on the sign of so little a number */
+}
+
+/* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
+   y. The error is at most 8 ulp. It is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite; NaN if one
+   is negative, and if the quotient of two of them that are not 0 is above 1e307 (float 1e37). DLMF 19.16.5. */
+VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
+{
+    const vm_real largest = vmi_larger(vmi_larger(x, y), z);
+    const int zeros = z == 0 || x + y == 0, infinite = !VM_IS_FINITE(largest);
+    vmi_carlson_scale by;
+    vm_real rd;
+    if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
+    if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
+    by = vmi_carlson_scale_of(largest);
+    if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;
+    vmi_rf_rd(by.factor * x, by.factor * y, by.factor * z, &rd);
+    return by.root * (by.root * (by.root * rd));
+}
+
+/* R_J for p < 0: Cauchy's principal value from R_J at a positive p (DLMF 19.20.14), for 0 <= x, y <= z of which at
+   most one is 0 */
+VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
+{
+    const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
+    vm_real rf, rj, rest;
+    rf = vmi_rf_rj(x, y, z, other, &rj);
+    rest = (other - z) * rj - 3 * rf;
+    return (rest + 3 * VM_SQRT(x * y * z / product) * vmi_rc(product, other * q)) / (z + q);
+}
+
+/* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
+   error is at most 8 ulp where the quotients of the arguments are below 1e16, and at most 16 ulp elsewhere. For p < 0
+   it is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). It is infinite
+   if p = 0 or two of the others are 0, and 0 if an argument is infinite; NaN if x, y or z is negative, and if the
+   quotient of two arguments that are not 0 is above 1e307 (float 1e37). DLMF 19.16.2. */
+VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
+{
+    const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
+    const int zeros = p == 0 || vmi_two_zeros(x, y, z), infinite = !VM_IS_FINITE(largest);
+    vmi_carlson_scale by;
+    vm_real rj;
+    if (!vmi_carlson_allowed(x, y, z) || p != p) return VM_NAN;
+    if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
+    by = vmi_carlson_scale_of(largest);
+    if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;
+    if (vmi_carlson_is_lost(by, VM_FABS(p))) return VM_NAN;
+    x *= by.factor;
+    y *= by.factor;
+    z *= by.factor;
+    p *= by.factor;
+    if (p > 0) vmi_rf_rj(x, y, z, p, &rj);
+    else if (x == by.factor * top) rj = vmi_rj_principal(y, z, x, p);
+    else if (y == by.factor * top) rj = vmi_rj_principal(z, x, y, p);
+    else rj = vmi_rj_principal(x, y, z, p);
+    return by.root * (by.root * (by.root * rj));
+}
+
+/* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. It is
+   infinite if an argument is infinite; NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with the
+   half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. With the middle one of the
+   arguments as z all terms of DLMF 19.21.10 are positive. */
+VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
+{
+    const vm_real least = vmi_smaller(vmi_smaller(x, y), z), largest = vmi_larger(vmi_larger(x, y), z);
+    vm_real middle = vmi_larger(vmi_smaller(x, y), vmi_smaller(vmi_larger(x, y), z)), low, high, rf, rd;
+    vmi_carlson_scale by;
+    if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
+    if (!VM_IS_FINITE(largest)) return VM_INFINITY;
+    by = vmi_carlson_scale_of(largest);
+    if (middle == 0 || vmi_carlson_is_lost(by, middle)) return VM_SQRT(largest) / 2;
+    low = by.factor * least;
+    middle *= by.factor;
+    high = by.factor * largest;
+    rf = vmi_rf_rd(low, high, middle, &rd);
+    rd *= (high - middle) * (middle - low) * VM_C(0.3333333333333333333);
+    return (middle * rf + rd + VM_SQRT(low * high / middle)) / (2 * by.root);
+}
+
+#endif
+/* jacobi/incomplete.h - incomplete elliptic integrals F, E and Pi, and the complete one of the third kind
+
+     F(phi | m)     = integral from 0 to phi of dx/sqrt(1 - m sin^2 x), the inverse of the amplitude am(u | m)
+     E(phi | m)     = integral of sqrt(1 - m sin^2 x) dx
+     Pi(n; phi | m) = integral of dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)), where n is the characteristic
+   The angle phi is any number of radians, and m = k^2 <= 1. F is the time in which a pendulum reaches an angle, E the
+   length of an arc of an ellipse, Pi the precession of a spherical pendulum or a top.
+
+       vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
+
+   Method: phi is reduced to |theta| <= pi/2 by multiples of pi, where pi has three words; each of them adds twice the
+   complete integral. The rest is a sum of Carlson's integrals whose terms are all positive, so that no digits cancel.
+   Source: DLMF 19.2, 19.7, 19.25. Tests: tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_INCOMPLETE_H
+#define VARMASS_JACOBI_INCOMPLETE_H
+
+/* An angle as a multiple of pi and a rest theta, |theta| <= pi/2 */
+typedef struct VM_TAG(vmi_angle) {
+    vm_real turns; /* twice the multiple: the number of complete integrals in an incomplete one */
+    vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
+} vmi_angle;
+
+/* Reduces the finite angle phi. Where phi is so large that its digits say nothing about the rest, turns is 2 phi/pi
+   and theta is 0. */
+VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_real x = VM_FABS(phi), count = x * VM_C(0.6366197723675813431), j = VM_FLOOR(count + VM_C(0.5));
+    vm_two rest = vmi_two(x, 0);
+    vmi_angle angle;
+    vm_real sine, cosine;
+    angle.turns = 0;
+    if (j > 0) {
+        const vm_two p = vmi_two_product(j, half_pi.hi), sum = vmi_two_sum(x - p.hi, -p.lo);
+        rest = vmi_two_sum(sum.hi, sum.lo - j * half_pi.mid);
+        rest.lo -= j * half_pi.lo;
+        angle.turns = j;
+    }
+    if (!(j < VM_C(0.25) / VM_EPSILON)) {
+        angle.turns = count;
+        rest = vmi_two(0, 0);
+    }
+    vmi_sin_cos(rest, &sine, &cosine);
+    angle.s = sine;
+    angle.c = cosine;
+    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, towards 0 */
+        const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
+        angle.turns = j + side;
+        angle.s = -side * cosine;
+        angle.c = VM_FABS(sine);
+    }
+    if (phi < 0) {
+        angle.turns = -angle.turns;
+        angle.s = -angle.s;
+    }
+    return angle;
+}
+
+/* Is 1 if an integral from 0 to phi has no ordinary value: phi or m1 is infinite, or one of them is NaN, or m1 < 0 */
+VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
+{
+    return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
+}
+
+/* F(phi | m) for 1 - m = m1 + m1_lo */
+VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
+{
+    vmi_angle angle;
+    vm_real cc, ss, part;
+    if (vmi_incomplete_special(phi, m1)) {
+        if (!(m1 >= 0) || phi != phi) return VM_NAN;
+        if (VM_IS_FINITE(phi)) return 0 * phi; /* m is -infinity */
+        if (VM_IS_FINITE(m1)) return phi;
+        return VM_NAN;
+    }
+    angle = vmi_angle_of(phi);
+    cc = angle.c * angle.c;
+    ss = angle.s * angle.s;
+    part = angle.s * vmi_rf(cc, cc + m1 * ss, 1);
+    if (angle.turns == 0) return part;
+    return angle.turns * vmi_K(m1, m1_lo) + part;
+}
+
+/* F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1. It is the inverse of the amplitude, odd
+   in phi, and F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
+   infinite phi, 0 for m = -infinity, and NaN for m > 1 and where both are infinite. For m = 1 it is infinite beyond
+   pi/2. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
+VM_API vm_real jacobi_F(vm_real phi, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_F(phi, m1.hi, m1.lo);
+}
+
+/* F(phi | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_F; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
+
+/* E(theta | m) for |theta| <= pi/2, from the sine and the cosine of theta. m and m1 = 1 - m are given both, so that
+   each has its digits. There is one form for either sign of m, with positive terms only (DLMF 19.25.9-10). */
+VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
+{
+    const vm_real cc = c * c, ss = s * s, dd = cc + m1 * ss;
+    vm_real rf, rd;
+    if (m < 0) {
+        rf = vmi_rf_rd(cc, dd, 1, &rd);
+        return s * (rf - m * ss * rd * VM_C(0.3333333333333333333));
+    }
+    rf = vmi_rf_rd(cc, 1, dd, &rd);
+    return s * (m1 * (rf + m * ss * rd * VM_C(0.3333333333333333333)) + m * (c / VM_SQRT(dd)));
+}
+
+/* E(phi | m) for 1 - m = m1 + m1_lo */
+VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_lo)
+{
+    vmi_angle angle;
+    vm_real part;
+    if (vmi_incomplete_special(phi, m1)) {
+        if (!(m1 >= 0) || phi != phi) return VM_NAN;
+        if (phi == 0 || !VM_IS_FINITE(phi)) return phi;
+        return VM_COPYSIGN(VM_INFINITY, phi); /* m is -infinity */
+    }
+    angle = vmi_angle_of(phi);
+    part = vmi_E_part(angle.s, angle.c, m, m1);
+    if (angle.turns == 0) return part;
+    return angle.turns * vmi_E(m1, m1_lo) + part;
+}
+
+/* E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1. It is odd in phi, and E(phi + pi) =
+   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, infinity
+   with the sign of phi for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF 19.2.5. */
+VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_E_incomplete(phi, m, m1.hi, m1.lo);
+}
+
+/* E(phi | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_E_incomplete; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
+
+/* R_F, and weight R_J/3 to *third, for arguments of any size, of which the largest is `top`. Only the product of the
+   weight and R_J has to be within the range of the type. */
+VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
+                                  vm_real *third)
+{
+    vmi_carlson_scale by;
+    vm_real rf, rj;
+    if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
+        rf = vmi_rf_rj(x, y, z, p, &rj);
+        *third = weight * (rj * VM_C(0.3333333333333333333));
+        return rf;
+    }
+    by = vmi_carlson_scale_of(top);
+    rf = vmi_rf_rj(by.factor * x, by.factor * y, by.factor * z, by.factor * p, &rj);
+    *third = by.root * (by.root * weight) * (by.root * rj) * VM_C(0.3333333333333333333);
+    return by.root * rf;
+}
+
+/* Pi(n; theta | m) for |theta| <= pi/2, from the sine and the cosine of theta, with 1 - m = m1. With p = 1 - n s^2 and
+   d = 1 - m s^2 there are three cases, each a sum of positive terms, but for a term of the third with m > 0:
+     n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
+            1 - N s^2 = c^2 + s^2 m1/(1 - n);
+     0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
+     p < 0: m/n replaces n (DLMF 19.7.8), q = 1 - s^2 m/n, and R_C has its principal value. */
+VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m1)
+{
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, top = vmi_larger(d, 1);
+    vm_real p = cc + (1 - n) * ss, q, share, rf, third;
+    if (n < 0) {
+        p = 1 - n * ss;
+        share = m1 / (1 - n);
+        q = cc + share * ss;
+        rf = vmi_rf_rj_weighted(cc, d, 1, q, top, share * ss, &third);
+        return s * (rf / (1 - n) + n / (n - 1) * (c * vmi_rc(d, p * q) + third));
+    }
+    if (p > 0) {
+        rf = vmi_rf_rj_weighted(cc, d, 1, p, top, n * ss, &third);
+        return s * (rf + third);
+    }
+    if (p == 0) return VM_COPYSIGN(VM_INFINITY, s);
+    q = cc + ((n - 1) + m1) / n * ss;
+    vmi_rf_rj_weighted(cc, d, 1, q, top, m / n * ss, &third);
+    return s * (vmi_rc(cc * d, p * q) - third);
+}
+
+/* Pi(n | m), where m and m1 = 1 - m are given both. The cases are those of vmi_Pi_part for theta = pi/2. */
+VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
+{
+    const vm_real top = vmi_larger(m1, 1);
+    vm_real share, rf, third;
+    if (!(m1 >= 0) || n != n) return VM_NAN;
+    if (!VM_IS_FINITE(n) || !VM_IS_FINITE(m1)) {
+        if (VM_IS_FINITE(n) && n < 1) return 0; /* m is -infinity */
+        if (!VM_IS_FINITE(n) && VM_IS_FINITE(m1) && m1 > 0) return 0;
+        return VM_NAN;
+    }
+    if (n == 1) return VM_INFINITY;
+    if (m1 == 0) return VM_COPYSIGN(VM_INFINITY, 1 - n);
+    if (n < 0) {
+        share = m1 / (1 - n);
+        rf = vmi_rf_rj_weighted(0, m1, 1, share, top, share, &third);
+        return rf / (1 - n) + n / (n - 1) * third;
+    }
+    if (n < 1) {
+        rf = vmi_rf_rj_weighted(0, m1, 1, 1 - n, top, n, &third);
+        return rf + third;
+    }
+    vmi_rf_rj_weighted(0, m1, 1, ((n - 1) + m1) / n, top, m / n, &third);
+    return 0 - third;
+}
+
+/* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
+   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 it is Cauchy's principal value. It is infinite
+   for n = 1 and for m = 1, where its sign is that of 1 - n; 0 for infinite n, and for m = -infinity with n < 1; NaN
+   for m > 1. DLMF 19.2.8, 19.6.5. */
+VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
+
+/* Pi(n | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_Pi; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
+
+/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from the sine and the cosine of theta. With the
+   angle theta' for which tan theta tan theta' = 1/k' and N = (m - n)/(1 - n) this is the integral from 0 to theta' of
+   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: always for n
+   <= 0, and for n > 0 where theta is nearer to pi/2 than the larger part of the integral. */
+VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
+{
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, share = m1 / (1 - n);
+    vm_real rf, third;
+    *exact = n <= 0 || share * cc <= m1 * ss;
+    rf = vmi_rf_rj_weighted(m1 * ss, m1, d, m1 * ss + share * cc, vmi_larger(d, m1), n * share * cc, &third);
+    return c * (rf - third) / (1 - n);
+}
+
+/* Pi(n; phi | m), where m and m1 = 1 - m are given both. Between pi/2 and pi a difference 2 Pi(n | m) - Pi(theta)
+   would triple the errors, so that the complement is added to Pi(n | m) instead. */
+VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
+{
+    vmi_angle angle;
+    vm_real part;
+    if (vmi_incomplete_special(phi, m1) || !VM_IS_FINITE(n)) {
+        const vm_real complete = vmi_Pi(n, m, m1);
+        if (!(m1 >= 0) || phi != phi || n != n) return VM_NAN;
+        if (!VM_IS_FINITE(phi) && complete != 0) return VM_COPYSIGN(phi, phi * complete);
+        if (VM_IS_FINITE(phi) && (complete == 0 || m1 == 0)) return 0 * phi;
+        return VM_NAN;
+    }
+    angle = vmi_angle_of(phi);
+    if (VM_FABS(angle.turns) == 2 && angle.s * angle.turns < 0 && n < 1 && m1 > 0) {
+        const vm_real half = vmi_Pi(n, m, m1);
+        int exact;
+        part = vmi_Pi_complement(VM_FABS(angle.s), angle.c, n, m1, &exact);
+        if (exact) return VM_COPYSIGN(half + part, phi);
+    }
+    part = vmi_Pi_part(angle.s, angle.c, n, m, m1);
+    if (angle.turns == 0) return part;
+    return angle.turns * vmi_Pi(n, m, m1) + part;
+}
+
+/* Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1. The characteristic n is any number.
+   Pi is odd in phi, and Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
+   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 it has poles where n sin^2 phi = 1, and is Cauchy's
+   principal value beyond; its error is then at most 16 eps of the larger of |F| and |Pi|, plus the change that 4 ulp
+   of n make. The limits at infinity are 0 for infinite n and for m = -infinity; NaN for m > 1. docs/cost.md has the
+   time. DLMF 19.2.7. */
+VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
+{
+    return vmi_Pi_incomplete(phi, n, m, 1 - m);
+}
+
+/* Pi(n; phi | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_Pi_incomplete; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
+{
+    return vmi_Pi_incomplete(phi, n, 1 - m1, m1);
+}
+
+#endif
+/* jacobi/inverse.h - the inverses of sn, cn and dn
+
+   Each returns the u that is nearest to 0 among those at which the function has the value x, for cn and dn the positive
+   one. The other solutions follow from the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m),
+   which jacobi_F computes.
+
+       vm_real u = jacobi_inverse_cn(VM_C(0.3), VM_C(0.5)); // cn(u | 0.5) = 0.3
+
+   Equations: DLMF 22.15, 19.25.31. Tests: tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_INVERSE_H
+#define VARMASS_JACOBI_INVERSE_H
+
+/* The inverse of sn for 1 - m = m1. 1 - x^2 is computed as a product, so that it keeps its digits. */
+VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
+{
+    const vm_real cc = (1 - x) * (1 + x);
+    if (!(VM_FABS(x) <= 1) || !(m1 >= 0)) return VM_NAN;
+    if (!VM_IS_FINITE(m1)) return 0 * x;
+    if (cc == 0 && m1 == 0) return x * VM_INFINITY;
+    return x * vmi_rf(cc, cc + m1 * (x * x), 1);
+}
+
+/* The inverse of sn: u with sn(u | m) = x and |u| <= K, for |x| <= 1 and m <= 1. It is odd in x. The error is at most
+   8 ulp. For m = 1 it is the inverse of tanh, infinite for |x| = 1. Returns 0 for m = -infinity, and NaN for |x| > 1
+   and m > 1. DLMF 22.15.12. */
+VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x, 1 - m); }
+
+/* The inverse of sn from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_inverse_sn; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
+
+/* The inverse of cn for 1 - m = m1 + m1_lo. For x < 0 it is 2 K minus the inverse at |x|, which is at most K. */
+VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
+{
+    const vm_real ss = (1 - x) * (1 + x), cc = x * x;
+    vm_real u;
+    if (!(VM_FABS(x) <= 1) || !(m1 >= 0)) return VM_NAN;
+    if (!VM_IS_FINITE(m1)) return 0;
+    if (m1 == 0 && x == 0) return VM_INFINITY;
+    if (m1 == 0 && x < 0) return VM_NAN;
+    u = VM_SQRT(ss) * vmi_rf(cc, cc + m1 * ss, 1);
+    if (x < 0) return 2 * vmi_K(m1, m1_lo) - u;
+    return u;
+}
+
+/* The inverse of cn: u with cn(u | m) = x and 0 <= u <= 2K, for |x| <= 1 and m <= 1. The error is at most 8 ulp. For
+   m = 1 it is the inverse of 1/cosh, infinite for x = 0 and NaN for x < 0. Returns 0 for m = -infinity, and NaN for
+   |x| > 1 and m > 1. DLMF 22.15.13. */
+VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_inverse_cn(x, m1.hi, m1.lo);
+}
+
+/* The inverse of cn from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_inverse_cn; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
+
+/* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1. The
+   latter is formed from the exact square of x. It may be negative if x is k' after rounding; then c is taken as 0. */
+VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
+{
+    const vm_real bound = VM_SQRT(m1);
+    const vm_two square = vmi_two_product(x, x);
+    vm_real ss, cc;
+    if (!(x >= vmi_smaller(bound, 1) && x <= vmi_larger(bound, 1)) || !(m1 >= 0)) return VM_NAN;
+    if (x == 1) return 0;
+    if (m1 == 0 && x == 0) return VM_INFINITY;
+    ss = (1 - x) * (1 + x) / m;
+    cc = vmi_larger(((square.hi - m1) + (square.lo - m1_lo)) / m, 0);
+    return VM_SQRT(ss) * vmi_rf(cc, square.hi, 1);
+}
+
+/* The inverse of dn: u with dn(u | m) = x and 0 <= u <= K, for x between 1 and sqrt(1 - m), m <= 1. The error is at
+   most 8 ulp. For m = 1 it is the inverse of 1/cosh, infinite for x = 0. Returns NaN for m > 1 and where dn has no such
+   value; for m = 0 dn is 1 everywhere, and u is 0. DLMF 22.15.14. */
+VM_API vm_real jacobi_inverse_dn(vm_real x, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    if (!VM_IS_FINITE(m)) return VM_NAN;
+    return vmi_inverse_dn(x, m, m1.hi, m1.lo);
+}
+
+/* The inverse of dn from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_inverse_dn; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
+{
+    if (!VM_IS_FINITE(m1)) return VM_NAN;
+    return vmi_inverse_dn(x, 1 - m1, m1, 0);
+}
+
+#endif
+/* jacobi/reciprocal.h - sn, cn and dn for any parameter, also for m > 1
+
+   For m > 1 the roles of cn and dn change: dn oscillates between 1 and -1, and cn stays positive. A pendulum whose
+   small oscillations have the frequency w0, and which passes its lowest point with the angular velocity W at t = 0,
+   has the modulus k = W/(2 w0). It swings for m = k^2 < 1 and rotates for m > 1. In both cases its angle is given by
+   sin(angle/2) = k sn(w0 t | m), cos(angle/2) = dn(w0 t | m), and its angular velocity is W cn(w0 t | m).
+
+       vm_real sn, cn, dn;
+       jacobi_sncndn_any(VM_C(1.2), VM_C(2.5), &sn, &cn, &dn);
+
+   Equations: DLMF 22.17.2-4. Tests: tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_RECIPROCAL_H
+#define VARMASS_JACOBI_RECIPROCAL_H
+
+/* sn, cn and dn of the argument u for any finite parameter m. For m <= 1 they are those of jacobi_sncndn. For m > 1
+     sn(u | m) = sn(k u | 1/m)/k,  cn(u | m) = dn(k u | 1/m),  dn(u | m) = cn(k u | 1/m),  k = sqrt(m).
+   The error is then at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4), and at most 8 ulp for
+   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. The method adds the second word of k u by a Taylor series. */
+VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    vm_two k, phase, m1;
+    vm_real s, c, d, h;
+    if (!(m > 1) || !VM_IS_FINITE(m) || !VM_IS_FINITE(u)) {
+        jacobi_sncndn(u, m, sn, cn, dn);
+        return;
+    }
+    k = vmi_root(m, 0);
+    m1 = vmi_two_over(vmi_two_sum(m, -1), vmi_two(m, 0));
+    phase = vmi_two_scaled(k, u);
+    vmi_sncndn(phase.hi, m1.hi, m1.lo, &s, &c, &d);
+    h = phase.lo;
+    *sn = (s + h * (c * d - h / 2 * s * (d * d + c * c / m))) / k.hi;
+    *cn = vmi_clamp(d - h / m * (s * c + h / 2 * d * (c * c - s * s)), 0, 1);
+    *dn = vmi_clamp(c - h * (s * d + h / 2 * c * (d * d - s * s / m)), -1, 1);
 }
 
 #endif

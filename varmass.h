@@ -22,11 +22,12 @@
      mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
                     part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
                     Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
-                    rotation; streams of mass with their reactive force and torque; rockets; a band that winds up on a
-                    drum
-     oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping; Van
-                    der Pol's oscillator, Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation,
-                    resonance, turning points
+                    rotation; streams of mass with their reactive force and torque; rockets; tanks and grains; orbits of
+                    two bodies; a band that winds up on a drum
+     oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
+                    Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
+                    Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
+                    points
      scenes/        bodies, the effects that act on them, the events that change them: only what is listed is
                     simulated
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
@@ -97,8 +98,8 @@
        vm_lambert_w0                  Lambert's W_0(x), the upper branch
        vm_lambert_wm1                 Lambert's W_-1(x), the lower branch
        vm_wright_omega                Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l
-       vm_lambert_w0_neg_exp          W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1
-       vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
+       vm_lambert_w0_neg_exp          W_0(-e^l), the upper branch for the negative argument -e^l with l <= -1
+       vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for the negative argument -e^l with l <= -1
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
        vm_inertia_is_possible         Test whether a body can have this inertia
@@ -113,7 +114,7 @@
      mechanics/bodies2: momentum and energy of bodies in the plane, and their conversion to bodies in space
        vm_angular_momentum2           Angular momentum of a body of the plane about the point (x, y), N m s
        vm_kinetic_energy2             Kinetic energy of a body of the plane, J
-       vm_body_from_body2             A body of the plane as a lamina of space in the plane z = 0
+       vm_body_from_body2             Converts a body of the plane to a body of space
 
      mechanics/jumps: parts separate from a body or are attached to it, in space
        vm_separate                    Separation of a part from a body
@@ -129,10 +130,10 @@
        vm_separate_all2               Separation of n parts from a body at once, in the plane
        vm_attach_all2                 Attachment of n bodies to a body at once, in the plane
 
-     mechanics/relative: motion relative to a moving body, and jumps given in such motions
-       vm_to_relative                 Motion of a body relative to the frame that moves rigidly with the body `to`
+     mechanics/relative: motion relative to a moving body, and jumps given by relative motions
+       vm_to_relative                 Motion of a body relative to the frame that moves and turns with the body `to`
        vm_to_absolute                 Computes the absolute motion of a body from its motion relative to the body `to`
-       vm_to_relative2                Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`
+       vm_to_relative2                Motion of a body in the plane, relative to the frame that moves and turns with the body `to`
        vm_to_absolute2                Computes the absolute plane motion of a body from its motion relative to the body `to`
        vm_separate_relative           Separation, with motions given relative to the whole
        vm_attach_relative             Attachment, with motions given relative to the first body
@@ -142,7 +143,7 @@
      mechanics/inverse: how a part must leave, so that the rest moves as wanted
        vm_separation_for_rest         How a part must leave, so that the rest moves as wanted
        vm_separation_for_rest2        How a part must leave in the plane, so that the rest moves as wanted
-       vm_separation_for_spin2        Velocity of a part that leaves the rest with a wanted spin, in the plane (Table 3, case 7)
+       vm_separation_for_spin2        Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s)
 
      mechanics/jump_energy: the kinetic energy that a jump adds or takes
        vm_energy_gain                 Energy gained at a separation, J
@@ -174,7 +175,7 @@
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
        vm_lagrange_mass               Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
-       vm_lagrange_momentum           Add to p the generalized momentum of a body's motion
+       vm_lagrange_momentum           Add to p the generalized momentum of a body
        vm_lagrange_impulse            Add to p the generalized impulse (95) of an impulse on a body with the mass centre r
        vm_lagrange_separate           Velocities after a part separates
        vm_lagrange_attach             Velocities after a part is attached
@@ -236,7 +237,7 @@
        vm_drum_angle                  Angle of the drum on a rigid shaft after t >= 0 seconds, rad
        vm_drum_angle_lambert          Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected
        vm_drum_shaft_init             Coefficients of the elastic shaft in the first approximation, (213), (214)
-       vm_drum_deflection             Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected
+       vm_drum_deflection             Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected
        vm_drum_shaft_valid            Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
@@ -246,7 +247,7 @@
        vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
 
      mechanics/euler_angles: Euler's angles
-       vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
+       vm_euler_313                   Attitude from Euler's angles
        vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
        vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
        vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
@@ -296,6 +297,28 @@
        vm_osc_by_route                Motion x(t), x'(t) at time t (s, either sign) by a given route
        vm_osc_within                  Motion x(t), x'(t) at time t (s, either sign) within a tolerance
 
+     oscillators/odd_force: vibration under an odd elastic force of any form, with constant mass
+       vm_odd_force_user              Odd elastic force F(x) by a user's function
+       vm_odd_period                  Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass
+       vm_odd_action                  Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass
+       vm_odd_exact_from              Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s), for an odd F per unit mass
+
+     oscillators/duffing: Duffing's oscillator, with the elastic force k1 x + k3 x^3
+       vm_duffing_force               Duffing's force k1 x + k3 x^3
+       vm_duffing_energy              Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2
+       vm_duffing_period              Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign)
+       vm_duffing_action              Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign)
+       vm_duffing_exact_from          Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s)
+
+     oscillators/odd_motion: vibration under an odd elastic force with slow mass, stiffness and damping
+       vm_odd_plan_init               Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign)
+
+     oscillators/odd_routes: routes to the motion of a vibration under an odd elastic force, and its integration
+       vm_odd_rhs                     Equation of motion of a vibration under an odd elastic force, for rk45 or rk87
+       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_...
+       vm_odd_plan_within             Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance
+       vm_odd_within                  Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan
+
      oscillators/slow: laws that oscillators with slowly varying mass share
        vm_osc_amplitude_law           Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly
        vm_osc_velocity_law            Largest velocity over its first value, of an oscillator whose mass varies slowly
@@ -306,6 +329,15 @@
        vm_vdp_limit_cycle             Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s)
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
        vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
+
+     oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator along any slow law of its mass
+       vm_vdp_plan_init               Plan for many values of the motion of a Van der Pol oscillator
+
+     oscillators/van_der_pol_routes: the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
+       vm_vdp_plan_by_route           Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan
+       vm_vdp_plan_within             Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan
+       vm_vdp_within                  Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, for a single t
+       vm_vdp_cycle_of                Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon
 
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
        vm_jeffcott_power              Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
@@ -462,9 +494,9 @@
 /* base/status.h - the statuses that functions return, and what each of them means
 
    Every function of varmass.h that can fail returns one of these numbers. 0 (VM_OK) means that all went well. A
-   positive number means that the result is there, with a remark. A negative number means that nothing was done: the
-   outputs are untouched. The same mistake has the same status in every function, and where a call has several
-   mistakes, the status names the first of them in this order:
+   positive number means that the function has done its work, but the caller should know something about the result. A
+   negative number is an error: the outputs are unchanged. A mistake has the same status in every function. If a call
+   has several mistakes, the status names the first of them in this order:
 
        a null pointer, a negative count, a choice that does not exist    VM_BAD_ARGUMENT
        an infinite number or NaN                                         VM_NOT_FINITE
@@ -485,8 +517,8 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body (a rod, a point) has no inertia about an axis: it keeps its spin
-                                    about this axis, and the angular momentum that the spin should take up is lost */
+    VM_NULL_AXIS = 1,            /* done, but a body (a rod or a point) has no inertia about an axis. Its spin about
+                                    this axis stays as it was; angular momentum about this axis is lost. */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
@@ -572,8 +604,8 @@ VM_API const char *vm_strerror(int status)
     }
 }
 
-/* Returns the rank of an error: of two errors, the one with the smaller rank is reported. The ranks follow the order at
-   the top of this file; errors that are not named there follow in the order of their numbers. */
+/* Returns the rank of an error. Of two errors, the one with the smaller rank is reported. The order is that of the
+   numbers -1, -2, -3, ..., but VM_BAD_STIFFNESS stands directly after VM_BAD_MASS, as at the top of base/status.h. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
@@ -589,7 +621,7 @@ VM_API int vmi_first_error(int a, int b)
     return b;
 }
 
-/* Copies n numbers if all of them are finite. Returns VM_OK, or VM_NOT_FINITE and leaves the target as it was. */
+/* Copies n numbers and returns VM_OK if all of them are finite, else copies nothing and returns VM_NOT_FINITE. */
 VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 {
     if (!vmi_all_finite(n, from)) return VM_NOT_FINITE;
@@ -600,7 +632,7 @@ VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 #endif
 /* base/linear.h - systems of linear equations
 
-   The functions solve a x = b for a few unknowns x. The matrix a is an array of n n numbers, row after row.
+   The functions solve a x = b for n unknowns x. The matrix a is an array of n^2 numbers, row after row.
 
        vm_real a[4] = {2, 1, 1, 3}, b[2] = {3, 5};
        vmi_solve_linear(2, a, b); // b is now x = (0.8, 1.4)
@@ -630,8 +662,8 @@ VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
     }
 }
 
-/* Solves a x = b for any matrix by elimination with exchange of rows. x replaces b, and a is overwritten. Returns
-   VM_SINGULAR if the pivot of a column is 0 or NaN (b is overwritten then, too), and VM_OK otherwise. */
+/* Solves a x = b for any matrix a by elimination with exchange of rows. x replaces b, and a is overwritten. Returns
+   VM_SINGULAR if the pivot of a column is 0 or NaN (a and b are then overwritten, too), and VM_OK otherwise. */
 VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 {
     int i, j, k;
@@ -655,11 +687,11 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
     return VM_OK;
 }
 
-/* Solves a x = b for a mass matrix, which is symmetric and positive definite. x replaces b, a is overwritten, and
-   scale is work space for n numbers. Rows and columns are first scaled so that the diagonal is 1: then the units of
-   the coordinates do not matter, and the condition number is nearly the least that scaling can reach (van der Sluis
-   1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot is
-   not above 4 n eps, as for every matrix that is not positive definite, and VM_OK otherwise. */
+/* Solves a x = b for a mass matrix a, which is symmetric and positive definite. x replaces b, a is overwritten, and
+   `scale` is work space for n numbers. The function first scales rows and columns so that the diagonal is 1. The units
+   of the coordinates then do not matter, and the condition number is nearly the least that scaling can give (van der
+   Sluis 1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot
+   is not above 4 n eps, which happens for every matrix that is not positive definite, and VM_OK otherwise. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     int i, j;
@@ -689,10 +721,10 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #ifndef VARMASS_BASE_ZERO_H
 #define VARMASS_BASE_ZERO_H
 
-/* Returns a zero of f between a and b, as accurate as the type allows, where fa = f(a) and fb = f(b) have opposite
-   signs. Method (Illinois): the next x is the zero of the secant through both ends of the interval; when one end has
-   stayed for two steps, its value of f is halved. Every fourth step bisects the interval unless the last four steps
-   have made it eight times shorter. */
+/* Returns a zero of f between a and b, as accurate as the type allows. fa = f(a) and fb = f(b) must differ in sign.
+   Method (Illinois): the next x is the zero of the secant through both ends of the interval. When one end has stayed
+   for two steps, the method halves the value of f that is stored for this end. Every fourth step bisects the interval
+   unless the last four steps have made it eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
@@ -769,7 +801,7 @@ VM_API vm_complex vmi_complex(vm_real re, vm_real im)
     return z;
 }
 
-/* The sum a + b, the difference a - b, and the products c a and i c a with a real number c */
+/* The sum a + b, the difference a - b, and the products c a and i c a of a complex number a with a real number c */
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
 VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
 VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
@@ -795,7 +827,7 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
 /* The modulus |z| */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 
-/* The quotient a/b by Smith's method, which is also right where |b|^2 overflows or underflows */
+/* The quotient a/b by Smith's method, which is accurate even where |b|^2 overflows or underflows */
 VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;
@@ -822,9 +854,9 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 #ifndef VARMASS_BASE_POLYNOMIAL_H
 #define VARMASS_BASE_POLYNOMIAL_H
 
-/* Returns the correction that is subtracted from the approximate root i. It is Newton's step for the polynomial divided
-   by z - z_j for each other approximate root z_j; this division keeps two approximations from converging to the same
-   root. The correction is 0 where the polynomial is 0 within its rounding errors. */
+/* Returns the correction that must be subtracted from the approximate root number i. It is a step of Newton's method
+   for the polynomial divided by all z - z_j, where z_j are the other approximate roots. This division keeps two
+   approximations from converging to one root. The correction is 0 if the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -874,12 +906,12 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
     im[j] = y;
 }
 
-/* Sorts the roots: first the real roots from the largest to the smallest, then the conjugate pairs by rising |im|, in
-   each pair the root with im > 0 first. Imaginary parts that are only rounding errors become 0, and the two roots of a
-   pair become exactly conjugate. */
+/* Sorts the roots: the real roots come first, from the largest to the smallest; then come the conjugate pairs by rising
+   |im|, and in each pair the root with im > 0 is first. Imaginary parts that are only rounding errors become 0, and the
+   two roots of a pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this fraction of it */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative size */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -912,7 +944,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* start values symmetric about the real axis would stay symmetric; these are not */
+    for (i = 0; i < m; i++) /* start values on a circle, not symmetric about the real axis: symmetry would persist */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
@@ -940,15 +972,15 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
 
-/* Returns the relative correction of w by Fritsch, Shafer and Crowley, where z = ln(x/w) - w is the residual and
-   w1 = 1 + w */
+/* Returns the correction of w divided by w, by the method of Fritsch, Shafer and Crowley. The arguments are w1 = 1 + w
+   and the residual z = ln(x/w) - w. */
 VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 {
     const vm_real first = z / w1, half_q = w1 + 2 * z / 3;
     return first * ((half_q - first / 2) / (half_q - first));
 }
 
-/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| in two words and a rough value w of W. */
+/* Returns Lambert's W of a number x that is not close to -1/e. l is ln|x| in two words; w is a rough value of W(x). */
 VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
 {
     int i;
@@ -960,10 +992,10 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
-   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
-   -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry, Culligan-Hensley and Barry
-   (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for s < 0.4. */
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x): W_-1 if `lower` is 1, else W_0, which needs x close to -1/e.
+   Method: W = -1 - v, where v solves v - ln(1 + v) = s, with v > 0 for W_-1 and v < 0 for W_0. A value of s between
+   -eps/2 and 0 is caused by rounding and means x = -1/e. The start value of v is a formula by Barry, Culligan-Hensley
+   and Barry (ACM TOMS 21, 1995) for W_-1, and a series in sqrt(2s), good for s < 0.4, for W_0. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
@@ -988,8 +1020,8 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
     return -(sum.hi + (sum.lo + dv));
 }
 
-/* Returns -1 - ln(-x), the s of vmi_lambert_near, for x < -1/4. It is computed from 1 + e x in two words, so that it
-   keeps its digits where x is close to -1/e. */
+/* Returns s = -1 - ln(-x), the argument of vmi_lambert_near, for x < -1/4. It is computed from 1 + e x in two words, so
+   that it keeps its digits where x is close to -1/e. */
 VM_API vm_two vmi_lambert_depth(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1052,7 +1084,7 @@ VM_API vm_real vm_wright_omega(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), start);
 }
 
-/* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1. It also works where e^l itself
+/* W_0(-e^l), the upper branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
    underflows. l is taken as exact. The error is at most 1 ulp. Returns 0 for l = -infinity and NaN for l > -1. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
@@ -1062,7 +1094,7 @@ VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
-/* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1. It also works where e^l itself
+/* W_-1(-e^l), the lower branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
    underflows. l is taken as exact. The error is at most 1 ulp. Returns -infinity for l = -infinity and NaN for
    l > -1. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
@@ -1075,29 +1107,29 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 
 #endif
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
-   The two types, vm_vec3 and vm_quat, are plain data. A quaternion turns body axes into inertial ones. Its length does
-   not matter, and a quaternion of four zeros stands for the identity.
+   The two types, vm_vec3 and vm_quat, are plain data. A quaternion describes the attitude of a body: it converts
+   components of vectors along body axes into components along inertial axes. Its length does not matter, and a
+   quaternion of four zeros stands for the identity.
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions are internal: sums and products of vectors, norms, rotation matrices, and functions that read three
-   or four numbers of a state as a vector or a quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
-   tests/test_torque_free.c. */
+   The functions are internal and do not check their arguments: sums and products, norms, rotation matrices, functions
+   that read vectors and quaternions from arrays or write them. Tests: tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
-/* A vector by its components */
+/* A vector, given by its components */
 typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
 
-/* An attitude: the quaternion w + x i + y j + z k turns body axes into inertial ones. Its length does not matter. */
+/* An attitude: w + x i + y j + z k converts vectors from body axes to inertial axes. Its length does not matter. */
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
 
-/* A 3 by 3 matrix by its columns. The columns of a rotation matrix are the images of the axes x, y, z. */
+/* A 3 by 3 matrix with the columns x, y, z. For a rotation matrix these are the turned unit vectors. */
 typedef struct VM_TAG(vmi_mat3) {
     vm_vec3 x, y, z;
 } vmi_mat3;
@@ -1116,7 +1148,7 @@ VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - 
 VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
 VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/* The vector a/c, with each component rounded once */
+/* The vector a/c. Each component is rounded only once; multiplication by 1/c would round it twice. */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
 VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
@@ -1126,13 +1158,13 @@ VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 
 VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
 
-/* The sum |x| + |y| + |z| of the sizes of a's components */
+/* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of a. It does not overflow if only its square would overflow. */
+/* The length of a. The result is also right if the square of the length would overflow. */
 VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
-/* The largest of the sizes |x|, |y| and |z| of a's components */
+/* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
 {
     const vm_vec3 b = vmi_abs(a);
@@ -1148,7 +1180,7 @@ VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-/* The product of the transposed matrix m^T and the vector a. For a rotation matrix m it undoes the rotation. */
+/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
@@ -1164,7 +1196,7 @@ VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
     return q;
 }
 
-/* The vector of the components x, y, z of q */
+/* The vector that consists of the components x, y, z of q */
 VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
@@ -1195,7 +1227,7 @@ VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
     return q;
 }
 
-/* Divides q by the size of its largest component, so that the square of its length neither overflows nor
+/* Divides q by the absolute value of its largest component, so that the square of its length neither overflows nor
    underflows. Four zeros become the identity. */
 VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
@@ -1217,7 +1249,7 @@ VM_API vm_quat vmi_unit_quat(vm_quat q)
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of q. `square` is the square of q's length: a normal number, not 0, subnormal or infinite. */
+/* The rotation matrix of q. `square`, the square of q's length, must be neither 0 nor subnormal, infinite or NaN. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -1230,15 +1262,14 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* The rotation matrix of a quaternion of any length. It is exactly the identity for (w, 0, 0, 0) and for four
-   zeros. */
+/* The rotation matrix of q, of any length. It is exactly the identity for (w, 0, 0, 0) and for four zeros. */
 VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
 
-/* Reads three numbers of a state as a vector. vmi_set3 writes a vector to a state. */
+/* Reads a vector from three numbers of a state array. vmi_set3 writes a vector to a state array. */
 VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 
 VM_API void vmi_set3(vm_real *y, vm_vec3 a)
@@ -1248,13 +1279,13 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Reads the four numbers w, x, y, z of a quaternion from a state */
+/* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
    A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
-   tells whether a body can have this tensor, moves it to parallel axes (40), and finds principal moments and axes.
+   tests whether a body can have a given tensor, moves it to parallel axes (40), and finds principal moments and axes.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
        vm_vec3 d = {0.5, 0, 0};              // m
@@ -1265,7 +1296,7 @@ VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y
 #ifndef VARMASS_MECHANICS_INERTIA_H
 #define VARMASS_MECHANICS_INERTIA_H
 
-/* A tensor of inertia, given by its entries, in kg m^2. The products of inertia have the sign of the tensor's entries:
+/* A tensor of inertia, given by its entries, in kg m^2. The products of inertia include the minus sign of the tensor:
    xy = -integral of x y dm. */
 typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
@@ -1295,7 +1326,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T, with the unit matrix E. It is the inertia of a unit mass at d about the origin. */
+/* P(d) = |d|^2 E - d d^T, where E is the unit matrix. It is the inertia about the origin of 1 kg at the point d. */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -1308,7 +1339,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-/* The tensor m^T i m: the entries of the tensor i along new axes, which are the columns of the matrix m */
+/* The tensor m^T i m. It has the entries of the tensor i along new axes, which are the columns of the matrix m. */
 VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
@@ -1322,8 +1353,8 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
     return t;
 }
 
-/* For each entry of the tensor m^T i m, the sum of the absolute values of its terms. The rounding error of the entry is
-   a few eps times this sum. */
+/* Returns, for each entry of the tensor m^T i m, the sum of the absolute values of the entry's terms. The rounding
+   error of an entry is a few eps times its sum. */
 VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -1340,10 +1371,10 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
     return vmi_inertia_along(&a, &b);
 }
 
-/* The sum |xx| + |yy| + |zz|, which is the trace if i is the inertia of a body */
+/* The sum |xx| + |yy| + |zz|. It equals the trace if i is the inertia of a body. */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes it there. */
+/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes a tensor to a state array. */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -1366,17 +1397,17 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* The tolerance, in kg m^2, for the rounding errors of an inertia tensor. `i` is this tensor itself. If its entries are
-   sums, `i` may be the tensor of the sizes of their terms (vmi_inertia_sizes) instead. */
+/* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
+   as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
-/* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). The matrix tr(i)/2 E - i, with the
-   unit matrix E, is the integral of r r^T dm and must have no negative eigenvalue. The function adds slack, which
-   exceeds the rounding errors, to the trace tr(i). Then Gaussian elimination must give positive pivots only. */
+/* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
+   (trace tr, unit matrix E) has no negative eigenvalue. The function adds slack to the trace, so that rounding errors
+   do not matter, and tests whether Gaussian elimination gives positive pivots only. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
-    vm_real x, y, z, yz; /* the pivots x, y, z; yz: minus the entry yz of the matrix after one elimination */
+    vm_real x, y, z, yz; /* x, y, z: the pivots; yz: minus the matrix entry yz after the first elimination */
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -1389,15 +1420,15 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 
 /* Test whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
    null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
-   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points are bodies, too. */
+   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
 /* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
-   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). -mass undoes the shift.
-   Returns NaN for a null pointer, and in every entry that depends on a NaN. */
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass goes back
+   to the mass centre. Returns NaN for a null pointer. A NaN in an argument makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1413,8 +1444,8 @@ typedef struct VM_TAG(vmi_principal) {
 } vmi_principal;
 
 /* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
-   The columns of v are the axes and turn as well. t, c, s are the tangent, cosine and sine of the rotation angle, which
-   is the smaller of the two possible ones. */
+   The columns of v are the axes; they are turned by the same angle. t, c and s are the tangent, cosine and sine of this
+   angle. Of the two angles that are possible, the function uses the smaller one. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -1435,10 +1466,10 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes of the tensor i, found by Jacobi rotations, which converge quadratically */
+/* Principal moments and axes of the tensor i. They are found by Jacobi rotations, which converge quadratically. */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
-    const int most_sweeps = 12; /* quadratic convergence needs fewer sweeps */
+    const int most_sweeps = 12; /* more than enough, because convergence is quadratic */
     vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     vmi_principal result;
     int sweep, p, q;
@@ -1484,11 +1515,11 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A computed sum is only a rounding error if it is smaller than this share of the sum of its terms' sizes. */
+/* A sum that is below this share of the sum of its terms' absolute values counts as nothing but a rounding error. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
-/* Returns 1 if a moment about an axis is smaller than the rounding errors of its tensor, and also if it is negative or
-   NaN. The entries of the tensor are sums of terms; the entries of *sizes are the sums of the terms' sizes. */
+/* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN. The
+   entries of the tensor are sums. Those of *sizes are the sums of the absolute values of the same terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
@@ -1515,7 +1546,7 @@ VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
     return changed;
 }
 
-/* The angular velocity for the angular momentum h. Components of h along axes with a zero moment are ignored. */
+/* The angular velocity of a body with the angular momentum h. Axes with a zero moment of inertia are left out. */
 VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
@@ -1525,9 +1556,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     return omega;
 }
 
-/* Solves i omega = h, with inertia i and angular momentum h, for the angular velocity *omega, and refines it once.
-   About an axis with zero moment (of a rod or a point) the angular velocity keeps its value in `before`. The body
-   cannot have angular momentum about it: returns 1 if h has a component larger than noise there, else 0. */
+/* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
+   momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
+   can have angular momentum. Returns 1 if the component of h along such an axis exceeds noise, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -1545,13 +1576,13 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 
 /* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
 
-/* The factors of an inertia tensor L D L^T with a unit triangular matrix L and a diagonal matrix D: the entries xy, xz,
-   yz of L, and the diagonal entries x, y, z of the inverse of D */
+/* The factors of an inertia tensor L D L^T. L is a lower triangular matrix with ones on the diagonal; xy, xz, yz are
+   its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of its inverse. */
 typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
-/* Computes the factors f of the tensor i. Returns 0 if a pivot is not positive or is only a rounding error, else 1. */
+/* Computes the factors f of the tensor i. Returns 0 if an entry of D is <= 0 or only a rounding error, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -1567,7 +1598,7 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* The solution w of i w = h, computed from the factors f of the tensor i */
+/* The angular velocity w for the angular momentum h: the solution of i w = h for the tensor i with the factors f */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -1578,18 +1609,18 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
-/* Returns 1 if a thin body can have the inertia i within rounding errors. For a flat body one moment equals the sum of
-   the other two, except for the rounding errors of all integration steps so far. The tolerance, sqrt(eps) of the trace,
-   allows for about 1/sqrt(eps) such errors. */
+/* Returns 1 if a body, perhaps a thin one, can have the inertia i within a tolerance. One moment of a flat body equals
+   the sum of the other two, but the rounding errors of all steps of an integration add up and disturb this equality.
+   The tolerance is sqrt(eps) times the trace, which is enough for about 1/sqrt(eps) steps. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
     return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 
-/* Returns 1 if a body can have the inertia i. The principal moments of i must be positive. This test is for use in
-   every step of an integration. A cheap criterion is enough for most bodies: tr(i)/2 E - i, with the unit matrix E, is
-   positive definite if each of its diagonal entries is larger than the sum of the absolute products of inertia. */
+/* Returns 1 if a body can have the inertia i, which must have positive principal moments. Every step of an integration
+   calls this test, so a cheap condition comes first: tr(i)/2 E - i (trace tr, unit matrix E) is positive definite if
+   each of its diagonal entries exceeds |xy| + |xz| + |yz|. Most bodies fulfil this. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -1620,9 +1651,9 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 typedef struct VM_TAG(vm_body) {
     vm_real mass;       /* mass > 0, kg */
     vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
-    vm_quat q;          /* attitude: turns body axes into inertial ones; any length; four zeros mean the identity */
+    vm_quat q;          /* attitude: converts vectors from body to inertial axes; any length; all zero: identity */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
-    vm_vec3 v;          /* velocity, defined as momentum/mass, m/s, inertial axes */
+    vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
@@ -1650,16 +1681,16 @@ typedef struct VM_TAG(vm_impulse2) {
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* Balance across an instant: the total momentum, angular momentum and energy of the bodies after it minus those before
-   it. The external impulse and its moment are subtracted, too, so that the changes of momentum and angular momentum are
-   zero, except for rounding errors, if the bodies obey the laws of mechanics. */
+/* The balance across an instant: total momentum, angular momentum and energy of the bodies after the instant minus
+   those before it. The external impulse and its moment are subtracted, too. If the bodies obey the laws of mechanics,
+   the changes of momentum and angular momentum are therefore zero, except for rounding errors. */
 typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
     vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
     vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
-    /* The sum over all bodies of tr(I) |omega| + (|r| + |r - about|) M |v|, with inertia I, mass M and the point
-       `about`, plus a term for the impulse, N m s. It contains |r| M |v|, because the rounding error eps |r| of the
-       position r changes the angular momentum about any point by eps |r| M |v|. */
+    /* The rounding error of angular_momentum is a few eps times this scale, N m s. The scale is the sum over all bodies
+       of tr(I) |omega| + (|r| + |r - about|) M |v| plus a term for the impulse; I is the inertia, tr the trace and M
+       the mass. The term |r| M |v| is there because the position r has the rounding error eps |r|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -1682,15 +1713,15 @@ VM_API vm_vec3 vm_momentum(const vm_body *body)
 }
 
 /* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
-   axes, with the inertia I and the mass M. The body is not checked: NaN in the body gives NaN, and so does a null
-   pointer. */
+   axes, with the inertia I, the mass M and the cross product x. The body is not checked: NaN in the body gives NaN, and
+   so does a null pointer. */
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
 }
 
-/* Kinetic energy of a body (93), (97), J. It is (M v^2 + omega.I omega)/2, with the mass M and the inertia I. The
+/* Kinetic energy of a body (93), (97), J. It is (M v.v + omega.(I omega))/2, with the mass M and the inertia I. The
    body is not checked: NaN in the body gives NaN, and so does a null pointer. */
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
@@ -1700,8 +1731,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- conversion of bodies between the plane and space ---- */
 
-/* Converts a body of the plane to a body of space. Only the entry zz of its inertia is set, because motion in the plane
-   needs no other entry. */
+/* Converts a body of the plane to a body of space, with inertial axes as its body axes. Only the entry zz of its
+   inertia is set, because motion in the plane needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -1713,7 +1744,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body of space to one of the plane, with the given angle. Motion out of the plane is left out. */
+/* Converts a body of space to a body of the plane with the given angle. Motion out of the plane is left out. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -1796,8 +1827,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* Returns VM_OK if all bodies are valid. Else returns the error of a body. If there are several errors, vmi_first_error
-   selects one. Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
+/* Returns VM_OK if all bodies are valid, else the error of a body; of several errors, vmi_first_error selects one.
+   Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -1817,7 +1848,7 @@ VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
     return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
 }
 
-/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the scales. */
+/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
@@ -1830,7 +1861,7 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
-/* Subtracts an impulse and its moment from a balance, and adds their sizes to the scales */
+/* Subtracts an impulse and its moment from a balance. Their absolute values are added to the two scales. */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
     sum->momentum = vmi_sub(sum->momentum, j->linear);
@@ -1846,8 +1877,8 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
-/* Balance of momentum, angular momentum and energy across an instant. *balance has the sums over the n_after bodies
-   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If nothing was lost, the changes of
+/* Balance of momentum, angular momentum and energy across an instant. *balance gets the sums over the n_after bodies
+   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If no momentum is lost, the changes of
    momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
    bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
    bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
@@ -1894,8 +1925,9 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
            2;
 }
 
-/* A body of the plane as a lamina of space in the plane z = 0. Its inertia has xx = yy = zz/2, its quaternion q has
-   length 1, and it moves as *body does. *body is not checked. A null pointer gives NaN. */
+/* Converts a body of the plane to a body of space: a thin plate in the plane z = 0. Its inertia has the
+   entries xx = yy = zz/2, its quaternion q has length 1, and it moves as *body does. *body is not checked. A null
+   pointer gives NaN. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1909,13 +1941,13 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 
 #endif
 /* mechanics/jumps.h - parts separate from a body or are attached to it, in space
-   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, by (13)-(15),
-   (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of parts may
-   separate or be attached at once.
+   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, as given by
+   (13)-(15), (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of
+   parts may separate or be attached at once.
 
        vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
-       int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: how the rest moves on
+       int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: `rest` has the motion after the separation
 
    Jumps in the plane are in jumps2.h, and jumps that are given by relative motions in relative.h. The inverse question
    (how must a part leave?) is in inverse.h, and the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c,
@@ -1924,23 +1956,22 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 #define VARMASS_MECHANICS_JUMPS_H
 
 /* How a jump is computed. A body has the mass M, velocity v, inertia I, angular velocity omega, and its mass centre S
-   is at r. Another body (m, v2, I2, omega2, S2) is attached to it (sign = 1) or separates from it (sign = -1). After
-   this the first body has the mass M1 = M + sign m, v1, I1, omega1, and its mass centre S1 is at r1. Every inertia is
-   about its body's own mass centre. The vector d leads from S to S2, and P(d) = |d|^2 E - d d^T with the unit matrix E.
-   An impulse `linear` with the moment `moment` about S1 may act. Then
+   at r. The other body has m, v2, I2, omega2, S2. It is attached to the first body (sign = 1) or separates from it
+   (sign = -1). After the jump the first body has the mass M1 = M + sign m, v1, I1, omega1, and S1 at r1. Each inertia
+   is about the body's own mass centre. The vector d leads from S to S2. x is the cross product, E the unit matrix, and
+   P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
    A separation is therefore an attachment of negative mass and inertia.
 
-   The equations keep this form in a frame that moves and that turns with any angular velocity Omega, if all omegas and
-   v2 - v are taken relative to this frame: (42) in space. The computation uses a frame in which the terms that cancel
-   are small, so that few digits are lost. This frame moves with the heaviest body, and at a separation it turns with
-   the whole. */
+   These equations also hold in a frame that moves, and turns with any angular velocity Omega, if all omegas and v2 - v
+   are taken relative to the frame (42). The code uses a frame in which terms that cancel are small, so that few digits
+   are lost: it moves with the heaviest body, and at a separation it also turns with the whole. */
 enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters named `sign` */
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q;           /* attitude of the first body; inertias are added along its axes */
+    vm_quat q;           /* attitude of the body that the jump changes; inertias are added along its axes */
     vmi_mat3 turn;       /* the rotation matrix of q */
     vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;
@@ -1948,11 +1979,11 @@ typedef struct VM_TAG(vmi_frame) {
 /* A lump: the mass, motion and inertia of a body, or of several bodies joined, relative to the frame of a jump */
 typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
-    vm_vec3 r, v;       /* position and velocity of the mass centre, less r and v of the frame */
+    vm_vec3 r, v;       /* position and velocity of the mass centre, minus r and v of the frame */
     vm_vec3 h;          /* angular momentum about the mass centre, relative to the frame; inertial axes */
     vm_inertia inertia; /* inertia about the lump's mass centre, along the axes given by the frame's q */
-    vm_inertia sizes;   /* for each entry of inertia, the sum of the sizes of its terms */
-    vm_real noise;      /* the sum of the sizes of the terms of h; the rounding error of h is a few eps of noise */
+    vm_inertia sizes;   /* for each entry of inertia, the sum of the absolute values of its terms */
+    vm_real noise;      /* the sum of the absolute values of the terms of h; the error of h is a few eps times noise */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
@@ -1962,7 +1993,7 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
     vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
-    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes turn is exactly the identity */
+    if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes `turn` stays the identity */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
         turn.z = vmi_times_transposed(&own, frame->turn.z);
@@ -1977,8 +2008,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* Returns P(d) = |d|^2 E - d d^T along the frame's axes. Sets each entry of *sizes so that the rounding error of the
-   entry of P(d) is a few eps of it. The vector d is a difference of positions of the size `reach`. */
+/* Returns P(d) = |d|^2 E - d d^T, with the unit matrix E, along the frame's axes. d is a difference of positions;
+   `reach` holds the sums of their absolute coordinates. The errors of P(d) are a few eps times *sizes. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -1988,7 +2019,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* d^2 + 2 d reach + reach^2; the next line removes reach^2 */
+    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* (|d| + reach)^2; the next line subtracts reach^2 again */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -1996,8 +2027,8 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much a->noise grows when b joins a: by b->noise and by the sizes of the terms of (reduced mass) d x slip.
-   d leads from a to b, a difference of positions of the size `reach`; slip is b's velocity relative to a. */
+/* Returns how much a->noise grows when b joins or leaves a with the velocity `slip` relative to a: by b->noise and by
+   the absolute values of the terms of reduced d x slip. vmi_join computes d, `reduced` and `reach`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2012,7 +2043,7 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
-    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* mass share of b; reduced mass */
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of mass; reduced mass */
     const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
     const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
@@ -2034,7 +2065,7 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     return VM_OK;
 }
 
-/* Adds an impulse to the velocity and the angular momentum of the lump a */
+/* Adds the effect of an impulse to the velocity and the angular momentum of the lump a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
     const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
@@ -2095,8 +2126,8 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
     return status;
 }
 
-/* Finds the principal axes of a lump and changes its moments to moments that a body can have exactly. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two, and VM_OK otherwise. */
+/* Finds the principal axes of a lump, and corrects rounding errors that make its moments of inertia impossible. Returns
+   VM_OK, VM_NOT_FINITE, or VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -2106,8 +2137,8 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity, relative to the frame and in inertial axes, of a lump with principal axes p.
-   `before` is this angular velocity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
+/* Sets *omega to the angular velocity, relative to the frame and along inertial axes, of a lump with principal axes p.
+   `before` is the same quantity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
    moment of inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
@@ -2150,21 +2181,22 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains of the whole. *part is the part with its motion after the
-   separation. *rest gets its mass, mass centre (15), inertia by parallel axes (40), velocity (24) and angular velocity
-   (34), and the whole's attitude. The impulse, if there is one, acts during the separation. The law is exact in space:
-   momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
-   be equal to whole or to part.
+/* Separation of a part from a body: *rest is what remains of the whole. *part must have its motion after the
+   separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular velocity (34) of
+   *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation. The law is exact
+   in three dimensions: momentum and angular momentum of rest and part together are those of the whole plus the impulse.
+   The pointer rest may be equal to whole or to part.
 
-   If the part moves on as before the separation, the rest keeps its motion, even if only little inertia is left. The
-   computation adds only motions relative to the whole. Neither high speed nor a position far from the origin therefore
-   costs digits of omega. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia, plus the
-   effect of a change of the positions by eps of their size. A principal moment below this error becomes 0.
+   If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
+   High speed or a position far from the origin costs no digits of omega, because only motions relative to the whole are
+   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
+   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment below this
+   error becomes 0.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
-   balance leaves it angular momentum about an axis without inertia, which it cannot have. Its spin about this axis is
-   then that of the whole. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or
-   that of the rest) is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
+   equations demand angular momentum about an axis without inertia, which *rest cannot have. *rest then turns about it
+   as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of
+   the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
    if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
@@ -2173,16 +2205,16 @@ VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impul
 
 /* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). `body` and `added`
    have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has the
-   attitude of `body`. The statuses are those of vm_separate. With VM_NULL_AXIS the whole is a rod or a point, and the
-   spin about its null axis remains that of `body`. */
+   attitude of `body`. The statuses are those of vm_separate. VM_NULL_AXIS means that the whole is a rod or a point that
+   would need angular momentum about an axis without inertia. The spin about this axis remains that of `body`. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
-   vm_separate give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
-   vm_separate, and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of vm_separate
+   in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_separate,
+   and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
@@ -2190,8 +2222,8 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
 }
 
 /* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors, n calls of
-   vm_attach give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_attach,
-   and VM_BAD_ARGUMENT for n < 0. */
+   vm_attach in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
+   vm_attach, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -2210,7 +2242,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Sets *joined and *centre to inertia and mass centre of body a, at 0, after body b, at d, joins or leaves it */
+/* Body b at d joins body a at 0 or leaves it. Sets *joined to the resulting inertia and *centre to the mass centre. */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -2228,8 +2260,8 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
 }
 
 /* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along one
-   set of axes, each about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The result
-   *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
+   set of axes, and each is about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The
+   result *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
    VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
@@ -2249,16 +2281,16 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 #endif
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
    This is jumps.h for the plane, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
-   The code of jumps.h joins the masses. Only the last step, from angular momentum to angular velocity, differs.
+   Functions of jumps.h join the masses. Only the last step, from angular momentum to angular velocity, differs.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
-       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: how the rest moves on
+       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: `rest` has the motion after the separation
 
    Tests: tests/test_jumps2.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS2_H
 #define VARMASS_MECHANICS_JUMPS2_H
 
-/* An impulse in the plane, written as one in space */
+/* Converts an impulse in the plane to an impulse in space */
 VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 {
     vm_impulse lifted;
@@ -2269,7 +2301,7 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 }
 
 /* Sets the moment of inertia of a lump of the plane to 0 if it is smaller than its rounding errors. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
+   VM_NOT_FINITE if the moment is not finite, VM_BAD_INERTIA if it is clearly negative, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -2278,9 +2310,9 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity of a lump relative to the frame, (44). If the lump has no inertia, *omega becomes
-   `before`, the value before the jump. Returns 1 if a lump without inertia has angular momentum, which is impossible,
-   else 0. */
+/* Sets *omega to the angular velocity of a lump relative to the frame of the jump, (44). For a lump without inertia,
+   *omega becomes `before`, which is this angular velocity before the jump. Returns 1 if a lump without inertia has
+   angular momentum, which is impossible, else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
     if (lump->inertia.zz > 0) {
@@ -2347,15 +2379,15 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part is the part with
-   its motion after the separation. The impulse, if there is one, acts during the separation. Momentum and angular
-   momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or
-   to part. The accuracy is that of vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part must have the
+   motion of the part after the separation. The impulse, if there is one, acts during the separation. Momentum and
+   angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to
+   whole or to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the balance
-   leaves it angular momentum about itself, which it cannot have. Its omega is then that of the whole. The errors are
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the rest) is not positive, and
-   VM_BAD_INERTIA if an inertia (or that of the rest) is negative. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the equations
+   demand angular momentum about this point itself, which a point cannot have. rest->omega is then whole->omega. The
+   errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is
+   not positive, and VM_BAD_INERTIA if an inertia, that of the rest included, is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
@@ -2364,26 +2396,26 @@ VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_im
 
 /* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. `body` and
    `added` have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has
-   the angle of `body`. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
-   position, and omega remains that of `body`. */
+   the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one
+   position, and that the impulse would turn them; omega remains that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
     return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n
-   calls of vm_separate2 give the same result. With n = 0 only the impulse acts on the body. The statuses are those
-   of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
+   of vm_separate2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
+   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding
-   errors, n calls of vm_attach2 give the same result. With n = 0 only the impulse acts on the body. The statuses
-   are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors, n
+   calls of vm_attach2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are
+   those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -2391,29 +2423,29 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 }
 
 #endif
-/* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
-   This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
-   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). Use these laws if only the
-   velocity of a part relative to the whole is known.
+/* mechanics/relative.h - motion relative to a moving body, and jumps given by relative motions
+   This chapter gives the motion of one body as seen from another body, in a frame that moves and turns with it (25),
+   (26), (41), and the equations of a jump between such relative motions, (28)-(31), (42)-(44). Use these equations if
+   you know only the velocity of a part relative to the whole.
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
        part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
        part.v.x = part.v.y = part.omega.x = part.omega.y = part.omega.z = 0;
-       part.v.z = 2;                                     // it leaves at 2 m/s, relative to the whole
+       part.v.z = 2;                                     // the part leaves at 2 m/s, relative to the whole
        if (vm_separate_relative(&whole, &part, NULL, &rest) == VM_OK) vm_to_absolute(&whole, &rest, &rest);
 
    Tests: tests/test_relative.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_RELATIVE_H
 #define VARMASS_MECHANICS_RELATIVE_H
 
-/* Velocity at the point r of the frame that moves rigidly with a body. In (25) it is the dragging velocity. */
+/* Velocity of the frame that moves and turns with a body, at the point r. It is called dragging velocity in (25). */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
 }
 
-/* The motion of b relative to the frame that moves rigidly with the body `to`. Nothing is checked. */
+/* The motion of b relative to the frame that moves and turns with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
@@ -2421,7 +2453,7 @@ VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
     return b;
 }
 
-/* The absolute motion of b, whose motion is given relative to the body `to`. Nothing is checked. */
+/* The absolute motion of b, if the motion of b is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
@@ -2447,13 +2479,13 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
     return VM_OK;
 }
 
-/* Motion of a body relative to the frame that moves rigidly with the body `to`. The body has position r, velocity v and
-   angular velocity omega; `to` has r_S, v_S and Omega. v and omega of *relative become
+/* Motion of a body relative to the frame that moves and turns with the body `to`. The body has the position r, velocity
+   v and angular velocity omega; for `to` these are r_S, v_S and Omega. The function replaces v and omega by
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
-   and all other fields are copied. The vectors remain along the inertial axes, and r remains the position from the
-   inertial origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE if a number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses
-   and inertias are not checked further. */
+   and copies all other fields. The vectors remain along the inertial axes, and r remains the position from the inertial
+   origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a
+   number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses and inertias need
+   only be finite. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -2472,7 +2504,7 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`. vx, vy and omega change
+/* Motion of a body in the plane, relative to the frame that moves and turns with the body `to`. vx, vy and omega change
    as in vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
@@ -2496,8 +2528,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump from motions relative to `body`. In its own frame `body` is at rest, and the equations of a jump have
-   the same form as in an inertial frame. */
+/* Computes a jump from and to motions relative to `body`. In its own frame `body` is at rest, and the equations of a
+   jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2508,7 +2540,7 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Computes a jump in the plane from motions relative to `body`, which is at rest in its own frame */
+/* Computes a jump in the plane from and to motions relative to `body`, which is at rest in its own frame */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2519,36 +2551,36 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
     return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of *rest are
-   relative to the whole. v and omega of *whole are not read. Everything else, the statuses included, is as in
-   vm_separate. */
+/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of the result
+   *rest are relative to the whole, so that v and omega of *whole are not read. In all else, the statuses included, the
+   function is like vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of *whole
-   are relative to `body`. v and omega of *body are not read. Everything else, the statuses included, is as in
-   vm_attach. */
+/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of the
+   result *whole are relative to `body`, so that v and omega of *body are not read. In all else, the statuses included,
+   the function is like vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
     return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of *rest are
-   relative to the whole. vx, vy and omega of *whole are not read. Everything else, the statuses included, is as in
-   vm_separate2. */
+/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of the result *rest
+   are relative to the whole, so that vx, vy and omega of *whole are not read. In all else, the statuses included, the
+   function is like vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole are
-   relative to `body`. vx, vy and omega of *body are not read. Everything else, the statuses included, is as in
-   vm_attach2. */
+/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of the result
+   *whole are relative to `body`, so that vx, vy and omega of *body are not read. In all else, the statuses included,
+   the function is like vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
@@ -2569,7 +2601,7 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 #ifndef VARMASS_MECHANICS_INVERSE_H
 #define VARMASS_MECHANICS_INVERSE_H
 
-/* The velocity v2 with which the part must leave so that the rest gets the velocity v1 = rest_v. By (24) it is
+/* The velocity v2 that the part must have so that the rest gets the velocity v1 = rest_v. By (24) it is
    v2 = v + (linear - M1 (v1 - v))/m, with the velocity v of the whole, the impulse `linear`, the mass M1 of the rest
    and the mass m of the part. */
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
@@ -2580,9 +2612,10 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
     return vmi_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* The angular momentum that the part must have relative to the whole so that the rest turns with rest_omega. It is
-   h - I1 (rest_omega - Omega), where Omega is the angular velocity of the whole and I1 the inertia of the rest. h is
-   the angular momentum that the rest has if the part turns with Omega. */
+/* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with rest_omega.
+   It is h - I1 (rest_omega - Omega). Omega is the angular velocity of the whole, and I1 the inertia of the rest. h is
+   the field of *rest: the angular momentum that the rest would have relative to the whole if the part left with the
+   angular velocity Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
     const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
@@ -2590,7 +2623,7 @@ VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *re
 }
 
 /* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
-   The caller has checked the bodies. Only the velocity of the part may be infinite or NaN. */
+   The caller must have checked the bodies, except for the velocity of the part. Returns an error or VM_OK. */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
@@ -2605,8 +2638,8 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* Gives the part the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part would
-   need angular momentum about an axis with zero moment of inertia. */
+/* Sets part->omega to the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part
+   would need angular momentum about an axis with zero moment of inertia, VM_OK, or an error. */
 VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
     vmi_frame own = *frame; /* the frame of the jump, with the axes of the part */
@@ -2627,9 +2660,9 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 }
 
 /* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving becomes a copy of *part
-   with another motion. Its velocity makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity makes the
-   rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the velocity, or the
-   angular velocity, of *part.
+   with another motion. The velocity of *moving makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity
+   makes the rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the
+   velocity, or the angular velocity, of *part.
      - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, cases 5 and 7; Table 4, case 2).
      - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
      - If both have the values of the whole, the rest moves on as the whole did (Table 3, case 7).
@@ -2662,7 +2695,7 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
 
 /* ---- the plane ---- */
 
-/* Sets vx and vy of *part, in the plane, to the velocity that gives the rest the velocity rest_v */
+/* Sets vx and vy of *part to the velocity that the part must have so that the rest moves at rest_v, in the plane */
 VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
                            vm_body2 *part)
 {
@@ -2691,8 +2724,8 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
 
-/* Gives the part, in the plane, the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if
-   the part is a point but would need angular momentum about itself. */
+/* Sets part->omega, in the plane, to the angular velocity that makes the rest turn with rest_omega. Returns
+   VM_NULL_AXIS if the part is a point but would need angular momentum about itself, else VM_OK. */
 VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
                           vm_body2 *part)
 {
@@ -2708,10 +2741,10 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
 }
 
 /* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving becomes a
-   copy of *part with another motion. Its velocity makes the rest move at (rest_v_or_NULL[0], rest_v_or_NULL[1]), in m/s
-   along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in rad/s. If one of these two
-   pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The statuses are those of
-   vm_separation_for_rest. */
+   copy of *part with another motion. The velocity of *moving makes the rest move at (rest_v_or_NULL[0],
+   rest_v_or_NULL[1]), in m/s along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in
+   rad/s. If one of these two pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The
+   statuses are those of vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)
@@ -2737,11 +2770,12 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of a part that leaves the rest with a wanted spin, in the plane (Table 3, case 7). The rest then turns with
-   rest_omega (rad/s), while the part keeps its own spin. S and S2 are the mass centres of whole and part. The velocity
-   of *moving relative to the whole, v_r, is the smallest that causes this spin. v_r is orthogonal to the line SS2; any
-   velocity along SS2 may be added to it. The velocity in *part is not read. Returns VM_SINGULAR if S and S2 are one
-   point, so that no velocity turns the rest. The other statuses are those of vm_separate2. */
+/* Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s). *moving becomes a copy
+   of *part with the new velocity; the velocity in *part is not read. The part keeps its angular velocity. Let S and S2
+   be the mass centres of whole and part, and v_r the velocity of *moving relative to the turning whole. Only the
+   component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. This is case 7 of
+   Table 3. Returns VM_SINGULAR if S and S2 are one point, so that no velocity turns the rest. The other statuses are
+   those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -2756,16 +2790,16 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     b = *part;
     dx = b.x - whole->x; /* the vector SS2 */
     dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy; /* first v_r = 0: the part moves as the whole does */
+    b.vx = whole->vx - whole->omega * dy; /* at first v_r = 0: the part moves as if it were fixed to the whole */
     b.vy = whole->vy + whole->omega * dx;
     parts = vmi_bodies_in_plane(1, &b);
     status = vmi_check_jump2(whole, &parts, external_or_NULL);
     if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
-    /* The velocity v_r = c k x SS2 must supply the angular momentum h that the spins of part and rest do not account
-       for. v_r supplies m M/M1 SS2 x v_r. M, m, M1 are the masses of whole, part and rest; k is the unit vector along
-       z. */
+    /* h is the angular momentum, relative to the turning whole, that is still missing after the angular velocities of
+       part and rest are set. The velocity v_r = c k x SS2 of the part must supply it: m M/M1 SS2 x v_r = h k. M, m and
+       M1 are the masses of whole, part and rest; k is the unit vector along z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
     b.vx -= c * dy;
@@ -2778,7 +2812,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #endif
 /* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
    Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds, and an
-   attachment takes, the kinetic energy of the motions relative to the whole: (113), (118), Carnot's theorem.
+   attachment takes, the kinetic energy that the bodies have relative to the whole: (113), (118), Carnot's theorem.
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -2788,8 +2822,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #ifndef VARMASS_MECHANICS_JUMP_ENERGY_H
 #define VARMASS_MECHANICS_JUMP_ENERGY_H
 
-/* The sum of the kinetic energies of the n `bodies` and of one_more in their motions relative to `whole`. Returns NaN
-   for a null pointer or n < 0. */
+/* The sum of the kinetic energies that the n `bodies` and `one_more` have in their motions relative to `whole`. Returns
+   NaN for a null pointer or n < 0. */
 VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
@@ -2804,8 +2838,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     return sum + vm_kinetic_energy(&b);
 }
 
-/* Work of an impulse on a body, J: v.linear + omega.moment, with the moment about the mass centre. Returns 0 for a null
-   pointer. */
+/* Work of an impulse on a body, J: v.linear + omega.moment. v and omega are the velocity and angular velocity of the
+   body; the moment of the impulse is taken about its mass centre. Returns 0 for a null pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -2814,18 +2848,18 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
-/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113), (118).
-   It is computed as the kinetic energy of their motions relative to the whole, plus the work of the impulse on the
-   whole. This holds exactly in space. At high speed it keeps digits that the difference of the energies loses. `whole`
-   is the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
+/* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
+   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the impulse on the whole.
+   The two are exactly equal, but the difference of energies loses digits at high speed. `whole` is the body before the
+   separation; `parts` and `rest` are the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
     return vmi_relative_energy(whole, n, parts, rest) + vmi_impulse_work(whole, external_or_NULL);
 }
 
-/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` less that of the whole
-   (Carnot's loss). It is computed as the kinetic energy of their motions relative to the whole, less the work of the
+/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` minus that of the whole
+   (Carnot's loss). It is computed as the kinetic energy of these bodies relative to the whole, minus the work of the
    impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it. Returns
    NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
@@ -2837,11 +2871,12 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 #endif
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
-   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is damped
-   viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the distance s
-   from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form (75), and the
-   break (52)-(64), corrected as in docs/errata.md. The motion of the rotor is in mechanics/broken_rotor_motion.h, and
-   the stability of the remainder's steady motion is in mechanics/broken_rotor_stability.h.
+   The rotor is a disc on a massless elastic shaft and moves in a plane. A torque drives it, and its rotation is damped
+   viscously (section 3.3.2 of the dissertation [1]). Before the break the shaft passes through the rotor's mass centre
+   (s = 0). After the break the shaft's centre is at the distance s from the mass centre of the remainder. This chapter
+   has the equations of motion (46), (65)-(68), their polar form (75), and the equations of the break (52)-(64),
+   corrected as in docs/errata.md. The motion in closed form is in mechanics/broken_rotor_motion.h, and the stability of
+   the remainder's steady motion is in mechanics/broken_rotor_stability.h.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
@@ -2855,75 +2890,82 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 
 #include <string.h>
 
-/* The rotor. The formulas use the abbreviations (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
-   k* = damping/inertia, M* = torque/inertia. */
+/* The rotor. The formulas use these abbreviations (67) of its fields: omega^2 = stiffness/mass, p^2 = mass/inertia,
+   k* = damping/inertia, M* = torque/inertia. A dash means the derivative with respect to time: psi' = dpsi/dt. */
 typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* mass M > 0, kg */
     vm_real inertia;   /* inertia I > 0 about the rotor's own mass centre, kg m^2 */
     vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
     vm_real damping;   /* damping k, N m s: at the angular velocity psi' the torque -k psi' acts on the rotor */
     vm_real torque;    /* driving torque, N m */
-    vm_real s;         /* distance from the mass centre to the shaft, which lies in the direction psi, m */
+    vm_real s;         /* distance from the mass centre to the shaft's centre, m. The vector from the mass centre to
+                          the shaft's centre points in the direction of the rotor's angle psi. */
 } vm_broken_rotor;
 
 /* Indices of the states of a rotor in the array y, and the number of states */
 enum {
-    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, from the rest position of the shaft, m */
-    VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, rad */
+    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, measured from the shaft's rest position, m */
+    VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, counterclockwise from the x axis, rad */
     VM_BROKEN_ROTOR_V = 3,     /* velocity x', y' of the mass centre, m/s */
     VM_BROKEN_ROTOR_OMEGA = 5, /* angular velocity psi', rad/s */
     VM_BROKEN_ROTOR_STATES = 6
 };
 
-/* Indices of the states in polar form. The angle psi and its rate have the indices VM_BROKEN_ROTOR_ANGLE and
-   VM_BROKEN_ROTOR_OMEGA. */
+/* Indices of the states in polar form. The angle psi and its rate psi' have the indices VM_BROKEN_ROTOR_ANGLE and
+   VM_BROKEN_ROTOR_OMEGA in this form, too. */
 enum {
-    VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 of the mass centre from the rest position of the shaft, m */
-    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the direction to the mass centre, rad */
+    VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 from the shaft's rest position to the mass centre, m */
+    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the vector from this position to the mass centre, rad */
     VM_BROKEN_ROTOR_RADIUS_RATE = 3,   /* rate r' of the distance, m/s */
-    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* rate phi' of the direction, rad/s */
+    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* rate phi' of the angle phi, rad/s */
 };
 
-/* The piece that breaks off. S is the mass centre of the whole, S2 that of the piece, and A the point at which the
-   whole touches the stator. */
+/* The piece that breaks off. S is the mass centre of the whole rotor, S2 the mass centre of the piece, and A the point
+   at which the whole rotor touches the stator. SS2 is the vector from S to S2, and SA the vector from S to A. */
 typedef struct VM_TAG(vm_broken_rotor_piece) {
     vm_real mass;     /* mass m of the piece, kg; 0 < m < M, where M is the mass of the whole */
     vm_real inertia;  /* inertia I_S2 >= 0 of the piece about its mass centre S2, kg m^2 */
-    vm_real distance; /* distance SS2 between the mass centres S and S2, m */
-    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17) */
-    vm_real radius;   /* distance SA of the point of contact A, called R in the formulas, m */
-    vm_real contact;  /* direction angle of SA in inertial axes, rad */
+    vm_real distance; /* length of SS2, m */
+    vm_real alpha;    /* angle from SS2 counterclockwise to SA, rad (Fig. 17) */
+    vm_real radius;   /* length of SA, called R in the formulas, m */
+    vm_real contact;  /* angle from the inertial x axis counterclockwise to SA, rad */
 } vm_broken_rotor_piece;
 
-/* The break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of vm_broken_rotor_piece, and S1 is
-   the mass centre of the remainder. The dissertation [1] assumes in (57): the point A of the piece keeps its velocity,
-   and the component of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and
-   angular momentum. */
+/* The result of the break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of
+   vm_broken_rotor_piece, and S1 is the mass centre of the remainder. M, I_S, m, I_S2 are mass and inertia of the whole
+   and of the piece; I_S1 is the inertia of the remainder. The dissertation [1] assumes in (57) that the point A of the
+   piece keeps its velocity, and that the component of S2's velocity perpendicular to S2A becomes zero. Everything else
+   follows from the conservation of momentum and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
                              and torque are those of the whole */
-    /* The state of the remainder. Its angle psi is the direction from its mass centre S1 to the shaft, which is the
-       direction of SS2. Its angular velocity is that of the whole, Omega_b, plus spin_rest [(59), (64) corrected]. */
+    /* The state of the remainder just after the break. The remainder's angle psi is the angle of SS2, because the line
+       from S1 to the shaft's centre is parallel to SS2. Its angular velocity is spin_rest plus the angular velocity
+       Omega_b of the whole before the break [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
     vm_real dragging;                      /* speed v_S2d of S2, the piece's mass centre, before the break (52), m/s */
-    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; the
-                                              velocity of S is taken into account */
-    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
-                                              tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
-    vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
-    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity before the break,
-                                              perpendicular to S2A, m/s; T > 0 is counterclockwise, unlike (55) */
-    vm_real spin_piece;                    /* Omega_r, the angular velocity of the piece relative to the whole, rad/s:
-                                              Omega_r = T/AS2 (57), (63) */
-    vm_real spin_rest;                     /* Omega_r1, angular velocity of the remainder relative to the whole, rad/s:
-                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where v_T
-                                              is the vector of size T perpendicular to S2A [(58) corrected] */
-    vm_real stop_inertia;                  /* the inertia I_S2 for which the remainder would stop turning, kg m^2. There
-                                              is none if the value is < 0 or not finite. For alpha = 0 it is
-                                              I_S (R - SS2)/R [after (64), corrected] */
+    vm_real gamma;                         /* angle from SA to the velocity of S2 before the break (52), (60), rad. This
+                                              velocity is the velocity of S plus Omega_b x SS2. */
+    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], with
+                                              tan beta = SS2 sin alpha/(R - SS2 cos alpha), where
+                                              SS2 and R are the lengths `distance` and `radius` */
+    vm_real normal;                        /* component N along S2A of the velocity of S2 before the break (54), m/s */
+    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta), perpendicular to S2A, of the
+                                              velocity of S2 before the break, m/s. T > 0 means counterclockwise; (55)
+                                              has the opposite sign. */
+    vm_real spin_piece;                    /* Omega_r = T/AS2 (57), (63), the angular velocity of the piece after the
+                                              break minus that of the whole before it, rad/s; AS2 is a distance */
+    vm_real spin_rest;                     /* Omega_r1, the angular velocity of the remainder after the break minus that
+                                              of the whole before it, rad/s. I_S1 Omega_r1 is m M/(M - m) times
+                                              the cross product SS2 x v_T, minus I_S2 Omega_r. v_T is the part of the
+                                              velocity of S2 perpendicular to S2A [(58) corrected]. */
+    vm_real stop_inertia;                  /* the inertia I_S2 of the piece for which the remainder would stop turning,
+                                              kg m^2. If the value is < 0 or not finite, no such inertia exists. For
+                                              alpha = 0 the value is I_S (R - SS2)/R [after (64), corrected]. */
 } vm_broken_rotor_break;
 
+/* Returns VM_OK if all fields are finite and have the signs given in vm_broken_rotor, else the error. */
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 {
     if (!VM_IS_FINITE(r->mass) || !VM_IS_FINITE(r->inertia) || !VM_IS_FINITE(r->stiffness) ||
@@ -2936,15 +2978,16 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor. Returns 0; or VM_BAD_ARGUMENT for a null
-   pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, or VM_BAD_INERTIA. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states; its ctx, here `rotor`, is a vm_broken_rotor. Returns 0; or
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, or
+   VM_BAD_INERTIA. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
     const int status = vmi_check_broken_rotor(r);
-    vm_real sine, cosine, fx, fy; /* fx, fy: the force (66) of the shaft, N */
+    vm_real sine, cosine, fx, fy; /* fx, fy: the force (66) of the shaft on the rotor, N */
     (void)t;
     if (status) return status;
     vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
@@ -2960,8 +3003,8 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor. Returns a
-   status of vm_broken_rotor_rhs, or VM_DOMAIN, which ends the run, if r is not positive. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; its ctx, here `rotor`, is a
+   vm_broken_rotor. Returns a status of vm_broken_rotor_rhs; or VM_DOMAIN, which ends the run, if r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -3015,7 +3058,7 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
    not positive, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
-    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* velocities: along = r', across = r phi' */
+    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: the velocities r' and r phi' */
     if (!y || !polar) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, polar)) return VM_NOT_FINITE;
     radius = polar[VM_BROKEN_ROTOR_RADIUS];
@@ -3065,9 +3108,10 @@ VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cos
     return b;
 }
 
-/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S,
-   the mass centre of the whole. Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose
-   state is `before`. */
+/* Sets `state` to the state of the piece, or of the remainder, just after the break. The state of the whole before the
+   break is `before`. The body (piece or remainder) has the angle psi, and the vector from S, the mass centre of the
+   whole, to the body's mass centre is (dx, dy). The break changes the velocity of the body's mass centre by (ux, uy)
+   and the angular velocity by `spin`. */
 VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                                    vm_real spin, vm_real *state)
 {
@@ -3080,8 +3124,8 @@ VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real d
     state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
 }
 
-/* Sets mass, inertia and eccentricity s of the remainder. Returns VM_BAD_INERTIA if its inertia is negative or not
-   larger than rounding errors, else VM_OK. */
+/* Sets the fields of the remainder *rest, among them its mass, its inertia and its s. Returns VM_BAD_INERTIA if its
+   inertia is negative or not larger than rounding errors, else VM_OK. */
 VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
@@ -3094,17 +3138,17 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
 }
 
 /* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
-   distance AS2. S and S2 are the mass centres of the whole and of the piece, A is the point of contact. d is the vector
-   SS2, v the velocity of S and `spin` the angular velocity of the whole before the break. The x axis of all vectors is
-   along SA, and the y axis is 90 degrees counterclockwise from it. */
+   distance AS2. The points S, S2 and A are explained at vm_broken_rotor_piece. The arguments are d, the vector SS2; v,
+   the velocity of S before the break; and `spin`, the angular velocity of the whole before the break. All vectors have
+   an x axis along SA and a y axis 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
 {
     const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
-    const vm_real reduced = p->mass / b->rest.mass * whole->mass;
+    const vm_real reduced = p->mass / b->rest.mass * whole->mass; /* m M/(M - m) in (58) */
     const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T, where v_T is the part of S2's velocity perpendicular to S2A */
+    vm_real moment; /* cross product SS2 x v_T, where v_T is the part of S2's velocity perpendicular to S2A */
     e->x = reach_x / reach;
     e->y = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);
@@ -3121,7 +3165,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 }
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
-   `before` is the state of the whole at the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
+   `before` is the state of the whole just before the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
    VM_BAD_MASS if the mass of the piece is not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative
    stiffness, VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN
    if the whole has s != 0 or if the piece's mass centre is at the point of contact A, and VM_OK otherwise. */
@@ -3164,17 +3208,17 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 #endif
 /* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
 
-   This chapter computes the motion at any time without an integrator. Before the break the shaft passes through the
-   mass centre, and the solution (46)-(51) is exact. After the break the linearised equations (69) hold for short times,
-   while the angle psi of the remainder is small. vm_broken_rotor_linear solves them completely.
-   vm_broken_rotor_linear_uncoupled has the solution (70)-(72) of the dissertation [1], which leaves out the term
-   s p^2 omega^2 y. For long times integrate vm_broken_rotor_rhs.
+   This chapter computes the state of the rotor after a given time without an integrator. Before the break the shaft
+   passes through the mass centre, and the solution (46)-(51) is exact (vm_broken_rotor_free_motion). After the break
+   the linearised equations (69) hold for short times, while the angle psi of the remainder is small.
+   vm_broken_rotor_linear solves these equations completely. vm_broken_rotor_linear_uncoupled has the solution (70)-(72)
+   of the dissertation [1], which leaves out the term s p^2 omega^2 y. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
        int status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
-   The linearised equations are, with omega, p, k*, M*, s and psi as explained at vm_broken_rotor:
+   The linearised equations (69) are as follows; omega, p, k*, M*, s and psi are explained at vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
@@ -3185,10 +3229,10 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 /* The coefficients (67) of the linearised equations */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real omega, k, torque, s; /* omega, k*, M* and s, as explained at vm_broken_rotor */
-    vm_real coupling;            /* the factor s p^2 omega^2 of y in (69); 0 if this term is left out */
+    vm_real coupling;            /* s p^2 omega^2, the factor of y in the equation of psi; 0 to leave out this term */
 } vmi_broken_rotor_linear;
 
-/* Indices in z, the array of the states that the linearised equations (69) couple: y, psi and their rates */
+/* Indices in the array z. It holds y, psi and their rates, the states that the linearised equations (69) couple. */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -3197,6 +3241,7 @@ enum {
     VMI_BROKEN_ROTOR_COUPLED = 4 /* the number of coupled states */
 };
 
+/* Returns the coefficients for the rotor *r, with the coupling term if coupled = 1 and without it if coupled = 0. */
 VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r, int coupled)
 {
     vmi_broken_rotor_linear a;
@@ -3209,16 +3254,17 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
     return a;
 }
 
-/* An upper bound of the rates at which solutions of the linearised equations change, per second */
+/* Returns an upper bound, in 1/s, of the rates at which solutions of the linearised equations grow, decay or oscillate.
+   The Taylor series below converges fast for times up to 1/(this bound). */
 VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
 /* Sets `change` to the change of the states z within the time h, by the Taylor series in h. The time must be short: |h|
-   times the rate vmi_broken_rotor_rate is at most 1. Then the n-th terms of y and of s psi are at most 1/n! times the
-   first terms, so that the number `terms` of terms is enough. y0, y1, y2 are three successive terms of y; psi0, psi1,
-   psi2 are three successive terms of psi. */
+   times vmi_broken_rotor_rate must be at most 1. The n-th terms of the series of y and of s psi are then at most 1/n!
+   times the first terms, so that a fixed number of terms is enough. In the loop y0, y1, y2 are three successive terms
+   of the series of y, and psi0, psi1, psi2 are three successive terms of the series of psi. */
 VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -3246,10 +3292,11 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* With the unit matrix E, the matrix m + E advances the states by some time. This function replaces m by the matrix for
-   twice this time, which is (m + E)^2 - E = 2 m + m m. E is left out of m because digits of m would be lost in m + E.
-   Row m[j] is the change that the states undergo if they start from the unit state j without torque. The last row is
-   the change that the torque causes if the states start from 0. */
+/* Replaces the matrix m, which belongs to some time, by the matrix for twice this time. m gives the change of states
+   within its time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The
+   last row of m is the change that the torque causes if all states start from 0. With the unit matrix E, m + E turns
+   old states into new ones. Twice the time therefore has the matrix (m + E)^2 - E = 2 m + m m. The matrix m + E itself
+   is not stored, because digits of m would be lost in the sum. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -3262,8 +3309,9 @@ VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_
         }
 }
 
-/* Advances the states z by the time t, for any coefficients. The time is halved until the Taylor series converges fast.
-   The series gives the matrix for this short time h, and every doubling of the time squares the matrix. */
+/* Advances the states z by the time t, for any coefficients *a. The function halves t until the Taylor series converges
+   fast. The series gives the matrix for the short time h that results. The function then doubles the time as often as
+   it has halved it; vmi_broken_rotor_double gives the matrix for each doubled time. */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
@@ -3291,8 +3339,8 @@ VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a
     }
 }
 
-/* The value (e^z - 1 - z)/z^2 from the given ratio = (e^z - 1)/z. For |z| <= 1 it is summed as a series, so that no
-   digits cancel. */
+/* Returns (e^z - 1 - z)/z^2. The argument `ratio` must be (e^z - 1)/z. For |z| <= 1 the function sums a power series in
+   z, because the subtractions in the formula would lose digits. */
 VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -3303,7 +3351,8 @@ VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
     return sum;
 }
 
-/* The value w - sin w from the given sine = sin w. For |w| <= 1 it is summed as a series, so that no digits cancel. */
+/* Returns w - sin w. The argument `sine` must be sin w. For |w| <= 1 the function sums a power series in w, because the
+   subtraction would lose digits. */
 VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
 {
     const int terms = VM_MANT_DIG > 24 ? 19 : 11;
@@ -3314,7 +3363,8 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the time t that describe a free oscillation with the angular frequency w, which may be 0 */
+/* Functions of the time t that describe a free oscillation with the angular frequency w. If w is 0, the fields have
+   their limits as w tends to 0. */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c;    /* cos(w t) */
     vm_real c1;   /* 1 - cos(w t) */
@@ -3340,11 +3390,13 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Advances the states z by the time t by the solution (71), (72), without the coupling term s p^2 omega^2 y. Where the
-   dissertation [1] has k* Omega, this function has M*. It is used if |t| times the rate vmi_broken_rotor_rate exceeds
-   1. With w = omega and k = k*, psi = psi0 + psi0' E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The
-   motion of y is driven by -s psi. The functions g0, g1, g2 start from rest and solve g'' + w^2 g = F, where F is w^2
-   E1' for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+/* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
+   Where the dissertation [1] has k* Omega, this function has M*. It is used if |t| times vmi_broken_rotor_rate exceeds
+   1. With w = omega, k = k*, the initial angle psi0 and its initial rate rate0, the angle is
+   psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the derivative of E1.
+   The angle drives y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the response of y: each
+   solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2.
+   Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -3363,7 +3415,8 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
-/* Checks the arguments of the three public functions for the motion below. Returns their status. */
+/* Checks the arguments of vm_broken_rotor_linear, vm_broken_rotor_linear_uncoupled and vm_broken_rotor_free_motion.
+   Returns their status. */
 VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
                                          const vm_real *end)
 {
@@ -3372,8 +3425,8 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the results of the three public functions below. If coupled = 1, it solves all of the linearised equations
-   (69). If coupled = 0, it leaves out their last term, -s p^2 omega^2 y. */
+/* Computes the results of these three functions. If coupled = 1, it solves the complete linearised equations (69). If
+   coupled = 0, it leaves out the term -s p^2 omega^2 y of the equation of psi. */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -3402,30 +3455,30 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 }
 
 /* State of the remainder t seconds after start, by the complete linearised equations (69).
-   The result holds for short times, while |psi| << 1. t may have any sign. The arrays start and end have
-   VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields damping, stiffness and s may be 0. The error is at
-   most twice the change that rounding every input, t included, would make. Solutions of (69) grow exponentially with t.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS
-   for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
+   The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
+   t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
+   as start. The fields damping, stiffness and s may be 0. The error is at most twice the change of the result that
+   rounding all inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the
+   result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
-   The dissertation leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
-   serves to compare the dissertation with vm_broken_rotor_linear. The error is at most the change that rounding every
-   input would make. Arguments and statuses are those of vm_broken_rotor_linear. */
+   The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
+   serves to compare [1] with vm_broken_rotor_linear. The error is at most the change of the result that rounding all
+   inputs would cause. Arguments and statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
-   t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields
-   damping and stiffness may be 0. The error is at most the change that rounding every input, t included, would make.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
-   VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
+   t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array as
+   start. The fields damping and stiffness may be 0. The error is at most the change of the result that rounding all
+   inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
@@ -3434,11 +3487,12 @@ VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, 
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are exact (46) */
 }
 
-/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers. The orbit is
-   x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must not be 0. Its
-   half axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed at the time t, which the
-   dissertation prints wrongly after (52), is
-     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
+/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m. They are written to the array abcd of 4
+   numbers. The orbit of the mass centre is, with w^2 = stiffness/mass and w > 0,
+     x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t).                                                   (50)
+   Its semi-axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed of the mass centre at
+   the time t, which the dissertation [1] prints wrongly after (52), is
+     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos(2 w t) + 2 (B0 C0 - A0 D0) sin(2 w t)).
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS if the stiffness is not
    positive, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
@@ -3468,10 +3522,10 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
    circle (76), (77). This chapter computes
      - the radius of this circle,
-     - the characteristic polynomial (81) of small motions about the steady motion, its roots, and Routh's first column,
+     - the characteristic polynomial (81) of small deviations from the steady motion, its roots, Routh's first column,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
      - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
-   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
+   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia; s is the field s of the rotor.
 
        vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
@@ -3508,7 +3562,7 @@ VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_re
     return -rotor->s * (share / (1 - share));
 }
 
-/* The quantities omega^2, Omega^2, k*, D and G in the polynomial of vm_broken_rotor_characteristic */
+/* The quantities w2 = omega^2, O2 = Omega^2, k = k*, D and G in the polynomial of vm_broken_rotor_characteristic */
 typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
@@ -3536,13 +3590,14 @@ VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega
 enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
 
 /* Characteristic polynomial of small motions about the steady motion, (81) corrected.
-   Small motions about the steady motion at psi' = Omega (rad/s) are sums of exp(l t), where l is a root of the
-   polynomial. c is an array of VM_BROKEN_ROTOR_ROOTS + 1 coefficients, highest power first:
+   A small deviation from the steady motion at psi' = Omega (rad/s) is a sum of multiples of exp(l t), where l is a root
+   of the polynomial. The array c gets the VM_BROKEN_ROTOR_ROOTS + 1 coefficients of the polynomial, that of the highest
+   power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
-   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. Equation (81) is l times this polynomial, except that
-   its last printed term lacks the factor l^2. The additional root l = 0 of (81) exists because the phase of the steady
-   motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a
-   negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
+   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. The left side of (81) should be l times this polynomial,
+   but its last term is printed without the factor l^2. (81) has the additional root l = 0 because the phase of the
+   steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS
+   for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -3560,9 +3615,9 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, c);
 }
 
-/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. column is an
-   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all numbers of
-   the column are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
+/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. The function
+   writes these VM_BROKEN_ROTOR_ROOTS + 1 numbers to the array `column`. The steady motion is asymptotically stable if
+   all of them are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -3592,9 +3647,9 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
    re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|; of a conjugate pair,
-   the root with im > 0 is first. The error of each root is at most twice the change that relative changes of all
-   coefficients by eps would cause. This holds for the smallest root, too, which near resonance is many orders of
-   magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
+   the root with im > 0 is first. The error of each root is at most twice the change of this root that would result if
+   each coefficient changed by the fraction eps of itself. This holds for the smallest root, too, which near resonance
+   is many orders of magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
@@ -3604,7 +3659,8 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
-    /* The roots are computed in units of `size`, so that no coefficient is larger than 10. */
+    /* The roots are computed as multiples of `size`. No coefficient is then larger than 10, so that sums do not
+       overflow. */
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
     power = 1 / size;
     for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
@@ -3623,9 +3679,10 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* The value ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0. For x <= 1 the left form would lose digits, and
-   the value is summed as a series in w = x/(2 + x) <= 1/3 with positive terms only: twice the sum over n >= 3 of
-   c_n w^n, where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
+/* Returns ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0, the time, without unit, in which the orbit of
+   vm_broken_rotor_resonance_radius grows to the radius x, without unit. For x <= 1 the formula with the logarithm would
+   lose digits. The function then sums a series in w = x/(2 + x) <= 1/3 with positive terms only. The series is twice
+   the sum of c_n w^n for n = 3, 4, 5, ..., where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21;
@@ -3641,8 +3698,9 @@ VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
     return 2 * w * w * w * sum;
 }
 
-/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method starts from
-   x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. Therefore every step decreases x until x is the root. */
+/* Returns the root x > 0 of the equation ln(1 + x) - x + x^2/2 = tau for tau > 0. The left side is a convex function of
+   x. Newton's method starts from x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. Therefore every step
+   decreases x, and the loop ends when rounding errors prevent a further decrease. */
 VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -3659,13 +3717,14 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
    Omega = torque/damping (rad/s) must be at or above omega; vm_broken_rotor explains omega, p, k* and s. The angular
    velocity psi' stays at omega, and the surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where
-   R(0) = 0 and
+   R = 0 at t = 0 and, with R' = dR/dt,
      R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R).
    It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the second term of the expansion of r for large r/|s|. Terms of order s^2/r and the time until psi' reaches
-   omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s,
-   this radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
+   |s|/4 is the second term of an expansion of r for large r/|s|, whose first term is R. Terms of order s^2/r and the
+   time until psi' reaches omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m,
+   omega = 1 rad/s), after 400 s, the radius r differs by less than 0.002 m from the radius of the numerically
+   integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
    Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
    R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
@@ -3689,8 +3748,8 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #endif
 /* mechanics/generalized_force.h - generalized forces of forces and moments
 
-   This chapter turns a force and a moment into generalized forces (235). Lagrange's equations (mechanics/lagrange.h)
-   need them, and so do jumps (mechanics/lagrange_jump.h), where the "forces" are momenta and impulses.
+   This chapter computes the generalized forces (235) of a force and a moment, for Lagrange's equations (lagrange.h).
+   With momenta and impulses in place of forces and moments it serves jumps, too (lagrange_jump.h).
 
        vm_vec3 weight = {0, 0, VM_C(-9.8)}, no_moment = {0, 0, 0};
        vm_vec3 dr[1] = {{0, 0, 1}}; // dr/dq_0 of the point at which the weight acts
@@ -3701,14 +3760,14 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
-/* Add the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235). dr_or_NULL[i]
+/* Add the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235). dr_or_NULL[i]
    is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
    domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
    These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
 
-   External loads are given by their resultant and their moment about r. A stream with the mass rate M' is given by the
-   force M' u at the point where the mass enters or leaves with the velocity u, and by the moment M' kappa omega2. kappa
-   is the inertia of this mass per unit mass, and omega2 is its angular velocity. */
+   External loads are given by their resultant force and their moment about r. A stream with the mass rate M' (kg/s),
+   the velocity u and the angular velocity omega2 is given by the force M' u at the point where the mass enters or
+   leaves, and by the moment M' kappa omega2. kappa is the inertia of this mass per unit mass. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
@@ -3726,13 +3785,13 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 /* mechanics/lagrange_jump.h - Lagrange's equations across a jump
 
    This chapter computes generalized velocities qdot after a part separates from a system or is attached to it in an
-   instant (96), and after an impact. A mass matrix is an array of n n numbers, row after row. Velocities, momenta and
-   impulses are arrays of n numbers. The matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i and
-   turn[i] = domega/dqdot_i, (87)-(90). Here v is the velocity of the mass centre and omega the angular velocity, both
-   along inertial axes.
+   instant (96), and after an impact. A mass matrix is an array of n*n numbers, row after row. Velocities, momenta and
+   impulses are arrays of n numbers. For rigid bodies, vm_lagrange_mass and vm_lagrange_momentum compute matrices and
+   momenta from dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i, (87)-(90). v is the velocity of the mass centre and
+   omega the angular velocity, both along inertial axes.
 
        vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
-       vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // the part's momenta, and the velocities
+       vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // momenta of the part, velocities of the system
        vm_real work[VM_LAGRANGE_WORK(2)];
        int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
@@ -3743,13 +3802,13 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 
 #include <string.h>
 
-/* Length of the array `work` for n coordinates */
+/* Length of the array `work` for n generalized velocities */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
 /* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
-   dr and turn have n vectors: dr[i] = dv/dqdot_i, turn[i] = domega/dqdot_i, with the velocity v of the body's mass
-   centre and its angular velocity omega. If dr or turn is NULL, its term is 0. If body or matrix is NULL, nothing is
-   done. */
+   dr and turn have n vectors: dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i. v is the velocity of the body's mass
+   centre, and omega the body's angular velocity. If dr or turn is NULL, its term is 0. If body or matrix is NULL,
+   nothing is done. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -3771,9 +3830,9 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Add to p the generalized momentum of a body's motion.
-   p has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is
-   NULL, nothing is done. */
+/* Add to p the generalized momentum of a body.
+   It is that of the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those of
+   vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -3782,9 +3841,9 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 }
 
 /* Add to p the generalized impulse (95) of an impulse on a body with the mass centre r.
-   r is in m, in inertial axes. The moment of the impulse is taken about r; (23a) does not say about which point. p has
-   n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is NULL,
-   nothing is done. */
+   r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not name the point. p
+   has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is
+   NULL, nothing is done. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -3793,8 +3852,8 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
-/* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: space for a copy of the matrix, then b, which the
-   caller has set, then space for n more numbers. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
+/* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: n*n numbers of space for a copy of the matrix, the n
+   numbers of b, which the caller has set, and n numbers of space. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
 VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
                                    vm_real *work)
 {
@@ -3808,8 +3867,8 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
 }
 
 /* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign*part + impulse, where `before` and `after` are mass
-   matrices. The unknown is the change of qdot. A part of little mass changes qdot little, and the error is small
-   compared with this change. */
+   matrices. The unknown is the change qdot_after - qdot. A part of little mass causes a small change, and the error is
+   small even compared with this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
@@ -3827,14 +3886,15 @@ VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after,
 }
 
 /* Velocities after a part separates: after*qdot_after = before*qdot - part + impulse (96).
-   (96) is d(T2 - T1)/dqdot = impulse, with the kinetic energies T1 before and T2 after the separation. The velocity of
-   the part relative to the body is constant in the derivative. The term of the part is therefore its generalized
-   momentum `part`. `before` and `after` are the mass matrices with and without the part. If part or impulse is NULL,
-   its term is 0. qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot
-   little, and this change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0,
-   VM_NOT_FINITE, VM_SINGULAR if a coordinate, or several together, move no mass or a negative one, and VM_OK otherwise.
-   The matrix counts as singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps
-   after the diagonal has been scaled to 1. */
+   `before` and `after` are the mass matrices with and without the part; `part` is the generalized momentum of the part
+   after the separation. (96) is d(T2 - T1)/dqdot = impulse, where T1 and T2 are the kinetic energies of rest and part
+   together before and after the separation. The velocity of the part relative to the body is held constant in this
+   derivative, so that the part adds the array `part` to dT2/dqdot. If part or impulse is NULL, its term is 0.
+   qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot little, and this
+   change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0, VM_NOT_FINITE, VM_SINGULAR
+   if some change of the coordinates moves no mass or a negative mass, and VM_OK otherwise. The matrix counts as
+   singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps after the diagonal
+   has been scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -3853,9 +3913,10 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
 }
 
 /* Velocities after an impact that changes no mass: matrix*(qdot_after - qdot) = impulse.
-   This function also computes a separation accurately if the part is nearly the whole body. Then `matrix` is the mass
-   matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. The
-   array sizes, the statuses and `work` are those of vm_lagrange_separate, but impulse must not be NULL. */
+   If a part separates that is nearly the whole body, this function is more accurate than vm_lagrange_separate. Then
+   `matrix` is the mass matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion
+   relative to the body. The array sizes, the statuses and `work` are those of vm_lagrange_separate, but impulse must
+   not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {
@@ -3881,9 +3942,9 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
 
 /* How the angle of a pendulum is measured */
 enum {
-    VM_AXES_COS_SIN = 0, /* the rod is along (cos, sin) of the angle, which is measured counterclockwise from x; the
-                            formulas (122), (125), (132) need this choice */
-    VM_AXES_SIN_COS = 1  /* the rod is along (sin, cos) of the angle (123), which is measured clockwise from y */
+    VM_AXES_COS_SIN = 0, /* the rod lies along (cos phi, sin phi), so that its angle phi is counted counterclockwise
+                            from the x axis; the formulas (122), (125), (132) need this choice */
+    VM_AXES_SIN_COS = 1  /* the rod lies along (sin phi, cos phi) (123): phi is counted clockwise from the y axis */
 };
 
 /* A uniform rod that swings about its end O, the origin */
@@ -3895,14 +3956,14 @@ typedef struct VM_TAG(vm_pendulum) {
     int axes;       /* VM_AXES_COS_SIN or VM_AXES_SIN_COS */
 } vm_pendulum;
 
-/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the remaining rod (the rest) and of the
-   part. */
+/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the remaining rod (the field `rest`) and
+   of the part. */
 typedef struct VM_TAG(vm_pendulum_cut) {
     vm_pendulum rest; /* the remaining rod; rest.rate is its angular velocity phi1' after the cut (125) */
     vm_real mass;     /* mass m of the part, kg */
     vm_real x, y;     /* position of the part's mass centre S2 (123), m */
     vm_real vx, vy;   /* velocity of the part's mass centre S2 (121), m/s */
-    vm_real rate;     /* angular velocity of the part: the rod's phi' before the cut plus Omega, rad/s */
+    vm_real rate;     /* angular velocity of the part: phi' of the rod before the cut plus Omega, rad/s */
     vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
     vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
@@ -3923,8 +3984,8 @@ VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
     return VM_OK;
 }
 
-/* Unit vectors of a pendulum: e points from O along the rod, f across the rod in the direction in which the angle
-   grows. */
+/* Unit vectors of a pendulum: e = (ex, ey) points from O along the rod. f = (fx, fy) is orthogonal to e and points in
+   the direction in which the angle grows. */
 VM_API void vmi_pendulum_directions(const vm_pendulum *p, vm_real *ex, vm_real *ey, vm_real *fx, vm_real *fy)
 {
     if (p->axes == VM_AXES_COS_SIN) {
@@ -3946,12 +4007,14 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
 }
 
 /* Motion of a pendulum and of the part that is cut off from it, (119)-(132).
-   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is its angular velocity relative to the rod,
-   positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's mass
-   centre (x, y) relative to the rod, along the axes x, y of the pendulum. The remaining rod then turns with
-     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for VM_AXES_COS_SIN, else s = -1.
-   This is (125), (132) corrected and simplified by hand, so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
-   pointer and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
+   `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is the angular velocity of the part relative to the
+   rod, positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's
+   mass centre S2 relative to the rod, along the axes x and y. Let rho = L - l/2 be the distance from O to S2. Let
+   `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows.
+   The angular velocities phi' of the rod before the cut and phi1' of the remaining rod after the cut obey
+     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 rho across).
+   This is (125), (132), corrected, and simplified so that no digits cancel. Returns VM_BAD_ARGUMENT for a null pointer
+   and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
    otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
@@ -3967,7 +4030,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     rho = pendulum->length - part / 2; /* distance from O to the part's mass centre S2 */
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
-    across = ux * fx + uy * fy; /* relative velocity across the rod; rho across is s (x u_y - y u_x) */
+    across = ux * fx + uy * fy; /* component of the relative velocity orthogonal to the rod */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
@@ -3985,7 +4048,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* change of the total momentum by the cut */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* total momentum after the cut minus before it */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
@@ -3994,15 +4057,15 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
 
 #endif
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
-   This is the first step of exact torque-free rotation. It finds the principal moments J_a >= J_b >= J_c, the
-   principal axes a, b, c and the components w_a, w_b, w_c of omega. All are in two words, because the rates that
-   follow from them are multiplied by long times.
-   Then it names the axes 1, 2, 3. Axis 2 has the middle moment, and omega moves around axis 3. Axis 3 is a or c; this
-   depends on the sign of
+   This is the first step of the preparation in torque_free.h. It finds the principal moments of inertia
+   J_a >= J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along
+   these axes. All these numbers have two words, because the rates that follow from them are multiplied by long times.
+   Then it numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle moment. Axis 3 is the axis around which the
+   vector omega moves in the body. It is a or c; this depends on the sign of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
-   where T is the kinetic energy and L the size of the angular momentum. If this number is positive, or 0 (on the
-   separatrix), axis 3 is c, the axis of the smallest moment; else axis 3 is a. All functions of this chapter are
-   internal:
+   where T is the kinetic energy and L the size of the angular momentum. If this number is positive or 0, axis 3 is c,
+   the axis of the smallest moment; else axis 3 is a. If it is 0, the motion lies on the separatrix: omega tends to the
+   direction of axis 2. All functions of this chapter are internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
@@ -4017,11 +4080,12 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
 
 /* ---- vectors in two words ---- */
 
+/* A vector whose three components have two words each */
 typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
 
-/* The largest power of two that is at most x, or VM_MIN if x is 0 or subnormal */
+/* Returns the largest power of two that is at most x, for x >= 0, or VM_MIN if x is 0 or subnormal. */
 VM_API vm_real vmi_power_of_two(vm_real x)
 {
     const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
@@ -4057,8 +4121,8 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
     return c;
 }
 
-/* The vector that the rotation by q turns into a. It is a + 2 (v x (v x a) - w v x a)/|q|^2 for q = (w, v) of any
-   length except 0. */
+/* Returns the vector that becomes a by the rotation q. It is a + 2 (v x (v x a) - w v x a)/|q|^2, where w is the real
+   part and v the vector part of q. q may have any length except 0. */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 xyz = vmi_quat_vector(q);
@@ -4080,14 +4144,15 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 
 /* ---- principal moments and axes ---- */
 
-/* The rotation of a body in its principal axes: the principal moments divided by a power of two, the principal axes
-   in body axes, and the components of omega along them, divided by another power of two */
+/* The rotation of a body in its principal axes. `moment` has the principal moments divided by a power of two, `axis`
+   the principal axes in body axes, and `omega` the components of omega along the principal axes divided by another
+   power of two. */
 typedef struct VM_TAG(vmi_torque_free_body) {
     vm_two moment[3];
     vmi_vec3_two axis[3], omega;
 } vmi_torque_free_body;
 
-/* Turns the pair *x, *y by the angle with the cosine c and the sine s */
+/* Turns the plane vector (*x, *y) by the angle whose cosine is c and whose sine is s */
 VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
 {
     const vm_two x0 = *x, y0 = *y;
@@ -4095,8 +4160,9 @@ VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
     *y = vmi_two_plus(vmi_two_times(s, x0), vmi_two_times(c, y0));
 }
 
-/* Makes one rotation of Jacobi's eigenvalue method in two words: turns the axes p and q so that a[p][q] becomes 0.
-   The tensor a is scaled to about 1. An entry below eps^3 is set to 0 without a rotation. */
+/* Makes one rotation of Jacobi's eigenvalue method in two words: it turns the axes number p and q in their plane so
+   that the entry a[p][q] of the tensor becomes 0. The tensor a must be scaled so that its entries are about 1. An entry
+   below eps^3 is set to 0 without a rotation. */
 VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, int p, int q)
 {
     const vm_two one = vmi_two(1, 0), entry = a[p][q];
@@ -4120,8 +4186,9 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
     for (k = 0; k < 3; k++) vmi_two_turn(c, s, &axis[p].x[k], &axis[q].x[k]);
 }
 
-/* Computes the principal axes, and the principal moments divided by vmi_power_of_two(trace). Sets omega to 0. For a
-   tensor without products of inertia the moments are its entries and the axes are the body axes, exactly. */
+/* Sets b->axis to the principal axes, and b->moment to the principal moments divided by vmi_power_of_two(trace), where
+   `trace` is the trace of the tensor *i. Sets b->omega to 0. If the tensor has no products of inertia, the moments are
+   exactly its scaled entries and the axes are exactly the body axes. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const int most_sweeps = 12; /* more than enough, since the rotations converge quadratically */
@@ -4144,8 +4211,8 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
     for (k = 0; k < 3; k++) b->moment[k] = a[k][k];
 }
 
-/* Sets a moment to 0 if it is lost in the rounding errors of the tensor i. The body is then a rod or a point, and the
-   other two moments become equal. */
+/* Sets a principal moment to 0 if it is not larger than the rounding errors of the tensor *i. The body is then a rod or
+   a point, and the other two moments are set to one value. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -4162,8 +4229,8 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 
 /* ---- the order of the axes ---- */
 
-/* Returns 1 if the difference of two moments is within the errors of their computation from a tensor in two words.
-   Moments of a tensor without products of inertia are exactly equal or differ by more. */
+/* Returns 1 if two moments differ by no more than the errors of their computation in two words, else 0. Moments of a
+   tensor without products of inertia have no such errors: they are exactly equal, or they differ by more. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
@@ -4175,15 +4242,15 @@ typedef struct VM_TAG(vmi_torque_free_axes) {
     vm_two I1, I2, I3;    /* the principal moments */
     vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
     vm_two w1, w2, w3;    /* the components of omega along the axes */
-    vm_two S;             /* |2T I2 - L^2| for the kinetic energy T and angular momentum L; 0 on the separatrix */
+    vm_two S;             /* |2T I2 - L^2| with the kinetic energy T and the angular momentum L; 0 on the separatrix */
     vm_real sigma;        /* the sign of I1 - I3 */
     vm_real s;            /* the sign of w3 */
-    int symmetric;        /* 1 if I1 = I2 */
+    int symmetric;        /* 1 if I1 = I2, else 0 */
     vmi_mat3 matrix;      /* columns: the axes 1, 2, 3 in body axes */
 } vmi_torque_free_axes;
 
-/* The product J d w^2 of a moment J, a difference d of moments and the square of a component w of omega. It is in
-   three words, so that the difference of two such products is right even if they cancel. */
+/* Returns the product J d w^2 of a moment J, a difference d of two moments and the square of a component w of omega.
+   The product has three words, so that the difference of two such products is accurate even if they nearly cancel. */
 VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
 {
     const vmi_three J3 = vmi_three_words(J.hi, J.lo, 0), d3 = vmi_three_words(d.hi, d.lo, 0);
@@ -4191,8 +4258,8 @@ VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
     return vmi_three_times(vmi_three_times(J3, d3), vmi_three_times(w3, w3));
 }
 
-/* The value J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2, whose sign decides which axis is axis 3.
-   The axes a, b, c are order[0], order[1], order[2], by falling moments. */
+/* Returns J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2. The sign of this number decides which axis is
+   axis 3. The axes a, b, c have the indices order[0], order[1], order[2], and their moments fall in this order. */
 VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, const int *order)
 {
     const int a = order[0], b = order[1], c = order[2];
@@ -4200,8 +4267,8 @@ VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, co
     return vmi_three_plus(of_smallest, vmi_torque_free_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
 }
 
-/* Sets order[] to the indices of the axes by falling moments. Returns 1 if order[] is an even permutation of 0, 1, 2,
-   else 0. */
+/* Sets order[] to the indices 0, 1, 2 of the axes, sorted by falling moments. Returns 1 if order[] is an even
+   permutation of 0, 1, 2, else 0. */
 VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
 {
     int k, even = 1;
@@ -4216,8 +4283,9 @@ VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
     return even;
 }
 
-/* Returns 1 if axis 3 is order[2], the axis of the smallest moment, and 0 if it is order[0], the axis of the largest.
-   If two moments are equal, axis 3 is the axis of the third moment. */
+/* Returns 1 if axis 3 is order[2], the axis of the smallest moment, and 0 if axis 3 is order[0], the axis of the
+   largest moment. If two moments are equal, axis 3 is the axis of the third moment. `separation` is the result of
+   vmi_torque_free_separation. */
 VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, vmi_three separation)
 {
     if (vmi_torque_free_are_equal(J[order[0]], J[order[1]])) return 1;
@@ -4225,7 +4293,7 @@ VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, 
     return separation.hi >= 0;
 }
 
-/* Expresses the body in its axes 1, 2, 3. Axis 3 is reversed if the axes would be left-handed. */
+/* Returns the body's quantities in its axes 1, 2, 3. Axis 3 is reversed if the axes would otherwise be left-handed. */
 VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
 {
     const vm_two *J = b->moment, *w = b->omega.x;
@@ -4275,18 +4343,19 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 
 #endif
 /* mechanics/torque_free.h - exact rotation of a body on which no torque acts
-   The rotation of a free body, for example after a jump, has a closed form: the angular velocity omega follows from
-   the Jacobi functions sn, cn, dn of the time, and the attitude follows from one theta function and a rotation at a
-   constant rate (Jacobi 1850). Nothing is integrated, so that an evaluation costs the same at any time and errors do
-   not grow with time. The mass centre moves on a straight line.
+   The rotation of a free body, for example after a part has separated from it, has a closed form (Jacobi 1850): the
+   angular velocity omega follows from the elliptic functions sn, cn, dn of the time, and the attitude follows from one
+   theta function and a rotation at a constant rate. Nothing is integrated. Therefore an evaluation costs the same at
+   any time, and its errors do not accumulate over time. The mass centre moves on a straight line.
 
        vm_torque_free motion;
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   The functions serve all bodies: triaxial, symmetric and spherical ones, and rods and points, whose spin about an
-   axis without moment of inertia stays constant. They serve all rotations, also those about the axis of the middle
-   moment, and those on the separatrix, which tend to a rotation about this axis. No threshold has to be chosen.
+   The functions hold for all bodies: for triaxial, symmetric and spherical ones, and for rods and points, whose spin
+   about an axis without moment of inertia stays constant. They hold for all rotations, too: for a rotation about the
+   axis of the middle moment of inertia, and for rotations on the separatrix, which tend to a rotation about this axis.
+   The user need not choose a threshold between these cases.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
@@ -4296,57 +4365,61 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 /* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
    Equations (A) and (B) stand in the next comment.
 
-   Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
-   |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
-   equal moments and with products of inertia. An error of eps in an input changes the attitude by eps times the angle
-   turned. Close to the separatrix it changes the attitude by more, because it changes the time of every flip of the
-   body. For tensors with products of inertia the principal moments are known to two words only, which limits the
-   accuracy after many turns close to the separatrix. Components of omega below 2^-505 (float 2^-57) times the largest
-   are taken as 0. */
+   Accuracy, for inputs taken as exact and up to 1e6 turns: the error of the attitude is at most 12 eps (rad) and that
+   of omega at most 8 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
+   parameter of sn, cn, dn), for nearly equal moments, and with products of inertia. An error of eps in an input changes
+   the attitude by eps times the angle through which the body has turned. Close to the separatrix it changes the
+   attitude by more, because it shifts the time of every flip of the body. If a tensor has products of inertia, the
+   principal moments have only the digits of two words, which limits the accuracy after many turns close to the
+   separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component is taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
     vm_real t0;                  /* the time at which the body is as given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
                                     opposite to it if the component w3 of omega along axis 3 is negative */
-    vm_real spin[3];             /* omega along the axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
+    vm_real spin[3];             /* the components of omega along the axes 1, 2, 3 are spin[0] cn, spin[1] sn and
+                                    spin[2] dn, rad/s */
     vm_real lean[3];             /* the quaternion M of equation (B) below is (w, x, y, 0)/sqrt(2 w), with
                                     w = 1 + lean[2] dn, x = lean[1] sn, y = lean[0] cn */
-    vm_two phase;                /* argument u of sn, cn, dn at t0, divided by 4K; u itself on the separatrix */
-    vm_two phase_rate;           /* rate of the phase, per second */
+    vm_two phase;                /* u/(4K) at t0, where u is the argument of sn, cn, dn; u itself on the separatrix */
+    vm_two phase_rate;           /* rate of the phase, 1/s */
     vm_two K;                    /* quarter period of sn as a function of u; 0 on the separatrix */
-    vm_two turn_rate;            /* mean rate, turns/s, of s h in equation (B) below; s h is half the angle
-                                    turned about the angular momentum */
-    vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
+    vm_two turn_rate;            /* mean rate, turns/s, of the angle s h in equation (B) below; s h is half the angle
+                                    through which the body has turned about the angular momentum */
+    vm_real m1;                  /* 1 - m, where m is the parameter of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
-    vmi_doubled_theta theta;     /* theta function of (B) below; sigma arg theta is h minus its mean growth kappa t */
+    vmi_doubled_theta theta;     /* the theta function of equation (B) below; sigma arg theta is h - kappa t */
 } vm_torque_free;
 
-/* The solution. Let 1, 2, 3 be the principal axes, where axis 2 has the middle moment and omega moves around axis 3
-   (torque_free_axes.h), I1, I2, I3 the moments, T the kinetic energy and L the size of the angular momentum. Let
-   d12 = |I1 - I2|, d23 = |I2 - I3|, d13 = |I1 - I3|, sigma = sign(I1 - I3) and s = sign(w3). Then
-   omega = (w1, w2, w3) along these axes is
+/* The solution. Let 1, 2, 3 be the principal axes of the body: axis 2 has the middle moment of inertia, and the vector
+   omega moves around axis 3 in the body (torque_free_axes.h). Let I1, I2, I3 be the moments of inertia, T the kinetic
+   energy and L the size of the angular momentum. Let d12 = |I1 - I2|, d23 = |I2 - I3|, d13 = |I1 - I3|,
+   sigma = sign(I1 - I3) and s = sign(w3). The components w1, w2, w3 of omega along these axes are
      w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u,  u = u0 + wp t,                                     (A)
      a1^2 = w1^2 + I2 d23/(I1 d13) w2^2,  a2^2 = a1^2 I1 d13/(I2 d23),  a3^2 = w3^2 + I2 d12/(I3 d13) w2^2,
      wp^2 = a3^2 d13 d23/(I1 I2),  m = I1 d12 a1^2/(I3 d23 a3^2),  1 - m = |2T I2 - L^2|/(I3 d23 a3^2),
-   where w1, w2, w3 on the right-hand sides are the values at t0, and t is the time since t0. With the tensor of
-   inertia J, so that L = |J omega|, the unit vector l = J omega/L and the unit vector e3 of axis 3 the attitude is
+   where w1, w2, w3 on the right-hand sides are the values at t0, t is the time since t0, and u0 is the value of u at
+   t0. m is the parameter of sn, cn, dn. Let J be the tensor of inertia, l = J omega/L the unit vector along the angular
+   momentum, l1, l2, l3 its components along the axes 1, 2, 3, and e3 the unit vector of axis 3. The attitude is the
+   product of three quaternions:
      q(t) = start (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u),                                    (B)
      M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)).
-   M is the shortest rotation that takes l to s e3, kappa is a constant that an integral of the third kind gives, and
-   theta is a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) was found by Jacobi; van Zon and Schofield,
-   J. Comput. Phys. 225 (2007), give a theta series for 2h.
+   M is the rotation through the smallest angle that takes l to s e3. kappa is a constant that follows from an elliptic
+   integral of the third kind. theta is a theta function of u + i y, where y follows from cd(y | 1 - m) = I3 a3/L. (B)
+   was found by Jacobi; van Zon and Schofield, J. Comput. Phys. 225 (2007), give a theta series for 2h.
 
-   The preparation computes in this order: the axes; the squares of the amplitudes, and m; kappa; the phase and the
-   rates; the theta function; and `start`, which makes q(t0) the given attitude. It computes in two words, because the
-   rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time has only the products of rates
-   and time in two words. Moments and omega are divided by powers of two, so that they are about 1. */
+   The preparation computes in this order: the axes; the squares of the amplitudes a1, a2, a3, and m; kappa; the phase
+   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. It computes in two words,
+   because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time uses two words only
+   for the products of rates and time. Moments and omega are divided by powers of two so that they are about 1, which
+   prevents overflow. */
 
 /* ---- amplitudes and parameter ---- */
 
-/* The squares of the amplitudes a1, a2, a3 of equation (A) above, of h1 = I1 a1, h3 = I3 a3 and of L, and the
-   parameters m and m1 = 1 - m. The only subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is
-   computed in three words. */
+/* The fields a1, a2, a3 and L are the squares of the amplitudes a1, a2, a3 of equation (A) above and of L. The fields
+   h1 and h3 are the squares of I1 a1 and I3 a3. m is the parameter of sn, cn, dn, and m1 = 1 - m. The formulas contain
+   only one subtraction, in S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -4375,15 +4448,15 @@ VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_
     return square;
 }
 
-/* Stores m1 = 1 - m in the motion, with the parameter m of sn, cn, dn, and prepares these functions for it */
+/* Stores m1 = 1 - m in the motion, where m is the parameter of sn, cn, dn, and prepares these functions for m */
 VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
 {
     motion->m1 = m1.hi;
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the axes, and the amplitudes of omega and of the quaternion M in equation (B) above. `sign` is the sign of cn on
-   the separatrix, and 1 elsewhere. */
+/* Sets the fields axes, spin (the amplitudes of omega) and lean (those of the quaternion M in equation (B) above).
+   `sign` is a result of vmi_torque_free_phase: the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -4399,15 +4472,16 @@ VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- rates and phase ---- */
 
+/* Returns 2 pi in two words. */
 VM_API vm_two vmi_torque_free_two_pi(void)
 {
     const vmi_three half_pi = vmi_half_pi();
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with
-   N = I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those
-   of equation (A) above, and c = I3 a3/L:
+/* Returns 2 kappa for m < 1 and I1 != I2. Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m.
+   Let Pi = Pi(-N | m) be the complete elliptic integral of the third kind with N = I3 d12/(I1 d23), K the complete
+   integral of the first kind, and c = I3 a3/L. The other letters are explained at equation (A) above:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
@@ -4430,8 +4504,8 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* Returns kappa, the mean rate of the angle h in equation (B) above. Sets *mean to agm(1, k') with k'^2 = 1 - m; it is
-   0 on the separatrix. */
+/* Returns kappa, the mean rate of the angle h in equation (B) above. Sets *mean to the arithmetic-geometric mean
+   agm(1, k') with k'^2 = 1 - m, which is 0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
@@ -4449,8 +4523,8 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
 }
 
 /* Computes the argument u of equation (A) above at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u
-   on the separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign;
-   else *sign is 1. */
+   on the separatrix, where mean = 0. On the separatrix w1 can have either sign, but cn u is always positive; there
+   *sign is the sign of w1; elsewhere it is 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -4467,8 +4541,8 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K and phase, and the rates phase_rate and turn_rate that belong to omega divided by a power of two. Returns the
-   sign of cn on the separatrix, and 1 elsewhere. */
+/* Sets the fields K, phase, phase_rate and turn_rate. The two rates are those of the scaled omega, which is divided by
+   a power of two. Returns the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -4491,8 +4565,8 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
 /* ---- the theta function ---- */
 
 /* Returns y, the constant imaginary part of the argument u + i y of the theta function in equation (B) above. y solves
-   cd(y | m1) = c with c = I3 a3/L. With N = I3 d12/(I1 d23) it is y = R_F(N, N/c^2, N + 1), where R_F is Carlson's
-   elliptic integral of the first kind. */
+   cd(y | 1 - m) = c with c = I3 a3/L. The solution is y = R_F(N, N/c^2, N + 1), where N = I3 d12/(I1 d23) and R_F is
+   Carlson's elliptic integral of the first kind. */
 VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square)
 {
     const vm_two N = vmi_two_over(vmi_two_times(axes->I3, axes->d12), vmi_two_times(axes->I1, axes->d23));
@@ -4500,9 +4574,9 @@ VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const
     return vmi_carlson_rf(N, vmi_two_over(N, c_square), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* Sets the theta function of equation (B) above, conjugated if sigma s < 0. For m = 0 it stays 1. K and K' (Kc in the
-   code) are the quarter periods for the parameters m and 1 - m. The function is summed directly for K <= 2K', and by
-   Jacobi's transformation for K > 2K'. */
+/* Sets the theta function of equation (B) above, or its complex conjugate if sigma s < 0. For m = 0 the theta function
+   stays 1. K and Kc are the quarter periods for the parameters m and 1 - m. The series of the theta function is used
+   directly for K <= 2 Kc, and after Jacobi's transformation for K > 2 Kc, where it converges faster. */
 VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square)
 {
@@ -4522,7 +4596,7 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets a motion with constant omega: axis 3 is along omega, and sn stays 0 */
+/* Sets a motion with constant omega. Axis 3 is along omega, and sn stays 0. If omega is 0, nothing is set. */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -4536,10 +4610,11 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
 }
 
-/* Sets all fields except body, t0 and `start`. spin and the rates belong to omega divided by a power of two. */
+/* Sets all fields except body, t0 and `start`. spin and the rates are those of the scaled omega, which is divided by a
+   power of two. */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
-    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of eps^2, a negligible nutation angle */
+    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* square of the angle eps^2, a negligible nutation */
     const vmi_torque_free_axes axes = vmi_torque_free_order(b);
     vmi_torque_free_squares square;
     int constant = vmi_torque_free_is_constant(&axes);
@@ -4558,8 +4633,8 @@ VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_fre
 
 /* ---- at a time ---- */
 
-/* The product rate t, in turns, minus the nearest whole number of turns, |result| <= 1. Beyond 2^(2p - 4) turns the
-   result has no meaning; p is the number of binary digits of the type. */
+/* Returns the product rate t, in turns, minus a whole number of turns. The result lies between -1 and 1. Beyond
+   2^(2p - 4) turns it has no meaning; p is the number of binary digits of the type vm_real. */
 VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
@@ -4568,8 +4643,8 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* Computes sn, cn, dn at the time t after t0. Returns u/(4K), with their argument u, minus the nearest multiple of 1/2;
-   or u on the separatrix. */
+/* Computes sn, cn, dn at the time t after t0. Let u be their argument. Returns u/(4K) minus the nearest multiple of
+   1/2; on the separatrix it returns u. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
@@ -4577,7 +4652,7 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     vmi_thetas theta;
     vm_real turns;
     int half_turns = 0, quarters = 0;
-    vm_two v; /* argument u of sn, cn, dn, minus the nearest multiple of K */
+    vm_two v; /* first u/(4K), then the argument u of sn, cn, dn minus the nearest multiple of K */
     if (motion->K.hi > 0) {
         v = vmi_two_plus(vmi_torque_free_fraction(motion->phase_rate, t), motion->phase);
         half_turns = vmi_nearest(2 * v.hi);
@@ -4597,8 +4672,8 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     return turns;
 }
 
-/* Evaluates equations (A) and (B) above at the time t after t0: *omega in body axes, and the rotation *turn = (cos h +
-   s e3 sin h) M */
+/* Evaluates equations (A) and (B) above at the time t after t0. Sets *omega to the angular velocity in body axes, and
+   *turn to the factor (cos h + s e3 sin h) M of the attitude. */
 VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, w, x, y, over, c, s;
@@ -4617,8 +4692,8 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 
 /* ---- setting up ---- */
 
-/* Prepares all that vm_torque_free_at needs. *b has the moments, the axes, and omega divided by `power`, a power of
-   two. */
+/* Prepares all fields that vm_torque_free_at needs. *b must have the moments, the axes, and omega divided by `power`,
+   which is a power of two. */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
     vm_quat q = motion->body.q, turn;
@@ -4637,15 +4712,15 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
 }
 
-/* Returns x, a component of the scaled omega, or 0 if its square would underflow, which is for |x| < 2^-505 (float
-   2^-57). */
+/* Returns x, a component of the scaled omega. If |x| is below 2^-505 (float 2^-57), the square of x would underflow,
+   and the function returns 0 instead. */
 VM_API vm_two vmi_torque_free_squarable(vm_two x)
 {
     return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
 }
 
-/* Prepares the motion of a body whose omega is given in body axes (along_body = 1) or in inertial axes
-   (along_body = 0) */
+/* Prepares the motion of a body whose omega is given in body axes if along_body = 1, and in inertial axes if
+   along_body = 0. Returns a status of vm_torque_free_init. */
 VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, int along_body, vm_real t0)
 {
     const vm_real power = vmi_power_of_two(vmi_norm_max(body->omega));
@@ -4669,8 +4744,8 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     return VM_OK;
 }
 
-/* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; vm_torque_free_at
-   then gives it at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
+/* Preparation of the exact torque-free motion of a body. *body is the body at the time t0 (s). vm_torque_free_at then
+   gives the body at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
    null pointer, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. After an error *motion is unchanged. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
@@ -4678,9 +4753,10 @@ VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_r
     return vmi_torque_free_start(motion, body, 0, t0);
 }
 
-/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body's axes are the principal
-   axes, and omega (rad/s) is along them, not along the inertial axes. q is the attitude at t0 (s). The body has mass
-   1 and rests at the origin. The statuses are those of vm_torque_free_init. */
+/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body axes are the principal axes.
+   The components of omega (rad/s) are along the body axes, not along the inertial axes. q is the attitude at t0 (s).
+   The body has the mass 1 kg, and its mass centre rests at the origin. The statuses are those of
+   vm_torque_free_init. */
 VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega,
                                          vm_real t0)
 {
@@ -4696,8 +4772,9 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
     return vmi_torque_free_start(motion, &body, 1, t0);
 }
 
-/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega is
-   along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1 if it was all zero). Returns
+/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
+   the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0
+   (or 1, if the quaternion was all zero). Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
    is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
    the result is finite and has the right angular momentum, but its phase has no meaning. */
@@ -4721,8 +4798,9 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
 }
 
 /* A torque-free body at the time t (s). t may be later or earlier than t0. Attitude and omega are those of
-   vm_torque_free_attitude, but omega is along inertial axes. The mass centre is on its straight line. The statuses
-   are those of vm_torque_free_attitude; after an error *body is unchanged. */
+   vm_torque_free_attitude, but here omega has its components along the inertial axes. The mass centre has moved on a
+   straight line at constant velocity. The statuses are those of vm_torque_free_attitude; after an error *body is
+   unchanged. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -4740,8 +4818,8 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     return VM_OK;
 }
 
-/* A torque-free body a time t (s) later, in one call. It calls vm_torque_free_init, then vm_torque_free_at, and has
-   their statuses. The pointers later and body may be equal. */
+/* A torque-free body a time t (s) later, in one call. The function calls vm_torque_free_init, then vm_torque_free_at,
+   and has their statuses. The pointers `later` and `body` may be equal. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;
@@ -4755,10 +4833,10 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 #endif
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
-   A stream carries mass into a body, or out of it, at one point. The mass brings or takes momentum and angular
-   momentum with it, which causes the reactive force (156), the reactive moment (158) and the reactive torque (157).
-   This chapter computes these loads at an instant and the accelerations that follow from them, (159) and (160). To
-   integrate a motion, use mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
+   A stream carries mass into a body, or out of it, at one point. The mass carries momentum and angular momentum. The
+   body therefore feels a reactive force (156), a reactive moment (158) and a reactive torque (157). This chapter
+   computes these loads at an instant and the accelerations that follow from them, (159) and (160). To integrate a
+   motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h (on a line or an axle).
 
        vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
@@ -4777,14 +4855,15 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
-    VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; velocity and spin of the stream
-                        are not read. There is no torque, but a force M' omega x d remains, which (166) neglects (M' is
-                        the rate, d leads from the mass centre to the point, omega is the body's spin) */
-    VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
+    VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; the fields velocity and spin of
+                        the stream are not read. There is no torque, but a force M' omega x d, which (166) neglects. M'
+                        is the rate of the stream, omega the body's spin, d the vector from mass centre to point. */
+    VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not read */
 };
 
-/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if the mass
-   does not lie at the point at which the stream enters or leaves the body. */
+/* A store of mass inside a body, for example a tank. A stream that leaves the body takes its mass from the store, and a
+   stream that enters puts its mass into the store. A stream needs a store if its mass is kept at another position than
+   the point at which the stream crosses the surface of the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -4797,19 +4876,21 @@ typedef struct VM_TAG(vm_stream) {
     vm_vec3 at;           /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
     vm_vec3 velocity;     /* velocity of the mass as it enters or leaves the body, m/s */
     vm_vec3 spin;         /* angular velocity of the mass as it enters or leaves the body, rad/s */
-    vm_inertia gyration;  /* inertia per unit mass of this mass, about its own mass centre, m^2, body axes */
+    vm_inertia gyration;  /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2,
+                             body axes */
     const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
-                             point `at` the mass flows in a straight line, and the body's momentum includes that of this
-                             flow */
+                             point `at` the mass flows in a straight line; the momentum of this flow is a part of the
+                             body's momentum. */
 } vm_stream;
 
 /* The reactive loads at an instant, in inertial axes except inertia_rate. The body has the mass M, the inertia I, the
    velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of its mass, omega2 the
    angular velocity of its mass and kappa its gyration. The vector d leads from the body's mass centre to the point at
-   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E:
+   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E is the inertia per unit mass of a
+   point mass at d. Each sum is over all streams:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
-     torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
+     torque  (sum M' kappa omega2) - I' omega           (157) corrected: [1] prints I' (omega2 - omega), which is right
                                                         only for P(d) omega2 = 0
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
@@ -4826,14 +4907,15 @@ typedef struct VM_TAG(vm_reactive) {
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
-/* The velocity u of a stream's mass is, for every known motion, the sum of two terms: the velocity of the body's
-   point (or zero) and the velocity that the stream gives (or zero). Its spin is a sum of two such terms, too. The
-   next two functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
+/* The velocity u of a stream's mass is the sum of two terms for every known `motion`. The first term is the velocity of
+   the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the mass is a sum
+   of two such terms, too. The first function below returns 1 if the first term is there, and the second function if
+   the second term is there. No other function decodes VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* The velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field `velocity`
-   of the stream. */
+/* Returns the velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field
+   `velocity` of the stream. */
 VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
     vm_real u = 0;
@@ -4842,7 +4924,7 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* The product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass */
+/* Returns the product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass. */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -4856,8 +4938,9 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 }
 
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
-   stores and the surface. A stream of rate M' that flows in a straight line between its store at s and the surface at
-   d has the momentum M' (s - d), whatever its speed is. */
+   stores and the surface. `centre` is the mass centre. If a stream of rate M' flows in a straight line between its
+   store at the position a and the surface at the position b, the flowing mass has the momentum M' (a - b) at any
+   speed. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -4875,25 +4958,25 @@ typedef struct VM_TAG(vmi_stream_seen) {
     vm_vec3 v;            /* velocity, which is momentum/mass, inertial axes */
     vm_vec3 slip;         /* velocity of the body's material at the mass centre minus v, body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
-    vm_vec3 centre;       /* mass centre from the reference point, body axes */
+    vm_vec3 centre;       /* vector from the reference point to the mass centre, body axes */
     int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum are wanted */
 } vmi_stream_seen;
 
 /* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
-   are explained at vm_reactive. For mass that moves with the body the sums use its velocity relative to the body, so
-   that they lose no digits if the body is fast. */
+   are explained at vm_reactive. If a stream's velocity is given relative to the body, the sums use this relative
+   velocity instead of the difference u - v, which would lose digits if the body is fast. */
 typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity u is absolute, inertial axes */
     vm_vec3 moment;     /* moment of all streams about the mass centre: sum of d x M' (u - v) */
-    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that masses bring per second by their spins */
-    vm_vec3 crossing;   /* sum of M' d, where d leads to the point at which the mass enters or leaves */
-    vm_vec3 stored;     /* sum of M' d_s, where d_s leads to the stream's store; d_s = d without a store */
+    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that the spins of the masses bring per second */
+    vm_vec3 crossing;   /* sum of M' d, where d leads from the mass centre to the point of the surface */
+    vm_vec3 stored;     /* sum of M' d_s, where d_s leads from the mass centre to the store; d_s = d without a store */
     vm_inertia inertia; /* I', the rate of the body's inertia */
-    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
-    vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
+    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the kinetic energy brought per second */
+    vm_real lost;       /* the same sum with velocity and spin relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
 
 /* Adds one stream, whose `motion` is known, to sum->carried, sum->pushed and sum->absolute. Sets *push = M' (u - v),
@@ -4923,8 +5006,8 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     }
 }
 
-/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and carried
-   is an argument of that function. */
+/* Adds the terms of one stream to sum->brought and sum->lost. `own` is its product M' kappa. `push` and `spin` are
+   results of vmi_stream_motion, and `carried` is an argument of that function. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
@@ -4960,15 +5043,16 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
         sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        /* add the whole term at once, so that the terms of opposite streams cancel exactly */
+        /* add the term M' (kappa + P(d)) as a whole, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;
 }
 
-/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality, such as zz <= xx + yy,
-   is required of the body only. Therefore a gyration may have zz alone, which is enough for motion in a plane. */
+/* Returns VM_OK if the gyration is finite and has no negative moment, else the error. A gyration need not satisfy the
+   triangle inequality zz <= xx + yy; only the inertia of the body must. Therefore zz may be the only entry of a
+   gyration that is not 0, which is enough for motion in a plane. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -5006,10 +5090,11 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
            vmi_vec3_is_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_is_finite(&r->inertia_rate);
 }
 
-/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
-   from its reference point, in body axes (m). Each load is a sum over all streams; the formulas stand at vm_reactive.
-   Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK otherwise. */
+/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the vector from the
+   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; the formulas stand
+   at vm_reactive. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK
+   otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
 {
@@ -5044,7 +5129,8 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     return VM_OK;
 }
 
-/* Solves Euler's equations: the angular acceleration I^-1 (moment - omega x I omega) for the inertia I, in body axes */
+/* Returns the angular acceleration I^-1 (moment - omega x I omega) by Euler's equations, for the inertia I = *i. All
+   vectors are in body axes. */
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
@@ -5087,16 +5173,17 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 
        vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
        vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
-       vm_real rates[4];          // w', x', y', z' of q
+       vm_real rates[4];          // w', x', y', z' of q, the derivatives with respect to time
        vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
 
    Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
 
-/* Writes the rates of the unit quaternion q, the attitude of a body that rotates with omega, in body axes:
-   q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. The second term lets the length of q return to 1, but
-   more slowly than the body rotates. Therefore it does not make the equations of a slow rotation stiff. */
+/* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
+   velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
+   length 1, but errors of an integration change its length. The second term lets the length return to 1. It acts more
+   slowly than the body rotates, so that it does not make the equations of a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
@@ -5110,11 +5197,12 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
 #endif
 /* mechanics/flow.h - a free body in space with streams of mass
 
-   These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
-   moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs all three are given functions of
-   time (170). In vm_flow_carried_rhs the mass that is lost or gained moves with the body (166). In the first two
-   functions momentum and angular momentum are states, from which velocity and angular velocity follow. Therefore a
-   momentum that is conserved stays exactly constant, and the rate of a stream may jump.
+   These right-hand sides for the integrators rk45 and rk87 describe a rigid body whose mass, mass centre and inertia
+   change while it moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs mass, mass centre
+   and inertia are given functions of time (170). In vm_flow_carried_rhs they are given, too, and the mass that is lost
+   or gained moves with the body (166). In the first two functions momentum and angular momentum are states, from which
+   velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and the rate of
+   a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -5137,17 +5225,18 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
    The equations. The letters M', u, d, kappa, omega2, P(d) of a stream are explained at vm_reactive. The body has the
-   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment:
+   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment about the
+   mass centre. Each sum is over all streams, and q omega is a product of quaternions:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
-   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R is
-   the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the length of
-   q back to 1 and does not lower the order of an integrator. The dissertation [1] prints I' omega2 in (152) instead of
-   M' kappa omega2.
-   If a stream has a store (vm_store) at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and
-   P(d); the gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the
-   momentum M' (s - at) and the angular momentum M' d x d_s.
+   attitude as a quaternion. The vector c leads from the reference point to the mass centre, and d = at - c, where `at`
+   is the field of vm_stream; all three are in body axes. R is the rotation of q/|q| from body axes to inertial axes.
+   The last term of q' is 0 for |q| = 1. It brings the length of q back to 1 and does not lower the order of an
+   integrator. The dissertation [1] prints I' omega2 in (152) instead of M' kappa omega2.
+   If a stream has a store (vm_store) at the position s, let d_s = s - c. Three things then differ: d_s replaces d in c'
+   and in P(d); the gyration of the store replaces kappa in I'; and the mass that flows between the store and the
+   surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular momentum.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
@@ -5162,7 +5251,7 @@ enum {
     VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
                           angular velocity in body axes, rad/s */
     VM_Y_MASS = 13,    /* mass, kg */
-    VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
+    VM_Y_CENTRE = 14,  /* vector from the reference point to the mass centre, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
     VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
     VM_FLOW_GIVEN_STATES = 13,   /* states if flow.update gives the mass data: vm_flow_given_rhs, vm_flow_carried_rhs */
@@ -5178,23 +5267,24 @@ typedef struct VM_TAG(vm_flow) {
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
-       state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
-       that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
-       vm_flow_carried_rhs. (One function gives all ten numbers of these laws, because they belong together.) It
-       returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
-       smooth function of t and y. To switch something at an instant, use an event with the action ODE_RESTART and its
-       function `change`. */
+       state. It may set every field of the flow and of its streams: for example a weight (flow->force = y[VM_Y_MASS]
+       g), a rate that a valve changes, or the mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
+       vm_flow_carried_rhs. The function returns 0 to go on. If it returns another number, the run ends with the
+       integrator's status ODE_RHS_STOPPED. The values that it sets must be smooth functions of t and y. To switch
+       something at an instant, use an event with the action ODE_RESTART and set the event's function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
-    vm_vec3 centre;        /* mass centre from the reference point, m, body axes (vm_flow_given_rhs, vm_flow_start) */
+    vm_vec3 centre;        /* vector from the reference point to the mass centre, m, body axes; for vm_flow_given_rhs
+                              and vm_flow_start */
     vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
     vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
-    vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
-    vm_real least_inertia; /* smallest pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
-    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step may go beyond the end of a
-       motion, where the mass is zero or negative or no body can have the inertia. The derivatives are then NaN, so that
-       the integrator shortens its step. An event should stop the run before this happens. */
+    vm_real least_mass;    /* the event function vm_flow_mass_left is 0 when the mass has fallen to this value, kg */
+    vm_real least_inertia; /* the event function vm_flow_inertia_left is 0 when the smallest pivot of the inertia has
+                              fallen to this value, kg m^2 */
+    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step of the integrator may go
+       beyond the end of a motion, where the mass is not positive or no body can have the inertia. The derivatives are
+       then NaN, so that the integrator shortens its step. An event should stop the run before this happens. */
     int status;
     /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
        VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
@@ -5213,23 +5303,23 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation of a right-hand side in *kept and returns it. After several failures in a row
-   *kept is the status of the first one, because the NaN that it returned causes the later failures. */
+/* Stores the status of an evaluation of a right-hand side in *kept and returns this status. After several failures in a
+   row *kept is the status of the first failure, because its NaN derivatives may be the cause of the later failures. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
     return status;
 }
 
-/* Mass, mass centre and inertia of a body at an instant */
+/* Mass, vector from the reference point to the mass centre, and inertia of a body at an instant, in body axes */
 typedef struct VM_TAG(vmi_flow_mass) {
     vm_real mass;
     vm_vec3 centre;
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* The present mass, mass centre and inertia of the body: from the fields of the flow if given = 1, else from the state
-   y */
+/* Returns the present mass, mass centre and inertia of the body. They are fields of the flow if given = 1, and parts of
+   the state y if given = 0. */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -5257,8 +5347,9 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
     return VM_OK;
 }
 
-/* Computes from the state y the rotation *turn from body axes to inertial ones, and in *seen the velocity, the
-   angular velocity and all else that the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Computes from the state y the rotation *turn from body axes to inertial axes, and in *seen the velocity, the angular
+   velocity and the other quantities that the sums over the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or
+   VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -5281,8 +5372,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     return VM_OK;
 }
 
-/* Sets dydt[0] ... dydt[6], the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
-   and energy that the streams take out of the body per second, minus those that the outer loads put in */
+/* Sets dydt[0] ... dydt[6] to the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
+   and energy that the streams take out of the body per second, minus those that outer loads put into it per second */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
@@ -5293,7 +5384,8 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
 }
 
-/* Evaluates the right-hand side that has n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs */
+/* Evaluates a right-hand side. The number n of its states tells which one: vm_flow_given_rhs, vm_flow_rhs or
+   vm_flow_balanced_rhs. */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
@@ -5329,9 +5421,9 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 }
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
-   An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of mechanics/flow.h. Returns
-   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too
-   small, or the number that flow.update returns, each of which ends the run. */
+   An ode_rhs of VM_FLOW_STATES states; its ctx is a vm_flow. The equations are given at the top of mechanics/flow.h.
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size
+   is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5339,9 +5431,10 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 }
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
-   The streams make forces and moments as in vm_flow_rhs. Without streams the equations are (170): mass joins and
-   leaves at rest, at the mass centre. The errors are those of vm_flow_rhs. */
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, centre and inertia for
+   the time t. The streams cause forces and moments as in vm_flow_rhs, but do not change the mass. Without streams the
+   equations are (170): the mass that joins or leaves is at rest and at the mass centre. The errors are those of
+   vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5349,13 +5442,13 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
 }
 
 /* Right-hand side vm_flow_rhs with seven integrals that check the balances.
-   An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are
-   zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
-   out, minus those that the outer loads put in. The sum of an integral and the body's own quantity stays constant.
-   (There are two exceptions if a stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the
-   energy does not balance.) The rate T' of the kinetic energy follows from (113), (118), which hold for sudden
-   changes, in the limit of a continuous stream, for M' > 0 and M' < 0. With the letters of the equations at the top of
-   mechanics/flow.h:
+   An ode_rhs of VM_FLOW_BALANCED_STATES states; its ctx is a vm_flow. The integrals are the states from y[VM_Y_BALANCE]
+   on and are zero at the start. They are the momentum (3 numbers), the angular momentum about the origin (3 numbers)
+   and the kinetic energy that the streams have taken out of the body, minus those that the outer loads have put in.
+   The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
+   stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.)
+   The rate T' of the kinetic energy is the limit of (113), (118), which hold for sudden changes, for a continuous
+   stream with M' > 0 or M' < 0. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
    The first sum is the power that the streams bring. The second sum, with its minus sign, is the power of engines
@@ -5367,11 +5460,12 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 }
 
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
-   The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum). Streams
-   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S.
-   Their letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
-   errors are those of vm_flow_rhs. */
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, inertia and drift for
+   the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular
+   momentum). Streams are not read. The equations are
+     v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S.
+   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The errors
+   are those of vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -5398,8 +5492,9 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return 0;
 }
 
-/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes zeros
-   for the integrals of the balance only if y_size is large enough for them. */
+/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES if y_size is unknown (0) or large enough, and
+   VM_FLOW_GIVEN_STATES if y_size is smaller. If y_size is large enough for the integrals of the balance, too, the
+   result is VM_FLOW_BALANCED_STATES. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
@@ -5420,11 +5515,11 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 }
 
 /* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
-   The mass centre is flow.centre, and the streams are those of flow.streams at the start. Sets flow.mass and
-   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and flow.y_size
-   must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the
-   caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
+   Before the call flow.centre and flow.streams must have the mass centre and the streams at the start. The function
+   sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at
+   least, and flow.y_size must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different
+   states, which the caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -5458,10 +5553,10 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body that n states y describe, with a quaternion of length 1. For n = VM_FLOW_GIVEN_STATES mass, mass centre
-   and inertia come from the flow, for a larger n from y. The states of vm_flow_carried_rhs are different and must not
-   be given. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY, VM_BAD_MASS,
-   VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
+/* The body that n states y describe, with a quaternion of length 1. If n < VM_FLOW_STATES, mass, mass centre and
+   inertia are the fields of *flow; otherwise they are states in y. y must not be a state of vm_flow_carried_rhs, which
+   has different states. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY,
+   VM_BAD_MASS, VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
     vm_body b;
@@ -5498,10 +5593,10 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 }
 
 /* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
-   The pivots are those of the factorization L D L^T. The event stops a run before the inertia becomes singular, which
-   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The event does not
-   watch the triangle inequality of the moments, because thin bodies are always close to its limit. Returns NaN for a
-   null pointer or an inertia that is not finite. */
+   The pivots are the diagonal entries of D in the factorization L D L^T of the inertia. The event stops a run before a
+   pivot becomes 0, which would make the inertia singular. It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of
+   the event is the vm_flow. The event does not check the triangle inequality of the moments, because thin bodies are
+   always close to its limit. Returns NaN for a null pointer or an inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5517,8 +5612,8 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #endif
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. Streams in the
-   plane have no stores; otherwise the equations are those of motion in space.
+   This chapter has the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. The
+   equations are those of motion in space, except that streams in the plane have no stores.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
@@ -5540,7 +5635,7 @@ enum {
     VM_FLOW2_P = 3,       /* momentum, 2 numbers, kg m/s */
     VM_FLOW2_H = 5,       /* angular momentum about the mass centre, kg m^2/s */
     VM_FLOW2_MASS = 6,    /* mass, kg */
-    VM_FLOW2_CENTRE = 7,  /* mass centre from the reference point, 2 numbers, body axes, m */
+    VM_FLOW2_CENTRE = 7,  /* vector from the reference point to the mass centre, 2 numbers, body axes, m */
     VM_FLOW2_INERTIA = 9, /* moment of inertia about the mass centre, kg m^2 */
     VM_FLOW2_STATES = 10
 };
@@ -5568,10 +5663,11 @@ typedef struct VM_TAG(vm_flow2) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* Sine and cosine of x, with errors below 0.6 eps. For |x| up to 2^20 quarter turns (float 2^10) the j quarter turns
-   nearest to x are subtracted from it, in fewer operations than vmi_sincos needs. pi/2 is taken as the sum of two
-   numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and `second` differs
-   from pi/2 by 2^-87 (float 2^-38). The product j times `second` has a rounding error of 2^-67 (float 2^-28). */
+/* Computes sine and cosine of x, with errors below 0.6 eps, in fewer operations than vmi_sincos. For |x| up to 2^20
+   quarter turns (float 2^10) it subtracts j pi/2 from x, where j is the integer nearest to x/(pi/2). pi/2 is replaced
+   by the sum of two numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and
+   `second` differs from pi/2 by 2^-87 (float 2^-38). The product of j and `second` has a rounding error of at most
+   2^-67 (float 2^-28). For larger |x| the function calls vmi_sincos. */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -5604,7 +5700,7 @@ typedef struct VM_TAG(vmi_stream_seen2) {
     vm_real sine, cosine;       /* sine and cosine of the body's angle */
     vm_real vx, vy;             /* velocity, which is momentum/mass, body axes */
     vm_real omega;              /* angular velocity, rad/s */
-    vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
+    vm_real centre_x, centre_y; /* vector from the reference point to the mass centre, body axes */
 } vmi_stream_seen2;
 
 /* The sums over the streams of a body in the plane, in body axes except fx, fy. The letters M', u, v, d, kappa,
@@ -5614,12 +5710,12 @@ typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
     vm_real px, py;  /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_real fx, fy;  /* outer force, plus the sum of M' u of the streams whose velocity is absolute, inertial axes */
-    vm_real moment;  /* outer moment, plus the moments d x M' (u - v) + M' kappa omega2 of the streams */
-    vm_real sx, sy;  /* sum of M' d, which moves the mass centre in the body */
-    vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) */
+    vm_real moment;  /* outer moment, plus the sum of d x M' (u - v) + M' kappa omega2 over all streams */
+    vm_real sx, sy;  /* sum of M' d over all streams; divided by M it is the rate of the mass centre in the body */
+    vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) over all streams */
 } vmi_stream_sum2;
 
-/* Adds a stream, whose `motion` is known, to the sums */
+/* Adds the terms of a stream to the sums. Its `motion` must be known. */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);
@@ -5667,7 +5763,7 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 }
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
-   An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
+   An ode_rhs of VM_FLOW2_STATES states; its ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
    Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that
    flow.update returns, each of which ends the run. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
@@ -5721,7 +5817,7 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
    These right-hand sides describe motions with streams of mass that need fewer states than a free body in space:
    translation in space (172), straight motion (175), (176), and rotation about a fixed axle (173a). The equation of
-   rotation is that of straight motion, with the moment of inertia instead of the mass.
+   rotation is the equation of straight motion with the moment of inertia instead of the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -5753,9 +5849,10 @@ enum {
     VM_FLOW1_STATES = 3
 };
 
-/* A stream of mass that enters or leaves a body on a line or an axle. For an axle let M' be the mass per time, rho the
-   distance of the mass from the axle and kappa its gyration (inertia per unit mass). Then `rate` is M' (kappa + rho^2),
-   and `velocity` is the angular momentum of the stream per unit mass divided by kappa + rho^2. */
+/* A stream of mass that enters or leaves a body on a line or an axle. For a body on an axle let M' be the mass per
+   time, rho the distance from the axle at which the mass enters or leaves, and kappa the inertia per unit mass of this
+   mass about its own mass centre. Then `rate` must be M' (kappa + rho^2), the rate of the moment of inertia. `velocity`
+   must be the angular momentum per unit mass, about the axle, of this mass, divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
@@ -5774,8 +5871,8 @@ typedef struct VM_TAG(vm_flow1) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-/* The velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the stream.
-   All three vectors have the same axes. */
+/* Returns the velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the
+   stream. All three vectors have the same axes. */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
@@ -5784,7 +5881,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
     return u;
 }
 
-/* Evaluates the right-hand side of vm_translation_rhs; flow->update has been called before */
+/* Evaluates the right-hand side of vm_translation_rhs. The caller has called flow->update before, if it is not NULL. */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
@@ -5808,8 +5905,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. This function is not inlined, so that a flow without `update` need
-   not save registers for this call. */
+/* Calls flow->update, then evaluates the right-hand side. This function is not inlined. Otherwise a flow without
+   `update` would lose time, because the processor's registers would be saved for the call of `update`. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5818,10 +5915,11 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
 }
 
 /* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
-   An ode_rhs of VM_TRANSLATION_STATES states; ctx is a vm_flow, of which n, streams, force, update, y_size and status
-   are used. r is the position, p the momentum, M the mass, F the outer force, M' the rate of a stream and u the
-   velocity of its mass. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the
-   streams are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
+   An ode_rhs of VM_TRANSLATION_STATES states; its ctx, here `flow`, is a vm_flow, of which n, streams, force, update,
+   y_size and status are used. r is the position of the mass centre, p the momentum, M the mass and F the outer force.
+   The sum is over all streams; M' is the rate of a stream and u the velocity of its mass. The rate of M is the sum of
+   M'. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the streams are not read.
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
    VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
@@ -5831,7 +5929,7 @@ VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return vmi_translation_rates(f, y, dydt);
 }
 
-/* Evaluates the right-hand side of vm_flow1_rhs; flow->update has been called before */
+/* Evaluates the right-hand side of vm_flow1_rhs. The caller has called flow->update before, if it is not NULL. */
 VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
@@ -5852,8 +5950,8 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. The comment on vmi_translation_updated_rates says why it is not
-   inlined. */
+/* Calls flow->update, then evaluates the right-hand side. The comment on vmi_translation_updated_rates says why this
+   function is not inlined. */
 VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5862,10 +5960,11 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
 }
 
 /* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
-   An ode_rhs of VM_FLOW1_STATES states; ctx is a vm_flow1. The position x, the momentum p and the mass M change by
-   x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i, with the outer force F, the streams' rates M_i and the
-   velocities u_i of their mass. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a
-   stream, or the number that flow.update returns, each of which ends the run. */
+   An ode_rhs of VM_FLOW1_STATES states; its ctx, here `flow1`, is a vm_flow1. The equations for the position x, the
+   momentum p and the mass M are x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i. F is the outer force. Each sum is
+   over all streams; M_i is the rate of stream number i, and u_i is the velocity of its mass. Returns 0; or
+   VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that flow.update returns,
+   each of which ends the run. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
@@ -5877,9 +5976,9 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #endif
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
-   These are motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151),
-   (171) and (175), (176); the motion along a line at a constant rate of mass; and the spin of a rocket whose jet
-   damps it, from Euler's equations. The formulas stay accurate as the rate of mass tends to zero.
+   These are motions with streams of mass that need no integrator: the velocity of a body as a function of its mass,
+   (151), (171), (175), (176); the motion along a line while the mass changes at a constant rate; and the angular
+   velocity of a spinning rocket that its jet damps. The formulas stay accurate as the rate of mass tends to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -5887,16 +5986,17 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #ifndef VARMASS_MECHANICS_ROCKET_H
 #define VARMASS_MECHANICS_ROCKET_H
 
-/* A spinning axisymmetric body. The mass that it loses comes from around the mass centre and leaves through a nozzle on
-   the axis (rate < 0), or mass flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis
-   is the axis of symmetry. */
+/* A spinning axisymmetric body. The body axis z is the axis of symmetry. Mass from around the mass centre leaves
+   through a nozzle on the axis (rate < 0), or mass enters through the nozzle (rate > 0). The mass centre does not move
+   in the body. A transverse axis goes through the mass centre and is perpendicular to z; "inertia" means moment of
+   inertia. */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
-    vm_real axial;               /* moment of inertia C0 about the axis at t = 0, kg m^2 */
-    vm_real transverse;          /* moment of inertia A0 about a transverse axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia per unit mass about the axis, in the body and in the nozzle, m^2 */
-    vm_real gyration_transverse; /* inertia per unit mass about a transverse axis, of the mass in the body, m^2 */
-    vm_real gyration_out;        /* inertia per unit mass about a transverse axis, of the mass in the nozzle, m^2 */
+    vm_real axial;               /* inertia C0 of the body about the z axis at t = 0, kg m^2 */
+    vm_real transverse;          /* inertia A0 of the body about a transverse axis at t = 0, kg m^2 */
+    vm_real gyration_axial;      /* inertia about z per unit of the flowing mass, in the body and in the nozzle, m^2 */
+    vm_real gyration_transverse; /* inertia about a transverse axis per unit of the flowing mass, in the body, m^2 */
+    vm_real gyration_out;        /* inertia per unit of the mass in the nozzle, about a transverse axis there, m^2 */
     vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
@@ -5906,9 +6006,10 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
 }
 
 /* Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171).
-   v0 (m/s) is the velocity at mass m0 (kg), u is in m/s, and impulse (N s) is that of the outer forces during the
-   change. The case u = 0 is that of Levi-Civita. About a fixed axle this formula gives the angular velocity, with
-   moments of inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */
+   v0 (m/s) is the velocity at the mass m0 (kg), u is in m/s, and `impulse` (N s) is the integral of the outer forces
+   over the time of the change. The case u = 0 is that of Levi-Civita. With moments of inertia instead of masses the
+   function gives the angular velocity about a fixed axle. Returns NaN if a mass is not positive or if an argument is
+   infinite or NaN. */
 VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
@@ -5917,10 +6018,10 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
 }
 
 /* Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m: v0 + w ln(m/m0), (175), (176).
-   v0 (m/s) is the velocity at mass m0 (kg), and w (m/s) is the velocity, relative to the body, of the mass that joins
-   or leaves. There is no outer force. About a fixed axle this formula gives the angular velocity, with moments of
-   inertia instead of masses. The error is at most 4 eps of |v0| + |w ln(m/m0)|. Returns NaN if a mass is not positive
-   and for infinite arguments. */
+   v0 (m/s) is the velocity at the mass m0 (kg), and w (m/s) is the velocity, relative to the body, of the mass that
+   joins or leaves. There is no outer force. With moments of inertia instead of masses the function gives the angular
+   velocity about a fixed axle. The error is at most 4 eps (|v0| + |w ln(m/m0)|). Returns NaN if a mass is not positive
+   or if an argument is infinite or NaN. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
@@ -5931,9 +6032,10 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
     return v0 + w * l.hi;
 }
 
-/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34). For other x they are
-   NaN. In a flow at constant rate let s be the fraction of the time that has passed, and m = 1 + x s the mass divided
-   by its initial value. Then *first is the mean of 1/m over s, and *second the mean of s/m. */
+/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34), and both to NaN for
+   other x. They are means over the time of a flow at constant rate. Let s grow from 0 at the start of this time to 1 at
+   its end, and let m = 1 + x s be the mass divided by its initial value. Then *first is the mean of 1/m over s, and
+   *second is the mean of s/m over s. */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
@@ -5943,14 +6045,15 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 }
 
 /* Position and velocity on a line after t seconds of a stream of constant rate.
-   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0. The force (N), the rate and the velocity of the stream are constant.
-   t may be negative. With tau = rate t/m0, m = m0 + rate t, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2,
-   for an absolute velocity u:
-     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) B t^2/m0;
-   for a velocity w relative to the body:
+   The position x0 (m), the velocity v0 (m/s) and the mass m0 (kg) belong to t = 0. The outer force (N) and the rate and
+   the velocity of the stream are constant. t may be negative. Let m = m0 + rate t be the mass at the time t,
+   tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2. If the stream has the absolute velocity u:
+     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) B t^2/m0.
+   If the stream has the velocity w relative to the body:
      v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
-   For every rate >= 0 the errors of x and v are at most 8 eps times the terms of their sums. If mass leaves, this bound
-   grows with m0/m, because the rounding error of rate t is large relative to a small m. Returns VM_BAD_ARGUMENT,
+   If rate t >= 0, the errors of x and v are at most 8 eps times the sum of the absolute values of all terms. If the
+   mass decreases, this bound grows with m0/m, because the rounding error of rate t is large relative to a small m.
+   Returns VM_BAD_ARGUMENT,
    VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
@@ -5990,14 +6093,16 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
 }
 
 /* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
-   There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
-   gyration_axial t the transverse part omega_t of omega has the length
+   There are no outer loads. At the time t the body has the inertia A = A0 + rate gyration_transverse t about a
+   transverse axis and C = C0 + rate gyration_axial t about the z axis. The part omega_t of the angular velocity that is
+   perpendicular to z has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-   where omega_t0 is omega_t at t = 0. omega_z stays constant, and omega_t turns by omega_z times the integral of C/A -
-   1 over time. Let L and B be the functions of tau of vm_linear_flow, here with tau = rate gyration_transverse t/A0.
-   Then ln(A/A0) is tau L, and the integral is t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8
-   times the change that an error of eps in the inputs makes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if
-   A or C is not positive, and VM_OK otherwise. */
+   where omega_t0 is omega_t at t = 0. The part omega_z along z stays constant, and omega_t turns about z by the angle
+   omega_z times the integral of (C/A - 1) over time. Let L and B be the functions of tau explained at vm_linear_flow,
+   here with tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is
+   t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8 times the change of the result that an error of
+   eps in the inputs causes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK
+   otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
@@ -6070,7 +6175,7 @@ typedef struct VM_TAG(vm_supply) {
    in kg/s (< 0 while the supply empties) to get rates in time. */
 typedef struct VM_TAG(vm_supply_left) {
     vm_real mass;               /* mass that is left, kg */
-    vm_real size;               /* level of the liquid above the lower end, length of the gas, or bore of the grain, m */
+    vm_real size;               /* level of the liquid, length of the gas, or bore of the grain, m */
     vm_vec3 centre;             /* mass centre, from the body's reference point, m, body axes */
     vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
     vm_vec3 centre_by_mass;     /* rate of the mass centre, m/kg */
@@ -6172,8 +6277,8 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
 #endif
 /* mechanics/orbit.h - two bodies that attract each other, with constant masses and with masses that change
 
-   The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins has
-   the velocity of its body (reactive = 0). vm_orbit solves this equation for constant mu (Kepler's problem), for
+   The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
+   has the velocity of its body (reactive = 0). vm_orbit solves this equation for constant mu (Kepler's problem), for
    ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for Meshchersky's law
    mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. The scene with vm_effect_gravitation
    takes any law of mass.
@@ -6181,7 +6286,7 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
        vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
        vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
 
-   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (their dot product)
+   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (the dot product)
    and beta = 2 - v0^2, and the functions of Stumpff in the form
      G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
    (sines and cosines of sqrt(beta) s for beta > 0, hyperbolic ones for beta < 0), the time is t = s + sigma G2 +
@@ -6317,7 +6422,8 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
     vmi_orbit o;
     vmi_orbit_point p;
     if (!r || !v) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(mu) || !vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(mu)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
     distance0 = vmi_norm2(r0);
     if (!(mu > 0 && distance0 > 0)) return VM_DOMAIN;
     speed = VM_SQRT(mu / distance0);
@@ -6346,10 +6452,10 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
 }
 
 /* Position and velocity after t seconds, while the attraction changes by Meshchersky's law mu/(1 + rate t).
-   The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that leaves
-   or joins has the velocity of its body. The equation is that of Gylden and Meshchersky, r'' = -mu/(1 + rate t) r/|r|^3.
-   The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if 1 + rate t is not positive, and
-   the errors of vm_orbit. */
+   The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
+   leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
+   r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if
+   1 + rate t is not positive, and the errors of vm_orbit. */
 VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_vec3 position, velocity;
@@ -6374,19 +6480,20 @@ VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0,
 #endif
 /* mechanics/drum.h - a band that winds up on a drum
 
-   A band that arrives at a constant velocity winds up on a drum, whose mass and inertia grow (chapter 5.2, Fig. 20).
-   This chapter has
+   A band that arrives at a constant velocity winds up on a drum. The mass and the inertia of the drum with its band
+   grow (section 5.2 and Fig. 20 of the dissertation [1]). This chapter has
      - the geometry (181)-(188),
-     - the exact equations of motion, and the reduced equations (192)-(193) of the dissertation,
+     - the exact equations of motion, and the reduced equations (192)-(193) of [1],
      - the motion on a rigid shaft in closed form (194)-(206),
      - the vibrations of an elastic shaft (210)-(226).
 
-   The band moves at the velocity v along y and meets the drum at S + (R, 0), where S is the centre of the shaft and R
-   the radius. After the drum has turned by the angle phi, the band covers the arc from 0 to phi. The mass centre of
-   this arc is in the direction phi/2. R stays constant, because only the first layer, 0 <= phi <= 2 pi, is considered.
+   The band moves at the velocity v along y and meets the drum at the point S + (R, 0), where S is the centre of the
+   shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
+   phi. The mass centre of this arc lies in the direction phi/2 from S. R stays constant, because only the first layer
+   of the band, 0 <= phi <= 2 pi, is considered.
 
-   The fields of vm_drum name most letters of the formulas. In addition, mu is the band's mass per angle, j = mu R^2
-   (186), and e = mu v R - D with the damping D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
+   The letters of the formulas are explained at the fields of vm_drum. Two more are j = mu R^2 (186), the inertia of the
+   band per angle, and e = mu v R - D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -6410,9 +6517,9 @@ typedef struct VM_TAG(vm_drum) {
 /* Geometry of the drum and of the band wound on it, when the drum has turned by the angle phi */
 typedef struct VM_TAG(vm_drum_geometry) {
     vm_real mass;         /* mass M of drum and band (182), kg */
-    vm_real arc_centre;   /* distance of the band's mass centre S' from the shaft S (184), m */
-    vm_real offset;       /* distance from the shaft S to S1, the mass centre of drum and band, m;
-                             S1 lies in the direction phi/2 from S [(185) corrected] */
+    vm_real arc_centre;   /* distance of the band's mass centre from the shaft's centre S (184), m */
+    vm_real offset;       /* distance from the shaft's centre S to S1, the mass centre of drum and band, m.
+                             S1 lies in the direction phi/2 from S [(185) corrected]. */
     vm_real axle_inertia; /* inertia J_S of drum and band about the axle (187), kg m^2 */
     vm_real inertia;      /* inertia J_S1 of drum and band about S1 (188), kg m^2 */
 } vm_drum_geometry;
@@ -6433,22 +6540,22 @@ enum {
     VM_DRUM_ANGLE_STATES = 4
 };
 
-/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b), with the letters of vm_drum,
-   j = mu R^2 and e = mu v R - D. With ' = d/dphi, the deflection x satisfies
+/* The elastic shaft in the first approximation, for small mu/M0, j/J0 and e/(J0 Omega_b). The letters mu, v, M0, J0,
+   Omega_b, c are explained at vm_drum; j = mu R^2 and e = mu v R - D. The deflection x, y of the shaft is a function
+   of the angle phi. With x' = dx/dphi the deflection x satisfies
      x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213).
-   The equation for y has mu v/(M0 Omega_b) on the right instead of 0 (214). */
+   The equation of y has mu v/(M0 Omega_b) on the right side instead of 0 (214). */
 typedef struct VM_TAG(vm_drum_shaft) {
-    vm_real k;     /* frequency divided by angular velocity, sqrt(c/M0)/Omega_b, a pure number */
-    vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2 with mu = band, j = mu R^2, e = mu v R - D.
-                      This corrects the coefficient in (213). */
-    vm_real A;     /* relative decrease of the squared frequency, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), with
-                      mu, j, e as for delta. This corrects (213), too. */
+    vm_real k;     /* angular frequency sqrt(c/M0) of the shaft with the empty drum, divided by Omega_b */
+    vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2. The coefficient printed in (213) is wrong. */
+    vm_real A;     /* relative decrease of the squared frequency per angle, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b).
+                      The value in (213) is wrong. */
     vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m. The deflection y oscillates about shift/(1 - A phi). */
 } vm_drum_shaft;
 
 /* The band's mass per angle on a drum, mu = R h b rho (181), kg/rad.
-   The radius R of the drum, the thickness h and the width b of the band are in m, the density rho in kg/m^3. NaN in
-   an argument gives NaN. */
+   The radius R of the drum, the thickness h and the width b of the band are in m, and the density rho of the band is in
+   kg/m^3. If an argument is NaN, the result is NaN. */
 VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm_real density)
 {
     return radius * thickness * width * density;
@@ -6462,8 +6569,8 @@ typedef struct VM_TAG(vmi_drum_mass) {
                         inertia about the mass centre is J - steiner */
 } vmi_drum_mass;
 
-/* Sets *m for the angle phi of the drum, where s is sin(phi/2). A call with s = 0 neglects the distance from the axle
-   to the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
+/* Sets *m for the angle phi of the drum. The argument s is sin(phi/2), or 0 to neglect the distance from the axle to
+   the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -6511,9 +6618,10 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 }
 
 /* Right-hand side of the drum on an elastic shaft, exact.
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), which leave out that the mass
-   centre moves inside the drum, and give the torque of the shaft the wrong sign. With the deflection rS = (xS, yS), the
-   unit vector k along z and q = mu R (sin phi, 1 - cos phi), the equations are
+   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. The equations replace (177) and (191), which
+   neglect that the mass centre moves inside the drum, and in which the torque of the shaft has the wrong sign. Let
+   rS = (xS, yS) be the deflection of the shaft, k the unit vector along z, and q = mu R (sin phi, 1 - cos phi). With
+   the cross product x and ' = d/dt the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
    M is the mass of drum and band, J_S their inertia about the axle; vm_drum explains c, D, mu, v, R. Returns VM_OK; or
@@ -6548,9 +6656,10 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. These are the equations of vm_drum_rhs for a small mass mu of
-   the band per angle. Unlike (192) they contain the unbalance mu R phi'^2 (sin phi, -cos phi), because it is of the
-   same order as the terms that (192) keeps. The errors are those of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. For a small mass mu of the band per angle
+   the equations of vm_drum_rhs are reduced to these simpler ones. Unlike (192) they contain the force
+   mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms that (192) keeps. The
+   errors are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6582,7 +6691,7 @@ VM_API int vmi_drum_turns(const vm_drum *d)
            VM_IS_FINITE(d->damping);
 }
 
-/* The product j = mu R^2 in two words, that is, as the sum of two numbers */
+/* The product j = mu R^2 in two words, that is, as the sum of two vm_reals */
 VM_API vm_two vmi_drum_j(const vm_drum *d)
 {
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
@@ -6606,10 +6715,10 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
    J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
-   mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's
-   fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and e = j
-   Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null
-   pointer, and if inertia or omega is not positive or band is negative. */
+   mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle have errors of at most 3 ulp if the
+   drum's fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and
+   e = j Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a
+   null pointer, and if inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -6621,9 +6730,9 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 }
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum. The independent variable is phi. The angular velocity
-   phi' is the one that the drum has on a rigid shaft (196). Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer,
-   VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_ANGLE_STATES states; its ctx, here `drum`, is a vm_drum. The independent variable is the angle
+   phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft (196). Returns VM_OK;
+   or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6637,7 +6746,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
     if (!(rate > 0)) return VM_DOMAIN;
-    acceleration = (e - j * rate) / m.J; /* the derivative dphi'/dphi (195); phi'' is acceleration times phi' */
+    acceleration = (e - j * rate) / m.J; /* derivative of phi' with respect to phi (195) */
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
     dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
@@ -6660,9 +6769,10 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 }
 
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
-   With the letters of vm_drum_rate and x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x -
-   ln(1 + x))/x^2] for every sign of e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN
-   where vm_drum_rate gives NaN. */
+   With x = e phi/(J0 Omega_b) and the letters explained at vm_drum_rate the time is
+     t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2]
+   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN where
+   vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -6678,10 +6788,11 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
     return vmi_drum_share(sum, phi, vmi_two(d->omega, 0)).hi;
 }
 
-/* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
-   and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 +
-   sqrt(1 + 2 b)). For a > 0 this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value.
-   For a < 0 this p is too small, and so is |a|/(|a| + b); the function takes the larger value. */
+/* Returns a start value of p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
+   and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 of this equation is p^2/2, and the equation has the
+   solution p0 = 2/(1 + sqrt(1 + 2 b)), called p in the code. For a > 0 both p0 and ln(1 + a p0 + a^2/b)/a are larger
+   than the solution, and the function takes the smaller one. For a < 0 both p0 and |a|/(|a| + b) are smaller than the
+   solution, and the function takes the larger one. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -6692,10 +6803,12 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
-   Accuracy, NaN and the letters J0, Omega_b, e, j are those of vm_drum_rate. With x = e phi/(J0 Omega_b), y = ln(1 +
-   x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and the unknown p = y/a the equation of vm_drum_time is
+   For the accuracy, the results NaN and the letters J0, Omega_b, e, j see vm_drum_rate. The method uses x, y, a, b, f:
+   x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t). Its unknown is p = y/a,
+   for which the equation of vm_drum_time becomes
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
-   Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
+   The left side is a convex function of p with the positive slope 1 + b f. Therefore the method converges from any
+   start value. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
     const vm_real precise = VM_EPSILON / 8; /* the relative error of phi that the last step may leave */
@@ -6725,12 +6838,12 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 }
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
-   The letters J0, Omega_b, e, j are those of vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and
-   f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) for x
-   = -exp(-f1/k1)/k1. It needs the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function is for
-   comparison; vm_drum_angle is better. Near e = 0 the solution by W loses all digits, because x approaches the branch
-   point of W. The code uses ln |x|, because x itself overflows or underflows near k1 = 0 (for k1 = 1e-3 it may be
-   1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate does. */
+   The letters J0, Omega_b, e, j are explained at vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b)
+   and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) with
+   x = -exp(-f1/k1)/k1. It needs the branch W_-1 of W for 0 < k1 < 1, and the branch W_0 for other k1. This function
+   serves only for comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits,
+   because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows near
+   k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate returns NaN. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -6741,7 +6854,7 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
     if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1;
-    if (l > -1 && k1 > 0) l = -1; /* only rounding can move l beyond the branch point -1 */
+    if (l > -1 && k1 > 0) l = -1; /* only rounding errors can make l larger than -1, the branch point of W */
     if (k1 < 0) w = vm_wright_omega(l);
     else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* e > 0 means k1 < 1, even if k1 has been rounded to 1 */
     else w = vm_lambert_w0_neg_exp(l);
@@ -6774,13 +6887,14 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
     return VM_OK;
 }
 
-/* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected.
-   With the fields k, delta, A of *s it is
-     a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
-   where `particular` is 0 for x and s->shift for y. a (m) is the amplitude and alpha (rad) the phase. They follow from
-   the start: at phi = 0 the deflection is a cos alpha + particular. The integral is (2k/3A) (1 - m^3) with
-   m^2 = 1 - A phi. It is computed as 2k/3 phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null
-   pointer and if 1 - A phi <= 0. */
+/* Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected.
+   With the fields k, delta, A of *s the deflection is
+     a (1 - A phi)^(-1/4) exp(-delta phi) cos(I + alpha) + particular/(1 - A phi),
+   where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y. The
+   amplitude a (m) and the phase alpha (rad) follow from the start: at phi = 0 the deflection is a cos alpha +
+   particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
+   (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null pointer and if 1 - A phi <=
+   0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;
@@ -6802,14 +6916,15 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    This chapter has the right-hand side for any system of n generalized coordinates whose kinetic energy T you can write
    down. The masses may depend on time and position (247). You give T, the masses and the generalized forces Q. The
    chapter computes the mass matrix A, the vector b and the derivatives from T. The states are the coordinates q and the
-   momenta pi = dT/dq', so that neither rates of momenta nor rates of masses are needed:
+   momenta pi = dT/dq', so that you need not give time derivatives of momenta or masses:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0,  T0 = T(q' = 0).
 
-   This is (247) corrected. T must use the velocities of the material. With streams of mass, Lagrange's equations are
-     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
+   This is (247) corrected. T must use the velocities of material points. A mass centre also shifts because mass leaves;
+   this motion must not be counted in T. With streams of mass, Lagrange's equations are
+     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum over streams [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
-   unit mass, the inertia kappa. omega is the angular velocity of the body. In dT/dq_i the masses must not vary,
-   although (244)-(247) may be read as if they did.
+   unit mass, the inertia kappa. omega is the angular velocity of the body. "Masses frozen" means that the masses are
+   held constant in the derivative dT/dq_i, although (244)-(247) may be read as if they varied.
 
        #include "varmass.h"
        static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
@@ -6829,7 +6944,7 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
        {
            vm_real q[1] = {0}, rates[1] = {2}, y[2], work[VM_LAGRANGE_RHS_WORK(1, 1)];
            vm_lagrange_system body = {1, 1, masses, energy, NULL, NULL, NULL, work};
-           return vm_lagrange_start(&body, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &body, 2, ...)
+           return vm_lagrange_start(&body, 0, q, rates, y); // y: initial state for rk45_init and vm_lagrange_rhs
        }
 
    Your Q must contain the terms of the streams, too. Example: a pendulum of length l and angle q has a bob that leaks
@@ -6837,24 +6952,24 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
    Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
-   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if T varies noticeably only
-   over changes of q as large as the field `scales`. Tests: tests/test_lagrange.c. */
+   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if a coordinate must change by
+   as much as the field `scales` says before T changes noticeably. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
-/* A mechanical system: the ctx of vm_lagrange_rhs */
+/* A mechanical system: the argument ctx of vm_lagrange_rhs */
 typedef struct VM_TAG(vm_lagrange_system) {
     int n;        /* number of coordinates, > 0 */
     int n_masses; /* number of masses, inertias and other quantities that are held constant in dT/dq, >= 0 */
-    /* Sets the n_masses masses at time t and coordinates q. NULL if n_masses is 0. */
+    /* Sets the n_masses masses at time t and coordinates q. The pointer is NULL if n_masses is 0. */
     void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx);
     /* Returns the kinetic energy T (J), a polynomial of degree 2 in the n rates q'. */
     vm_real (*energy)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx);
-    /* NULL, or a function that adds the n generalized forces to Q, for example by vm_lagrange_add_force. It returns
-       0; another number ends the run. */
+    /* NULL, or a function that adds the n generalized forces to Q, for example with vm_lagrange_add_force. It returns 0
+       to go on; any other number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
     void *ctx;             /* the argument ctx of the three functions above */
-    const vm_real *scales; /* for each coordinate the change over which T varies noticeably; NULL for 1 everywhere */
+    const vm_real *scales; /* for each coordinate, the change after which T differs noticeably; NULL: 1 for all */
     vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
@@ -6864,7 +6979,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
-    vm_real *b;      /* the vector b in T, the factors of the rates q' in its linear terms, n numbers */
+    vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
     vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -6881,8 +6996,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
     return w;
 }
 
-/* The kinetic energy T at the rates x e_i + z e_j, where e_i is the unit vector of coordinate i. If i or j is -1, its
-   term is left out. */
+/* The kinetic energy T at time t, coordinates q and the rates x e_i + z e_j. e_i and e_j are the unit vectors of the
+   coordinates i and j. If i or j is -1, its term is left out. The masses are those in the work array. */
 VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
                                    int j, vm_real z)
 {
@@ -6895,8 +7010,8 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
 }
 
 /* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
-   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j, so that a coordinate with a large energy
-   does not hide the digits of the other one. */
+   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. Both coordinates then have equal
+   energies. Otherwise a coordinate with a large energy would hide the digits of the other one. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6926,8 +7041,9 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Writes the rates q' = A^-1 (pi - b) of the state y into the work array. Returns VM_SINGULAR if A is not positive
-   definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK otherwise. */
+/* Writes the rates q' = A^-1 (pi - b) to the work array. y holds the coordinates q and the momenta pi. Returns
+   VM_SINGULAR if A is not positive definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK
+   otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -6941,9 +7057,9 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
 }
 
 /* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. It is a central
-   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step is h times the scale of q_i. In units of
-   this scale the error is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small
-   for h = 2^-7 in double precision (eps = 2^-52) and for h = 2^-3 in single precision (eps = 2^-23). */
+   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step h is 2^-7 (double precision, eps = 2^-52)
+   or 2^-3 (single precision, eps = 2^-23) times the scale of q_i. If q_i is measured in units of its scale, the error
+   is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small for these h. */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -6972,11 +7088,11 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 }
 
 /* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi; ctx is a vm_lagrange_system. Returns 0 or
-   an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite,
-   VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix is not positive
-   definite if, for example, a mass has become negative; use an event to stop the run before that. The number of calls
-   of system->energy grows with n^2. */
+   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi. `lagrange` points to a vm_lagrange_system.
+   Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not
+   positive definite, VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix
+   is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
+   number of calls of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -7044,21 +7160,22 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
 #endif
 /* mechanics/euler_angles.h - Euler's angles
 
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about z, by theta about
-   the line of nodes, and by phi about its own z axis. This chapter computes
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about the z axis, then
+   by theta about its own x axis (the line of nodes), then by phi about its own z axis. This chapter computes
      - the quaternion of three angles,
-     - the axes about which the angles turn the body (Lagrange's equations need them as domega/dq'_i),
-     - the rates psi', theta', phi' of the angles from an angular velocity.
+     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the time derivatives psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
 
    Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning: neighbouring angles differ by 1 rad or more.
+   the number of binary digits of vm_real, a result has no meaning: adjacent numbers differ by 1 rad or more.
    Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
-/* Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles. Infinite angles give NaN. */
+/* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite
+   angles give NaN. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 {
     vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
@@ -7069,11 +7186,11 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 }
 
 /* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i, where q'_i is the rate of
-   angle i. A call with a null pointer does nothing. */
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i if q'_0, q'_1, q'_2 are the
+   rates psi', theta', phi'. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* sine s and cosine c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
     if (!axis) return;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -7086,7 +7203,7 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
    omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
-    vm_real s, c, sine, cosine; /* sine s and cosine c of phi; sine, cosine of theta */
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of phi; sine, cosine: those of theta */
     if (!axis) return;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
@@ -7095,11 +7212,12 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
     axis[2] = vmi_vec3(0, 0, 1);
 }
 
-/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_SINGULAR if sin(theta) is 0, and VM_OK otherwise. */
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_OK,
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, or VM_SINGULAR if sin(theta) is 0: psi and phi then turn the body
+   about the same axis, so that their rates are not unique. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3]; /* sine s and cosine c of psi; sine, cosine of theta */
+    vm_real s, c, sine, cosine, result[3]; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);
@@ -11882,6 +12000,1940 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
 }
 
 #endif
+/* oscillators/odd_force.h - vibration under an odd elastic force of any form, with constant mass
+
+   The equation is x'' + F(x) = 0, where F is odd and force per unit mass: x + x^3, sin x, tanh x, or a function of
+   the user. A vm_odd_force holds F. Its constructors are vm_odd_force_user here and vm_duffing_force in
+   oscillators/duffing.h.
+   At an amplitude A one quadrature gives the period, the action and x(t):
+       vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
+       vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
+   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g), where g is the mean of F(x)/x over
+   the squares between x^2 and A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit is the
+   motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of v dx
+   over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
+   Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
+#define VARMASS_OSCILLATORS_ODD_FORCE_H
+
+/* -- The force and its orbits -- */
+
+/* A user's odd function: writes F(x) for x >= 0 to *f and returns 0, or another number where it fails. F must be
+   smooth for x >= 0; at x = 0 it may have a kink, as x|x| does. */
+typedef int (*vm_odd_function)(vm_real x, vm_real *f, void *ctx);
+
+typedef struct VM_TAG(vmi_orbit) vmi_orbit;
+typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
+
+/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions
+   of this header and to the user's function and ctx, which must outlive it. */
+typedef struct VM_TAG(vm_odd_force) vm_odd_force;
+struct VM_TAG(vm_odd_force) {
+    vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
+    vm_odd_function function; /* the user's function; else null */
+    void *ctx;                /* the user's pointer, last argument of function */
+    /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
+    int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* F(x) for any x; null if this is no force */
+    /* Writes the size and the place of the orbit through a state. */
+    int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
+    /* Computes all other fields of an orbit from its size and place. */
+    int (*complete)(vmi_orbit *orbit);
+    /* Writes a point of a complete orbit, the phase of a state on it, and the state at a phase. */
+    void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point);
+    int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);
+    int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v);
+};
+
+/* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
+enum { VMI_ORBIT_AROUND_0 = 0, VMI_ORBIT_RIGHT = 1, VMI_ORBIT_LEFT = -1 };
+
+/* The largest number of equal parts of 0 <= theta <= pi/2, and of equal pieces of 0 <= x <= A */
+enum { VMI_ORBIT_PARTS = 8, VMI_ORBIT_NODES = VMI_ORBIT_PARTS * VMI_GAUSS };
+
+/* An orbit of x'' + F(x) = 0 */
+struct VM_TAG(vmi_orbit) {
+    const vm_odd_force *force;
+    vm_real size;              /* amplitude, m, if the orbit lies around 0; else half the difference of the largest and
+                                  the smallest x^2, m^2 */
+    int place;                 /* VMI_ORBIT_... */
+    vm_real span;              /* the phase between theta = 0 and theta = pi/2: pi/2 around 0, else pi */
+    vm_real w, j;              /* rate of the phase, 1/s, and action */
+    vm_real energy_slope;      /* derivative of the energy by `size` */
+    vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
+    vm_real lambda, m1;        /* of Duffing's force: rate of the argument of Jacobi's functions, and their 1 - k^2 */
+    int pieces;                /* of other forces: equal pieces of 0 ... `size`, on each of which F is a series */
+    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* of other forces: Legendre series of F on the pieces */
+    vm_real above[VMI_ORBIT_PARTS];             /* of other forces: integral of F from the end of a piece to `size` */
+};
+
+/* A point of an orbit, 0 <= theta <= pi/2; theta = 0 is the turning point with the largest |x|. x is positive. */
+struct VM_TAG(vmi_orbit_point) {
+    vm_real x, v;          /* position and velocity */
+    vm_real slowness;      /* dt/dtheta */
+    vm_real x_size;        /* derivative of x by the orbit's size, at fixed theta */
+    vm_real slowness_size; /* derivative of the slowness by the orbit's size, at fixed theta */
+};
+
+/* The largest |x| on a complete orbit, m */
+VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
+{
+    if (orbit->place == VMI_ORBIT_AROUND_0) return orbit->size;
+    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2, as size = (A^2 - B^2)/2 */
+}
+
+/* -- Integrals over theta -- */
+
+/* A function of theta as Legendre series on `parts` equal parts of 0 ... pi/2, and its integral */
+typedef struct VM_TAG(vmi_orbit_sum) {
+    int parts;
+    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS];
+    vm_real start[VMI_ORBIT_PARTS + 1]; /* the integral from 0 to the start of each part; the last one is the whole */
+} vmi_orbit_sum;
+
+/* The angle theta of node i, if there are `parts` equal parts with 20 nodes each */
+VM_API vm_real vmi_orbit_node(int parts, int i)
+{
+    const vm_real in_part = (1 + vmi_gauss_node(i % VMI_GAUSS)) / 2;
+    return VM_PI / 2 * (((vm_real)(i / VMI_GAUSS) + in_part) / (vm_real)parts);
+}
+
+/* Makes the sums of two functions from their values at the nodes. */
+VM_API void vmi_orbit_sums(int parts, const vm_real *values_a, const vm_real *values_b, vmi_orbit_sum *a,
+                           vmi_orbit_sum *b)
+{
+    const vm_real width = VM_PI / 2 / (vm_real)parts;
+    int i;
+    a->parts = parts;
+    b->parts = parts;
+    a->start[0] = 0;
+    b->start[0] = 0;
+    for (i = 0; i < parts; i++) {
+        vmi_legendre_fit(values_a + i * VMI_GAUSS, values_b + i * VMI_GAUSS, a->series[i], b->series[i]);
+        a->start[i + 1] = a->start[i] + width * a->series[i][0];
+        b->start[i + 1] = b->start[i] + width * b->series[i][0];
+    }
+}
+
+/* The integral from 0 to pi/2 */
+VM_API vm_real vmi_orbit_whole(const vmi_orbit_sum *sum) { return sum->start[sum->parts]; }
+
+/* The part that holds theta, 0 <= theta <= pi/2. Writes the place of theta in it, from -1 to 1. */
+VM_API int vmi_orbit_part(const vmi_orbit_sum *sum, vm_real theta, vm_real *place)
+{
+    const vm_real parts_before = theta / (VM_PI / 2) * (vm_real)sum->parts;
+    int part = (int)VM_FLOOR(parts_before);
+    if (part >= sum->parts) part = sum->parts - 1;
+    if (part < 0) part = 0;
+    *place = 2 * (parts_before - (vm_real)part) - 1;
+    return part;
+}
+
+/* The integral from 0 to theta, 0 <= theta <= pi/2 */
+VM_API vm_real vmi_orbit_sum_to(const vmi_orbit_sum *sum, vm_real theta)
+{
+    vm_real place;
+    const int part = vmi_orbit_part(sum, theta, &place);
+    const vm_real half = VM_PI / 4 / (vm_real)sum->parts;
+    return sum->start[part] + half * vmi_legendre_integral(sum->series[part], place);
+}
+
+/* The value of the function at theta, 0 <= theta <= pi/2 */
+VM_API vm_real vmi_orbit_value(const vmi_orbit_sum *sum, vm_real theta)
+{
+    vm_real place;
+    const int part = vmi_orbit_part(sum, theta, &place);
+    return vmi_legendre_at(sum->series[part], place);
+}
+
+/* The size of the terms that the series leave out, relative to the mean of the function */
+VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
+{
+    vm_real largest = 0;
+    int i;
+    for (i = 0; i < sum->parts; i++) {
+        const vm_real tail = vmi_legendre_tail(sum->series[i]);
+        if (!(tail <= largest)) largest = tail;
+    }
+    return largest / (vmi_orbit_whole(sum) / (VM_PI / 2));
+}
+
+/* The theta at which the integral of a positive function from 0 is `target`, between 0 and its whole integral.
+   Newton's method, with bisection where a step leaves the interval in which the solution lies. */
+VM_API vm_real vmi_orbit_theta(const vmi_orbit_sum *sum, vm_real target)
+{
+    const int most = 64;
+    vm_real low = 0, high = VM_PI / 2, theta = VM_PI / 2 * (target / vmi_orbit_whole(sum));
+    int i;
+    if (!(target > 0)) return 0;
+    if (!(target < vmi_orbit_whole(sum))) return VM_PI / 2;
+    for (i = 0; i < most; i++) {
+        const vm_real rest = vmi_orbit_sum_to(sum, theta) - target;
+        vm_real next = theta - rest / vmi_orbit_value(sum, theta);
+        if (rest > 0) high = theta;
+        else low = theta;
+        if (!(next > low && next < high)) next = low + (high - low) / 2;
+        if (VM_FABS(next - theta) <= VM_EPSILON * theta) return next;
+        theta = next;
+    }
+    return theta;
+}
+
+/* -- A phase, brought to the part of an orbit that repeats -- */
+
+/* A phase on the part 0 ... span, of which all other parts are mirror images */
+typedef struct VM_TAG(vmi_orbit_folded) {
+    vm_real phi;  /* between 0 and the orbit's span */
+    vm_real sign; /* -1 where the phase is a mirror image, so that odd functions change their sign; else 1 */
+    vm_real side; /* -1 where x has the other sign than at phase 0; else 1 */
+} vmi_orbit_folded;
+
+/* Folds a phase of any size. */
+VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
+{
+    vmi_orbit_folded f;
+    const vm_real turn = 2 * orbit->span, turns = VM_FLOOR(phi / turn + VM_C(0.5));
+    const vm_real rest = phi - turn * turns;
+    f.sign = rest < 0 ? -1 : 1;
+    f.phi = vmi_smaller(VM_FABS(rest), orbit->span);
+    f.side = 1;
+    if (orbit->place == VMI_ORBIT_LEFT) f.side = -1;
+    if (orbit->place == VMI_ORBIT_AROUND_0 && turns != 2 * VM_FLOOR(turns / 2)) f.side = -1;
+    return f;
+}
+
+/* The derivative dt/dtheta at all nodes, and its derivative by the orbit's size. Doubles the number of parts until the
+   series leave out no more than `enough`, as far as VMI_ORBIT_PARTS allows. */
+VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_sum *time, vmi_orbit_sum *time_size)
+{
+    vm_real slowness[VMI_ORBIT_NODES], by_size[VMI_ORBIT_NODES];
+    int i, parts;
+    for (parts = 1; parts <= VMI_ORBIT_PARTS; parts *= 2) {
+        for (i = 0; i < parts * VMI_GAUSS; i++) {
+            vmi_orbit_point point;
+            orbit->force->point(orbit, vmi_orbit_node(parts, i), &point);
+            slowness[i] = point.slowness;
+            by_size[i] = point.slowness_size;
+        }
+        vmi_orbit_sums(parts, slowness, by_size, time, time_size);
+        if (vmi_orbit_tail(time) <= enough) break;
+    }
+}
+
+/* -- Forces by a user's function -- */
+
+/* F(x) for any x. Returns VM_DOMAIN where the user's function fails, VM_NOT_FINITE where F is not finite. */
+VM_API int vmi_odd_user_at(const vm_odd_force *force, vm_real x, vm_real *f)
+{
+    *f = 0;
+    if (x == 0) return VM_OK;
+    if (force->function(VM_FABS(x), f, force->ctx)) return VM_DOMAIN;
+    if (!VM_IS_FINITE(*f)) return VM_NOT_FINITE;
+    if (x < 0) *f = -*f;
+    return VM_OK;
+}
+
+/* F at one point of an orbit, and two means up to the amplitude A, or up to the end of a piece */
+typedef struct VM_TAG(vmi_odd_forces) {
+    vm_real f;     /* F(x) */
+    vm_real mean;  /* mean of F between x and the end */
+    vm_real slope; /* (F(end) - F(x))/(end - x) */
+} vmi_odd_forces;
+
+/* Sums of the Legendre series of F on a piece of the length 2 half, at y between -1 and 1, where 1 is the piece's end.
+   With D_k = (1 - P_k(y))/(1 - y) no difference of close numbers occurs near the end. */
+VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_real half)
+{
+    vm_real before = 0, now = 1, D_before = 0, D = 0;
+    vmi_odd_forces r = {0, 0, 0};
+    int k;
+    for (k = 0; k < VMI_GAUSS; k++) {
+        const vm_real next = vmi_legendre_next(k, y, now, before);
+        const vm_real D_next = ((vm_real)(2 * k + 1) * (1 + y * D) - (vm_real)k * D_before) / (vm_real)(k + 1);
+        r.f += series[k] * now;
+        r.mean += series[k] * (D_next - D_before) / (vm_real)(2 * k + 1);
+        r.slope += series[k] * D;
+        before = now;
+        now = next;
+        D_before = D;
+        D = D_next;
+    }
+    r.slope /= half;
+    return r;
+}
+
+/* F and its means between x = share A and the amplitude A, 0 <= share <= 1 */
+VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
+{
+    const vm_real A = orbit->size, half = A / (2 * (vm_real)orbit->pieces);
+    int piece = (int)(share * (vm_real)orbit->pieces);
+    vm_real y, rest;
+    vmi_odd_forces r;
+    if (piece >= orbit->pieces) piece = orbit->pieces - 1;
+    y = 2 * (share * (vm_real)orbit->pieces - (vm_real)piece) - 1;
+    r = vmi_odd_user_sums(orbit->series[piece], y, half);
+    if (piece == orbit->pieces - 1) return r;
+    rest = A * (1 - share);
+    r.mean = (r.mean * (half * (1 - y)) + orbit->above[piece]) / rest;
+    r.slope = (orbit->energy_slope - r.f) / rest;
+    return r;
+}
+
+/* The point at theta. Between x and the amplitude A, F has the mean g (A + x)/2. */
+VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
+{
+    const vm_real A = orbit->size;
+    vm_real sine, cosine, g, g_size;
+    vmi_odd_forces r;
+    vmi_sincos(theta, &sine, &cosine);
+    r = vmi_odd_user_forces(orbit, vmi_larger(cosine, 0));
+    g = 2 * r.mean / (A * (1 + cosine));
+    g_size = (2 * (A * r.slope + r.f) / (A * (1 + cosine)) - 2 * g) / A;
+    point->x = A * cosine;
+    point->v = -A * sine * VM_SQRT(g);
+    point->slowness = 1 / VM_SQRT(g);
+    point->x_size = cosine;
+    point->slowness_size = -point->slowness * (g_size / (2 * g));
+}
+
+/* Fits the series of F on this number of pieces of 0 ... A. Writes the size of the terms that they leave out, relative
+   to the root mean square of F. */
+VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
+{
+    const vm_real length = orbit->size / (vm_real)pieces;
+    vm_real values[VMI_GAUSS], same[VMI_GAUSS], square = 0, largest = 0;
+    int i, k;
+    orbit->pieces = pieces;
+    orbit->above[pieces - 1] = 0;
+    orbit->energy_slope = 0;
+    for (k = pieces - 1; k >= 0; k--) {
+        for (i = 0; i < VMI_GAUSS; i++) {
+            const vm_real x = length * ((vm_real)k + (1 + vmi_gauss_node(i)) / 2);
+            const int status = vmi_odd_user_at(orbit->force, x, &values[i]);
+            if (status) return status;
+        }
+        vmi_legendre_fit(values, values, orbit->series[k], same);
+        square += vmi_legendre_square(orbit->series[k]) / (vm_real)pieces;
+        largest = vmi_larger(vmi_legendre_tail(orbit->series[k]), largest);
+        if (k > 0) orbit->above[k - 1] = orbit->above[k] + length * orbit->series[k][0];
+    }
+    for (i = 0; i < VMI_GAUSS; i++) orbit->energy_slope += orbit->series[pieces - 1][i];
+    *tail = largest / VM_SQRT(square);
+    return VM_OK;
+}
+
+/* Fits series of F between 0 and the orbit's amplitude, on as few pieces as are enough. Returns VM_NO_LAW if F is not
+   smooth enough for them. */
+VM_API int vmi_odd_user_series(vmi_orbit *orbit)
+{
+    const vm_real enough = 64 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-5);
+    vm_real tail = 0;
+    int pieces;
+    for (pieces = 1; pieces <= VMI_ORBIT_PARTS; pieces *= 2) {
+        const int status = vmi_odd_user_fit(orbit, pieces, &tail);
+        if (status) return status;
+        if (tail <= enough) break;
+    }
+    if (tail <= accepted) return VM_OK;
+    return VM_NO_LAW;
+}
+
+/* Completes an orbit whose amplitude is known. Returns VM_NO_LAW where there is no vibration of this amplitude, and
+   where the quadrature is not accurate: close to a separatrix, and for a force that is not smooth. */
+VM_API int vmi_odd_user_complete(vmi_orbit *orbit)
+{
+    const vm_real enough = 16 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-10) : VM_C(1e-4);
+    vmi_orbit_sum time, time_size;
+    vm_real squares[VMI_ORBIT_NODES], largest = 0;
+    int i, status = vmi_odd_user_series(orbit);
+    if (status) return status;
+    vmi_orbit_times(orbit, enough, &time, &time_size);
+    if (!(vmi_orbit_tail(&time) <= accepted)) return VM_NO_LAW;
+    for (i = 0; i < time.parts * VMI_GAUSS; i++) {
+        vmi_orbit_point point;
+        vmi_odd_user_point(orbit, vmi_orbit_node(time.parts, i), &point);
+        squares[i] = point.v * point.v * point.slowness;
+        largest = vmi_larger(-point.v, largest);
+    }
+    orbit->span = VM_PI / 2;
+    orbit->w = orbit->span / vmi_orbit_whole(&time);
+    vmi_orbit_sums(time.parts, squares, squares, &time, &time_size);
+    orbit->j = vmi_orbit_whole(&time) / orbit->span;
+    orbit->swing = orbit->size;
+    orbit->vmax = largest;
+    return VM_IS_FINITE(orbit->w) && orbit->w > 0 && orbit->energy_slope > 0 ? VM_OK : VM_NO_LAW;
+}
+
+/* A state, for the search of its amplitude */
+typedef struct VM_TAG(vmi_odd_state) {
+    const vm_odd_force *force;
+    vm_real x, v; /* position >= 0 and velocity */
+    int status;   /* of the user's function */
+} vmi_odd_state;
+
+/* The potential energy between x and x + more, less the kinetic energy of the state: 0 where x + more is the
+   amplitude */
+VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
+{
+    vmi_odd_state *s = (vmi_odd_state *)state;
+    const vm_real length = more / (vm_real)VMI_ORBIT_PARTS;
+    vm_real sum = 0, f;
+    int i, k;
+    for (k = 0; k < VMI_ORBIT_PARTS; k++) {
+        for (i = 0; i < VMI_GAUSS; i++) {
+            const vm_real x = s->x + length * ((vm_real)k + (1 + vmi_gauss_node(i)) / 2);
+            const int status = vmi_odd_user_at(s->force, x, &f);
+            if (status) s->status = status;
+            sum += vmi_gauss_weight(i) / 2 * f;
+        }
+    }
+    return sum * length - s->v * s->v / 2;
+}
+
+/* The orbit through a state. A trial of the amplitude is doubled or halved until the amplitude lies between two of
+   them. Returns VM_NO_LAW where there is no amplitude. */
+VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
+{
+    const int most = 200;
+    vmi_odd_state s;
+    vm_real step, missing, before;
+    int i = 0;
+    s.force = force;
+    s.x = VM_FABS(x);
+    s.v = v;
+    s.status = VM_OK;
+    orbit->force = force;
+    orbit->place = VMI_ORBIT_AROUND_0;
+    orbit->size = s.x;
+    if (v == 0) return VM_OK;
+    step = s.x > 0 ? s.x : VM_FABS(v);
+    missing = vmi_odd_user_missing(step, &s);
+    for (; missing > 0 && i < most && !s.status; i++) {
+        step /= 2;
+        missing = vmi_odd_user_missing(step, &s);
+    }
+    before = missing;
+    for (; !(missing > 0) && i < most && !s.status; i++) {
+        before = missing;
+        step *= 2;
+        missing = vmi_odd_user_missing(step, &s);
+    }
+    if (s.status) return s.status;
+    if (!(missing > 0)) return VM_NO_LAW;
+    orbit->size = s.x + vmi_find_zero(vmi_odd_user_missing, &s, step / 2, step, before, missing);
+    return s.status;
+}
+
+/* The phase of a state on a complete orbit. It puts x = A cos(theta) and v = -A sin(theta)/(dt/dtheta). */
+VM_API int vmi_odd_user_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
+{
+    const vm_real above = vmi_larger(orbit->size - VM_FABS(x), 0) * (orbit->size + VM_FABS(x));
+    vmi_orbit_sum time, time_size;
+    vmi_orbit_point point;
+    vm_real theta;
+    vmi_orbit_times(orbit, 16 * VM_EPSILON, &time, &time_size);
+    vmi_odd_user_point(orbit, vmi_atan2(VM_SQRT(above), VM_FABS(x)), &point);
+    theta = vmi_atan2(VM_FABS(v) * point.slowness, VM_FABS(x));
+    *phi = orbit->w * vmi_orbit_sum_to(&time, theta);
+    if (x < 0) *phi = VM_PI - *phi;
+    if (v > 0) *phi = -*phi;
+    return VM_OK;
+}
+
+/* Position and velocity at a phase */
+VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v)
+{
+    const vmi_orbit_folded f = vmi_orbit_fold(orbit, phi);
+    vmi_orbit_sum time, time_size;
+    vmi_orbit_point point;
+    vmi_orbit_times(orbit, 16 * VM_EPSILON, &time, &time_size);
+    vmi_odd_user_point(orbit, vmi_orbit_theta(&time, f.phi / orbit->w), &point);
+    *x = f.side * point.x;
+    *v = f.side * f.sign * point.v;
+    return VM_OK;
+}
+
+/* Odd elastic force F(x) by a user's function.
+   The function is called for x >= 0 only. ctx is handed to it. F must be
+   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must
+   be so smooth that polynomials of degree 19 represent it on 8 pieces; otherwise all functions refuse it with
+   VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
+VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
+{
+    vm_odd_force force;
+    force.k1 = 0;
+    force.k3 = 0;
+    force.function = function;
+    force.ctx = ctx;
+    force.at = NULL;
+    if (function) force.at = vmi_odd_user_at; /* else there is no force */
+    force.orbit_through = vmi_odd_user_through;
+    force.complete = vmi_odd_user_complete;
+    force.point = vmi_odd_user_point;
+    force.phase = vmi_odd_user_phase;
+    force.at_phase = vmi_odd_user_at_phase;
+    return force;
+}
+
+/* -- Motion with constant mass -- */
+
+/* Makes the complete orbit through a state. A state of rest has the size 0 and no other fields. */
+VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
+{
+    int status;
+    if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v)) return VM_NOT_FINITE;
+    status = force->orbit_through(force, x, v, orbit);
+    if (status || orbit->size == 0) return status;
+    if (!VM_IS_FINITE(orbit->size)) return VM_NOT_FINITE;
+    return force->complete(orbit);
+}
+
+/* Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
+   Returns NaN for a null pointer, a force that no constructor made, x0 = 0, infinite x0, and where there is no
+   vibration. The relative error is at most 1e-13 (float 1e-5). */
+VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
+{
+    vmi_orbit orbit;
+    if (!force || !force->at || vmi_orbit_of_state(force, x0, 0, &orbit) || orbit.size == 0) return VM_NAN;
+    return 2 * VM_PI / orbit.w;
+}
+
+/* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
+   It is the integral of v dx over a period, divided by 2 pi. A slow change of the force keeps it constant. Errors and
+   accuracy are those of vm_odd_period, but it is 0 for x0 = 0. */
+VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
+{
+    vmi_orbit orbit;
+    if (!force || !force->at || vmi_orbit_of_state(force, x0, 0, &orbit)) return VM_NAN;
+    if (orbit.size == 0) return 0;
+    return orbit.j;
+}
+
+/* Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s), for an odd F per unit mass.
+   The errors of x and v are at most 1e-12 (float 1e-4) of the amplitude and of the largest velocity, times 1 +
+   t/period. Returns VM_BAD_ARGUMENT for null pointers and for a force that no constructor made, VM_NOT_FINITE for
+   infinite numbers and a force that is infinite, VM_DOMAIN where the user's function fails, and VM_NO_LAW where there
+   is no vibration, on a separatrix and close to it, and for a force that is not smooth. An error leaves *x and *v
+   untouched. */
+VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, vm_real v0, vm_real *x, vm_real *v)
+{
+    vmi_orbit orbit;
+    vm_real phi, now[2];
+    int status;
+    if (!force || !force->at || !x || !v) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vmi_orbit_of_state(force, x0, v0, &orbit);
+    if (status) return status;
+    now[0] = x0;
+    now[1] = v0;
+    if (orbit.size > 0) {
+        status = force->phase(&orbit, x0, v0, &phi);
+        if (!status) status = force->at_phase(&orbit, phi + orbit.w * t, &now[0], &now[1]);
+        if (status) return status;
+    }
+    if (!VM_IS_FINITE(now[0]) || !VM_IS_FINITE(now[1])) return VM_NOT_FINITE;
+    *x = now[0];
+    *v = now[1];
+    return VM_OK;
+}
+
+#endif
+/* oscillators/duffing.h - Duffing's oscillator, with the elastic force k1 x + k3 x^3
+
+   With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is
+   written with Jacobi's functions, for each sign of the coefficients:
+     c1 >= 0, c3 >= 0   hardening spring: every motion is a vibration around 0, x = A cn
+     c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away
+     c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
+                        them, x = A dn; the separatrix x = A/cosh between them has an infinite period
+       vm_real x, v;
+       vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
+       vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
+   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h.
+   Guide: docs/duffing.md. Tests: tests/test_duffing.c. */
+#ifndef VARMASS_OSCILLATORS_DUFFING_H
+#define VARMASS_OSCILLATORS_DUFFING_H
+
+/* -- The orbit through a state -- */
+
+/* k1 x + k3 x^3 */
+VM_API int vmi_duffing_at(const vm_odd_force *force, vm_real x, vm_real *f)
+{
+    *f = x * (force->k1 + force->k3 * (x * x));
+    return VM_IS_FINITE(*f) ? VM_OK : VM_NOT_FINITE;
+}
+
+/* By how much the square of the amplitude is larger than x^2. The number d solves c3 d^2/2 + slope d = v^2, where
+   slope = c1 + c3 x^2. Returns NaN for a motion that runs away. */
+VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
+{
+    const vm_real root = VM_SQRT(slope * slope + 2 * c3 * (v * v));
+    if (v == 0 && slope >= 0) return 0;
+    if (slope >= 0) return 2 * (v * v) / (slope + root);
+    if (c3 > 0) return (root - slope) / c3;
+    return VM_NAN;
+}
+
+/* The size and place of the orbit through (x, v). In two wells the orbit is an inner one if its energy is below that
+   of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
+VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
+{
+    const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
+    const vm_real twice_energy = v * v + (x * x) * (k1 + k3 * (x * x) / 2);
+    vm_real above;
+    orbit->force = force;
+    orbit->place = VMI_ORBIT_AROUND_0;
+    if (k1 < 0 && k3 > 0 && twice_energy <= 0) {
+        const vm_real to_rest = slope / k3; /* x^2 minus its value at rest in the well */
+        orbit->size = VM_SQRT(to_rest * to_rest + 2 * (v * v) / k3);
+        if (x > 0) orbit->place = VMI_ORBIT_RIGHT;
+        if (x < 0) orbit->place = VMI_ORBIT_LEFT;
+        if (x == 0) orbit->size = 0; /* rest between the wells */
+        return VM_OK;
+    }
+    orbit->size = 0;
+    if (x == 0 && v == 0) return VM_OK;
+    above = vmi_duffing_above(k3, slope, v);
+    if (!(above >= 0) || !VM_IS_FINITE(above)) return VM_NO_LAW;
+    orbit->size = VM_FABS(x);
+    if (above > 0) orbit->size = VM_SQRT(x * x + above);
+    return VM_OK;
+}
+
+/* -- The shape of an orbit -- */
+
+/* Completes an orbit around 0: x = A cn(lambda t | m) with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3
+   A^2/2)/lambda^2. For c3 < 0 the parameter m is negative. */
+VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, square = orbit->size * orbit->size;
+    const vm_real lambda2 = k1 + k3 * square;
+    const vm_real m1 = (k1 + k3 * square / 2) / lambda2, m = k3 * square / (2 * lambda2);
+    vm_real C2, C4, C6;
+    if (!(lambda2 > 0) || !(m1 > 0)) return VM_NO_LAW;
+    jacobi_cn_means(m, &C2, &C4, &C6);
+    orbit->span = VM_PI / 2;
+    orbit->lambda = VM_SQRT(lambda2);
+    orbit->m1 = m1;
+    orbit->w = VM_PI / 2 * orbit->lambda / jacobi_K_m1(m1);
+    orbit->j = square * lambda2 * (m1 * (1 - C2) + m * (C2 - C4)) / orbit->w;
+    orbit->energy_slope = orbit->size * lambda2;
+    orbit->swing = orbit->size;
+    orbit->vmax = orbit->size * VM_SQRT(k1 + k3 * square / 2);
+    if (k1 < 0) orbit->vmax = lambda2 / VM_SQRT(2 * k3); /* at x^2 = -k1/k3, where the force is 0 */
+    return VM_OK;
+}
+
+/* Completes an orbit in a well, at rest^2 = -c1/c3: x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3
+   A^2/2 and 1 - m = (rest^2 - size)/A^2. */
+VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
+{
+    const vm_real k3 = orbit->force->k3, rest = -orbit->force->k1 / k3, size = orbit->size;
+    const vm_real A = VM_SQRT(rest + size), B = VM_SQRT(vmi_larger(rest - size, 0));
+    const vm_real m1 = (rest - size) / (rest + size), m = 2 * size / (rest + size);
+    vm_real C2, C4, C6;
+    if (!(m1 > 0)) return VM_NO_LAW;
+    jacobi_cn_means(m, &C2, &C4, &C6);
+    orbit->span = VM_PI;
+    orbit->lambda = A * VM_SQRT(k3 / 2);
+    orbit->m1 = m1;
+    orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
+    orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, over w */
+    orbit->energy_slope = k3 * size / 2;
+    orbit->swing = size / (A + B); /* (A - B)/2 */
+    orbit->vmax = size * VM_SQRT(k3 / 2);
+    return VM_OK;
+}
+
+/* Completes an orbit of size > 0. Returns VM_NO_LAW on a separatrix and where the motion runs away. */
+VM_API int vmi_duffing_complete(vmi_orbit *orbit)
+{
+    int status;
+    if (orbit->place == VMI_ORBIT_AROUND_0) status = vmi_duffing_complete_outer(orbit);
+    else status = vmi_duffing_complete_inner(orbit);
+    if (!status && !(orbit->w > 0 && VM_IS_FINITE(orbit->w) && VM_IS_FINITE(orbit->j))) status = VM_NO_LAW;
+    return status;
+}
+
+/* The point at theta: around 0, x = A cos(theta); in a well, x^2 = rest^2 + size cos(2 theta) */
+VM_API void vmi_duffing_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size;
+    vm_real sine, cosine;
+    vmi_sincos(theta, &sine, &cosine);
+    if (orbit->place == VMI_ORBIT_AROUND_0) {
+        const vm_real share = 1 + cosine * cosine, g = k1 + k3 * (size * size) * share / 2;
+        point->x = size * cosine;
+        point->v = -size * sine * VM_SQRT(g);
+        point->x_size = cosine;
+        point->slowness = 1 / VM_SQRT(g);
+        point->slowness_size = -point->slowness * (k3 * size * share / (2 * g));
+    } else {
+        const vm_real cosine2 = 1 - 2 * sine * sine, x = VM_SQRT(-k1 / k3 + size * cosine2), root = VM_SQRT(k3 / 2);
+        point->x = x;
+        point->v = -2 * size * sine * cosine * root;
+        point->x_size = cosine2 / (2 * x);
+        point->slowness = 1 / (x * root);
+        point->slowness_size = -point->slowness * point->x_size / x;
+    }
+}
+
+/* The incomplete integral F = u of the first kind, from s2 = sn^2(u), c2 = cn^2(u) and d2 = dn^2(u), 0 <= u <= K */
+VM_API vm_real vmi_duffing_argument(vm_real s2, vm_real c2, vm_real d2)
+{
+    return VM_SQRT(s2) * vmi_carlson_rf(vmi_two(c2, 0), vmi_two(d2, 0), vmi_two(1, 0)).hi;
+}
+
+/* The argument u of Jacobi's functions at a state of a complete orbit */
+VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_real v)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1;
+    vm_real s2, c2, u;
+    if (orbit->place == VMI_ORBIT_AROUND_0) {
+        const vm_real g = k1 + k3 * (x * x + size * size) / 2; /* v^2 = g (A^2 - x^2) */
+        c2 = vmi_smaller(x * x / (size * size), 1);
+        s2 = vmi_smaller(v * v / (g * (size * size)), 1);
+    } else {
+        const vm_real cosine = vmi_clamp((x * x + k1 / k3) / size, -1, 1); /* of the angle 2 theta */
+        const vm_real sine = v / (size * VM_SQRT(k3 / 2)), angle = vmi_atan2(VM_FABS(sine), cosine) / 2;
+        vm_real s, c;
+        vmi_sincos(angle, &s, &c);
+        s2 = s * s;
+        c2 = c * c;
+    }
+    u = vmi_duffing_argument(s2, c2, c2 + m1 * s2);
+    if (orbit->place == VMI_ORBIT_AROUND_0 && x < 0) u = 2 * jacobi_K_m1(m1) - u;
+    if (v * (orbit->place == VMI_ORBIT_LEFT ? -1 : 1) > 0) u = -u;
+    return u;
+}
+
+/* The state at the argument u of Jacobi's functions */
+VM_API void vmi_duffing_at_argument(const vmi_orbit *orbit, vm_real u, vm_real *x, vm_real *v)
+{
+    vm_real sn, cn, dn;
+    jacobi_sncndn_m1(u, orbit->m1, &sn, &cn, &dn);
+    if (orbit->place == VMI_ORBIT_AROUND_0) {
+        *x = orbit->size * cn;
+        *v = -orbit->size * orbit->lambda * (sn * dn);
+    } else {
+        const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
+        const vm_real A = (vm_real)orbit->place * VM_SQRT(orbit->size - k1 / k3);
+        *x = A * dn;
+        *v = -(vm_real)orbit->place * orbit->size * VM_SQRT(2 * k3) * (sn * cn);
+    }
+}
+
+/* The phase of a state on a complete orbit */
+VM_API int vmi_duffing_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
+{
+    *phi = vmi_duffing_argument_of(orbit, x, v) * (orbit->w / orbit->lambda);
+    return VM_OK;
+}
+
+/* The state at a phase */
+VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v)
+{
+    vmi_duffing_at_argument(orbit, phi * (orbit->lambda / orbit->w), x, v);
+    return VM_OK;
+}
+
+/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but not both may be negative or 0: then
+   nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
+VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
+{
+    vm_odd_force force = vm_odd_force_user(NULL, NULL);
+    force.k1 = k1;
+    force.k3 = k3;
+    force.at = vmi_duffing_at;
+    force.orbit_through = vmi_duffing_through;
+    force.complete = vmi_duffing_complete;
+    force.point = vmi_duffing_point;
+    force.phase = vmi_duffing_phase;
+    force.at_phase = vmi_duffing_at_phase;
+    return force;
+}
+
+/* -- Constant mass: functions of numbers -- */
+
+/* Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2.
+   It is conserved. Returns NaN for infinite arguments. */
+VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
+{
+    if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
+    return v * v / 2 + (x * x) * (c1 / 2 + c3 * (x * x) / 4);
+}
+
+/* Whether a state lies on the separatrix x = A/cosh, which goes out from x = 0 and comes back in infinite time */
+VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
+    if (!(k1 < 0) || !(k3 > 0) || orbit->size == 0) return 0;
+    if (orbit->place == VMI_ORBIT_AROUND_0) return k1 + k3 * (orbit->size * orbit->size) / 2 == 0;
+    return orbit->size == -k1 / k3;
+}
+
+/* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
+   A motion in one of two wells is one vibration there. The period is infinite on the separatrix. The relative error is
+   at most 8 eps where no terms of c1 + c3 x0^2 and c1 + c3 x0^2/2 cancel. Returns NaN where the motion runs away, at
+   x0 = 0, and for infinite arguments. */
+VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
+{
+    const vm_odd_force force = vm_duffing_force(c1, c3);
+    vmi_orbit orbit;
+    if (!VM_IS_FINITE(x0) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
+    if (vmi_duffing_through(&force, x0, 0, &orbit) || orbit.size == 0) return VM_NAN;
+    if (vmi_duffing_is_separatrix(&orbit)) return VM_INFINITY;
+    if (vmi_duffing_complete(&orbit)) return VM_NAN;
+    return 2 * VM_PI / orbit.w;
+}
+
+/* Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
+   It is the integral of v dx over a period, divided by 2 pi; a slow change keeps it constant. Domain and accuracy are
+   those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
+VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
+{
+    const vm_odd_force force = vm_duffing_force(c1, c3);
+    if (!VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
+    return vm_odd_action(&force, x0);
+}
+
+/* The motion x = A/cosh(lambda t) on the separatrix, with A^2 = -2 c1/c3 and lambda^2 = -c1 */
+VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x,
+                                      vm_real *v)
+{
+    const vm_real A = VM_COPYSIGN(VM_SQRT(-2 * c1 / c3), x0), lambda = VM_SQRT(-c1);
+    const vm_real tanh0 = -v0 / (lambda * x0), cosh0 = A / x0;
+    vm_real tanh_t, sech_t, unused, both;
+    jacobi_sncndn_m1(lambda * t, 0, &tanh_t, &sech_t, &unused);
+    both = 1 + tanh0 * tanh_t; /* cosh(a + b) = cosh a cosh b (1 + tanh a tanh b) */
+    *x = A * sech_t / (cosh0 * both);
+    *v = -lambda * *x * ((tanh0 + tanh_t) / both);
+}
+
+/* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
+   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
+   of the amplitude and of the largest velocity, times 1 + t/period, where no terms of c1 + c3 A^2 and c1 + c3 A^2/2
+   cancel at the amplitude A. Writes NaN where the motion runs away and for infinite arguments, and nothing where an
+   output is null. Equations: DLMF 22.19(ii). */
+VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
+{
+    if (!x || !v) return;
+    const vm_odd_force force = vm_duffing_force(c1, c3);
+    vmi_orbit orbit;
+    *x = VM_NAN;
+    *v = VM_NAN;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(x0) || !VM_IS_FINITE(v0) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return;
+    if (vmi_duffing_through(&force, x0, v0, &orbit)) return;
+    if (orbit.size == 0) {
+        *x = x0;
+        *v = v0;
+    } else if (vmi_duffing_is_separatrix(&orbit) && x0 != 0) {
+        vmi_duffing_on_separatrix(t, x0, v0, c1, c3, x, v);
+    } else if (!vmi_duffing_complete(&orbit)) {
+        vmi_duffing_at_argument(&orbit, vmi_duffing_argument_of(&orbit, x0, v0) + orbit.lambda * t, x, v);
+    }
+    if (VM_IS_FINITE(*x) && VM_IS_FINITE(*v)) return;
+    *x = VM_NAN; /* a number has overflowed */
+    *v = VM_NAN;
+}
+
+#endif
+/* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
+
+   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping and reactive force all act as one damping h:
+       x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
+   so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
+   canonical, and their Hamiltonian is that of constant mass plus 2 h a, times mu sqrt(k/m), with the function
+       a(phi) = (integral of v dx from phase 0) - j phi
+   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
+   in h the mean action and the mean phase are
+       j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
+       phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
+   where M is the mean of a^2, an index j means the derivative by j at fixed phase, and h' = dh/ds.
+       vmi_orbit_ripple ripple;
+       vmi_orbit_ripple_values now;
+       vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit
+       vmi_orbit_ripple_at(&ripple, &orbit, phi, &now);
+   Source: the averaging of canonical equations by Lie series, to second order; docs/duffing.md.
+   Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
+#define VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
+
+/* The functions of the ripple on one orbit. "By size" means the derivative by orbit.size at fixed phase. */
+typedef struct VM_TAG(vmi_orbit_ripple) {
+    vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
+    vmi_orbit_sum squares;         /* integral of v^2 over time */
+    vmi_orbit_sum B, B_size;       /* integrals of a over the phase, and of its derivative by size */
+    vm_real B_mean, B_size_mean;   /* the means of these integrals */
+    vm_real M, M_size;             /* mean of a^2, and its derivative by size */
+    vm_real w_size, j_size;        /* derivatives of w and j by size */
+    vm_real largest_a;             /* largest |a|/j */
+    vm_real largest_B;             /* largest w |(B/w)_j| */
+} vmi_orbit_ripple;
+
+/* The ripple at one phase */
+typedef struct VM_TAG(vmi_orbit_ripple_values) {
+    vm_real a, B; /* see above */
+    vm_real B_j;  /* (B/w)_j */
+} vmi_orbit_ripple_values;
+
+/* Values at the nodes of theta, from which the sums are made */
+typedef struct VM_TAG(vmi_orbit_nodes) {
+    int n;
+    vmi_orbit_point point[VMI_ORBIT_NODES];
+    vm_real a[VMI_ORBIT_NODES], a_size[VMI_ORBIT_NODES]; /* a, and its derivative by size at fixed phase */
+    vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
+} vmi_orbit_nodes;
+
+/* Computes a and its derivative at the nodes. At fixed phase a changes by v times the change of x. */
+VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
+{
+    vm_real squares[VMI_ORBIT_NODES];
+    const int parts = r->time.parts;
+    int i;
+    nodes->n = parts * VMI_GAUSS;
+    for (i = 0; i < nodes->n; i++) {
+        vmi_orbit_point *p = nodes->point + i;
+        orbit->force->point(orbit, vmi_orbit_node(parts, i), p);
+        squares[i] = p->v * p->v * p->slowness;
+    }
+    vmi_orbit_sums(parts, squares, squares, &r->squares, &r->B);
+    for (i = 0; i < nodes->n; i++) {
+        const vmi_orbit_point *p = nodes->point + i;
+        const vm_real theta = vmi_orbit_node(parts, i), time = vmi_orbit_sum_to(&r->time, theta);
+        const vm_real phi_size = r->w_size * time + orbit->w * vmi_orbit_sum_to(&r->time_size, theta);
+        nodes->a[i] = vmi_orbit_sum_to(&r->squares, theta) - orbit->j * (orbit->w * time);
+        nodes->a_size[i] = p->v * (p->x_size - p->v * phi_size / orbit->w);
+        nodes->phase_rate[i] = orbit->w * p->slowness;
+    }
+}
+
+/* The mean over the phase of a function with these values at the nodes */
+VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, const vm_real *values)
+{
+    vm_real sum = 0;
+    int i;
+    for (i = 0; i < nodes->n; i++) sum += vmi_gauss_weight(i % VMI_GAUSS) * values[i] * nodes->phase_rate[i];
+    return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
+}
+
+/* The derivative by j of B/w, from B and its derivative by size */
+VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
+{
+    return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
+}
+
+/* Computes B, the means and the largest values from the nodes. */
+VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, vmi_orbit_ripple *r)
+{
+    const int parts = r->time.parts;
+    vm_real first[VMI_ORBIT_NODES], second[VMI_ORBIT_NODES];
+    int i;
+    for (i = 0; i < nodes->n; i++) {
+        first[i] = nodes->a[i] * nodes->phase_rate[i];
+        second[i] = nodes->a_size[i] * nodes->phase_rate[i];
+    }
+    vmi_orbit_sums(parts, first, second, &r->B, &r->B_size);
+    for (i = 0; i < nodes->n; i++) {
+        first[i] = nodes->a[i] * nodes->a[i];
+        second[i] = 2 * nodes->a[i] * nodes->a_size[i];
+    }
+    r->M = vmi_orbit_mean(orbit, nodes, first);
+    r->M_size = vmi_orbit_mean(orbit, nodes, second);
+    for (i = 0; i < nodes->n; i++) {
+        const vm_real theta = vmi_orbit_node(parts, i);
+        first[i] = vmi_orbit_sum_to(&r->B, theta);
+        second[i] = vmi_orbit_sum_to(&r->B_size, theta);
+    }
+    r->B_mean = vmi_orbit_mean(orbit, nodes, first);
+    r->B_size_mean = vmi_orbit_mean(orbit, nodes, second);
+    r->largest_a = 0;
+    r->largest_B = 0;
+    for (i = 0; i < nodes->n; i++) {
+        const vm_real B_j = vmi_orbit_B_j(orbit, r, first[i] - r->B_mean, second[i] - r->B_size_mean);
+        r->largest_a = vmi_larger(VM_FABS(nodes->a[i]) / orbit->j, r->largest_a);
+        r->largest_B = vmi_larger(VM_FABS(B_j) * orbit->w, r->largest_B);
+    }
+}
+
+/* Computes the ripple of a complete orbit. Its terms are small, so that 8 digits are enough for them. */
+VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-5);
+    vmi_orbit_nodes nodes;
+    vmi_orbit_times(orbit, enough, &r->time, &r->time_size);
+    r->w_size = -orbit->w * (vmi_orbit_whole(&r->time_size) / vmi_orbit_whole(&r->time));
+    r->j_size = orbit->energy_slope / orbit->w;
+    vmi_orbit_ripple_nodes(orbit, r, &nodes);
+    vmi_orbit_ripple_means(orbit, &nodes, r);
+}
+
+/* The ripple at a phase of any size */
+VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
+                                vmi_orbit_ripple_values *now)
+{
+    const vmi_orbit_folded f = vmi_orbit_fold(orbit, phi);
+    const vm_real time = f.phi / orbit->w, theta = vmi_orbit_theta(&r->time, time);
+    const vm_real B_size = vmi_orbit_sum_to(&r->B_size, theta) - r->B_size_mean;
+    now->a = f.sign * (vmi_orbit_sum_to(&r->squares, theta) - orbit->j * f.phi);
+    now->B = vmi_orbit_sum_to(&r->B, theta) - r->B_mean;
+    now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
+}
+
+/* The relative change of w over the relative change of j */
+VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    return orbit->j * r->w_size / (r->j_size * orbit->w);
+}
+
+/* (M/w)_j, on which the mean rate of the phase depends */
+VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
+}
+
+/* The mean action that belongs to the action j of an orbit at a phase. h is the damping above and h_rate = dh/ds. */
+VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
+                                     const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
+{
+    const vm_real w = orbit->w, w_j = r->w_size / r->j_size, first = 2 * h * now->a / w;
+    const vm_real M2_j = (vmi_orbit_M_j(r, orbit) - r->M * w_j / (w * w)) / w; /* (M/w^2)_j */
+    vm_real second = -(2 * h_rate + 4 * h * h) * now->B / (w * w) + 4 * h * h * orbit->j * now->B_j / w;
+    second += 2 * h * h * (M2_j - (now->a * now->a - r->M) * w_j / (w * w * w));
+    return orbit->j + first + second;
+}
+
+#endif
+/* oscillators/odd_motion.h - vibration under an odd elastic force with slow mass, stiffness and damping
+
+   The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
+       m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
+   F is odd: Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the user (oscillators/odd_force.h).
+   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. Shortest useful
+   call:
+       vm_odd_problem problem;
+       vm_odd_motion motion;
+       problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
+       problem.mass = vm_law_linear(2, VM_C(0.01));           // 0.01 kg/s settle on the body
+       problem.stiffness = vm_law_linear(1, 0);               // constant
+       problem.damping = vm_law_linear(VM_C(0.02), 0);        // 0.02 N s/m
+       problem.reactive = 1;
+       problem.x = VM_C(0.2);
+       problem.v = 0;
+       if (vm_odd_within(&problem, 60, VM_C(1e-3), &motion) == VM_OK) printf("%g m\n", (double)motion.x);
+   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws
+   are not slow or the motion crosses a separatrix. A plan holds the mean motion from 0 to a given time. Guide:
+   docs/duffing.md. Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ODD_MOTION_H
+#define VARMASS_OSCILLATORS_ODD_MOTION_H
+
+#include <string.h>
+
+/* Routes to x(t) and x'(t), the cheapest first */
+enum {
+    VM_ODD_MEAN = 0,   /* the mean motion: averaging with an error of first order in the rates of the laws */
+    VM_ODD_ORDER2 = 1, /* the mean motion and its ripple within a period: an error of second order */
+    VM_ODD_RK87 = 2    /* integration of the equation of motion by rk87 */
+};
+
+/* A vibration under an odd elastic force, and its state at t = 0 */
+typedef struct VM_TAG(vm_odd_problem) {
+    vm_odd_force force; /* F(x), N, by vm_duffing_force or vm_odd_force_user */
+    vm_law mass;        /* mass m(t), kg, positive */
+    vm_law stiffness;   /* factor k(t) of the whole elastic force, a pure number, positive */
+    vm_law damping;     /* damping b(t), kg/s; positive takes energy out */
+    vm_real reactive;   /* share of the full reactive force: 1 where mass that joins or leaves is at rest, 0 where this
+                           mass has the body's own velocity; numbers between are allowed */
+    vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
+} vm_odd_problem;
+
+/* The motion at one time */
+typedef struct VM_TAG(vm_odd_motion) {
+    vm_real x, v;      /* position, m, and velocity, m/s */
+    vm_real amplitude; /* the largest |x| of the present vibration, m; NaN where x and v belong to no vibration */
+    vm_real error;     /* estimate of the larger of |error of x|/swing and |error of v|/vmax, where swing is half the
+                          distance of the turning points and vmax the largest velocity of the present vibration */
+    int route;         /* the route that was taken, VM_ODD_... */
+    long evals;        /* evaluations of the equation of motion; 0 where nothing was integrated */
+} vm_odd_motion;
+
+/* -- The laws at one time -- */
+
+/* Mass, stiffness, damping and the rates that follow from them, at one time */
+typedef struct VM_TAG(vmi_odd_rates) {
+    vm_real m, k, b;   /* mass, stiffness and damping */
+    vm_real m_rate;    /* dm/dt, kg/s */
+    vm_real speed;     /* ds/dt = sqrt(k/m) */
+    vm_real turn;      /* relative rate of `speed`, 1/s */
+    vm_real h;         /* damping h of orbit_ripple.h, times `speed`, 1/s */
+} vmi_odd_rates;
+
+/* Reads the laws at t. Where a rate jumps at t, side = 1 asks for its value after t, side = -1 before t. */
+VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
+    if (status) return status;
+    r->m = m[0];
+    r->k = k[0];
+    r->b = b[0];
+    r->m_rate = m[1];
+    r->speed = VM_SQRT(k[0] / m[0]);
+    r->turn = (k[1] / k[0] - m[1] / m[0]) / 2;
+    r->h = (r->turn + (o->reactive * m[1] + b[0]) / m[0]) / 2;
+    return VM_OK;
+}
+
+/* The damping h of orbit_ripple.h and its derivatives by s, where ds/dt = sqrt(k/m) */
+typedef struct VM_TAG(vmi_odd_slow) {
+    vm_real h, h1, h2;
+} vmi_odd_slow;
+
+/* Computes h and its derivatives at t; length, s, is for the derivatives of users' laws (see vmi_law_derivatives). */
+VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
+{
+    enum { TERMS = 4 };
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], ln_m[TERMS], ln_k[TERMS], inverse[TERMS];
+    vm_real h[3], turn[2], speed, rate, rate_rate;
+    int i, status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, length, b);
+    if (status) return status;
+    speed = VM_SQRT(k[0] / m[0]);
+    vmi_series_of_derivatives(TERMS, 1, m);
+    vmi_series_of_derivatives(TERMS, 1, k);
+    vmi_series_of_derivatives(TERMS, 1, b);
+    vmi_series_log_rate(TERMS, m, ln_m);
+    vmi_series_log_rate(TERMS, k, ln_k);
+    vmi_series_inverse(TERMS, m, inverse);
+    for (i = 0; i < 3; i++)
+        h[i] = (ln_k[i] + (2 * o->reactive - 1) * ln_m[i] + 2 * vmi_series_product(i, b, inverse)) / 4;
+    for (i = 0; i < 2; i++) turn[i] = (ln_k[i] - ln_m[i]) / 2;
+    rate = h[1] - turn[0] * h[0];
+    rate_rate = 2 * h[2] - turn[1] * h[0] - turn[0] * h[1];
+    slow->h = h[0] / speed;
+    slow->h1 = rate / (speed * speed);
+    slow->h2 = (rate_rate - 2 * turn[0] * rate) / (speed * speed * speed);
+    return VM_OK;
+}
+
+/* -- The plan -- */
+
+/* The largest number of panels of time that a plan holds (a user's law needs 32 at least), and the number of
+   derivatives that tell how fast the laws change */
+enum { VMI_ODD_PANELS = 48, VMI_ODD_ORDERS = 7 };
+
+/* A panel of time, on which the laws and the mean motion are Legendre series */
+typedef struct VM_TAG(vmi_odd_panel) {
+    vm_real t, length;          /* its start and its length, s, negative backward in time */
+    vm_real phase;              /* mean phase at its start */
+    vm_real decay;              /* integral of b/m from 0 to its start */
+    vm_real ln_J;               /* ln of the mean action J over its value at t = 0; it changes at points of tables */
+    vm_real rate[VMI_GAUSS];    /* series of the rate of the mean phase, 1/s */
+    vm_real size[VMI_GAUSS];    /* series of the size of the mean orbit (see vmi_orbit) */
+    /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */
+    vm_real change[VMI_ODD_ORDERS];
+    vm_real knots;              /* what order two leaves out of ln J at points of tables, from 0 to the end */
+    vm_real largest_a, largest_B; /* largest values of these fields of the ripple on the panel */
+    vm_real gamma;              /* largest relative change of w over that of j on the panel */
+} vmi_odd_panel;
+
+/* The mean motion of a problem from t = 0 to a given time. Fill it by vm_odd_plan_init; read its fields, but do not
+   change them. It points to the tables, functions and contexts of the problem. */
+typedef struct VM_TAG(vm_odd_plan) {
+    vm_odd_problem problem; /* a copy of the problem */
+    vm_real t_end;          /* the time up to which the plan was asked for, s */
+    vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or less */
+    vm_real m0, k0, speed0; /* mass, stiffness and sqrt(k/m) at t = 0 */
+    int at_rest;            /* 1 where the body rests in equilibrium, else 0 */
+    vmi_orbit start;        /* the orbit of the state at t = 0; its size is 0 where there is no vibration */
+    vm_real phi;            /* phase of this state */
+    vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
+    vmi_odd_slow slow;      /* damping h at t = 0 */
+    vm_real gamma;          /* the relative change of w over that of j, at t = 0 */
+    vm_real first_a;        /* field largest_a of the ripple at t = 0 */
+    vm_real first_B;        /* field largest_B of the ripple at t = 0 */
+    int n;                  /* number of panels */
+    vmi_odd_panel panel[VMI_ODD_PANELS];
+} vm_odd_plan;
+
+/* Finds the orbit with this ln j by Newton's method, from the size that the orbit has as a guess. A step that leads
+   out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
+VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
+{
+    const vm_real enough = 4 * VM_EPSILON, longest = 2;
+    const int most = 80;
+    vm_real size = orbit->size, step = 0;
+    int i, status = VM_NO_LAW;
+    for (i = 0; i < most; i++) {
+        orbit->size = size * vmi_exp(step, 0);
+        status = orbit->force->complete(orbit);
+        if (status && status != VM_NO_LAW) return status;
+        if (status || !(orbit->j > 0)) {
+            step /= 2;
+            if (VM_FABS(step) < enough) return VM_NO_LAW;
+            continue;
+        }
+        size = orbit->size;
+        step = (ln_j - vmi_log(orbit->j).hi) * (orbit->w * orbit->j) / (orbit->energy_slope * size);
+        step = vmi_clamp(step, -longest, longest);
+        if (VM_FABS(step) <= enough) return VM_OK;
+    }
+    return VM_NO_LAW;
+}
+
+/* The change of ln j by the adiabatic law, from t = 0 to a time with these laws and this integral of b/m */
+VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
+{
+    const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
+    return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay);
+}
+
+/* A time in which the orbit turns by 16 radians, s; derivatives of users' laws are found within it */
+VM_API vm_real vmi_odd_sampling_time(vm_real w, vm_real speed) { return 16 / (w * speed); }
+
+/* -- A panel -- */
+
+/* The laws at the nodes of a panel, and what follows from them */
+typedef struct VM_TAG(vmi_odd_nodes) {
+    vmi_odd_rates rates[VMI_GAUSS];
+    vm_real decay[VMI_GAUSS];  /* integral of b/m from t = 0 */
+    vm_real h_rate[VMI_GAUSS]; /* time derivative of the field h of the rates, 1/s^2 */
+    vm_real edge;              /* largest relative difference between 1/m or k and its series at the panel's ends */
+    vm_real decay_end;         /* integral of b/m from t = 0 to the end of the panel */
+    vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS]; /* series of 1/m and k */
+} vmi_odd_nodes;
+
+/* Reads the laws at the nodes of a panel. */
+VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
+{
+    const int side = vmi_time_side(panel->length);
+    vm_real inverse[VMI_GAUSS], k[VMI_GAUSS], losses[VMI_GAUSS], h[VMI_GAUSS], loss[VMI_GAUSS], h_series[VMI_GAUSS];
+    int i, status;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real t = panel->t + panel->length * ((1 + vmi_gauss_node(i)) / 2);
+        status = vmi_odd_rates_at(o, t, side, &at->rates[i]);
+        if (status) return status;
+        inverse[i] = 1 / at->rates[i].m;
+        k[i] = at->rates[i].k;
+        losses[i] = at->rates[i].b / at->rates[i].m;
+        h[i] = at->rates[i].h;
+    }
+    vmi_legendre_fit(inverse, k, at->inverse, at->stiffness);
+    vmi_legendre_fit(losses, h, loss, h_series);
+    vmi_legendre_derive(h_series);
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real x = vmi_gauss_node(i);
+        at->decay[i] = panel->decay + panel->length / 2 * vmi_legendre_integral(loss, x);
+        at->h_rate[i] = 2 / panel->length * vmi_legendre_at(h_series, x);
+    }
+    at->decay_end = panel->decay + panel->length * loss[0];
+    at->edge = 0;
+    status = vmi_panel_edge(&o->mass, VM_BAD_MASS, 1, panel->t, panel->length, at->inverse, &at->edge);
+    if (status) return status;
+    return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
+}
+
+/* Adds to panel->change what this panel adds, from the series of h/w: root mean squares in place of absolute values.
+   Coefficients that are as small as rounding errors are left out. The series is overwritten. */
+VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
+{
+    const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
+    const vm_real turns = VM_FABS(panel->length * panel->rate[0]);
+    const vm_real least = noise * VM_SQRT(vmi_legendre_square(ratio));
+    vm_real scale = turns;
+    int i;
+    for (i = 0; i < VMI_GAUSS; i++)
+        if (VM_FABS(ratio[i]) <= least) ratio[i] = 0;
+    for (i = 0; i < VMI_ODD_ORDERS; i++) {
+        panel->change[i] += scale * VM_SQRT(vmi_legendre_square(ratio));
+        vmi_legendre_derive(ratio);
+        scale *= 2 / turns;
+    }
+}
+
+/* The number of the kth node in the order of time, 0 <= k < 20: 0, 2 ... 18, 19, 17 ... 1 */
+VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
+
+/* Computes the series of a panel. Its fields for the start and its length are set. orbit is a guess of the mean orbit
+   at the start; it becomes the orbit at the last node. */
+VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
+{
+    vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS];
+    vm_real bend[VMI_GAUSS], ratio[VMI_GAUSS];
+    int i, k, status = vmi_odd_read(&p->problem, panel, at);
+    if (status) return status;
+    panel->largest_a = 0;
+    panel->largest_B = 0;
+    panel->gamma = 0;
+    for (k = 0; k < VMI_GAUSS; k++) {
+        vmi_orbit_ripple ripple;
+        vm_real h, h1, M_j;
+        const vmi_odd_rates *now;
+        i = vmi_odd_node_number(k);
+        now = at->rates + i;
+        status = vmi_orbit_find(orbit, p->ln_j + panel->ln_J + vmi_odd_adiabatic(p, now, at->decay[i]));
+        if (status) return status;
+        vmi_orbit_ripple_init(&ripple, orbit);
+        h = now->h / now->speed;
+        h1 = (at->h_rate[i] - now->h * now->turn) / (now->speed * now->speed);
+        M_j = vmi_orbit_M_j(&ripple, orbit) / orbit->j;
+        panel->largest_a = vmi_larger(ripple.largest_a, panel->largest_a);
+        panel->largest_B = vmi_larger(ripple.largest_B, panel->largest_B);
+        panel->gamma = vmi_larger(VM_FABS(vmi_orbit_gamma(&ripple, orbit)), panel->gamma);
+        sizes[i] = orbit->size;
+        bends[i] = h * M_j;
+        ratios[i] = h / orbit->w;
+        rates[i] = (orbit->w - M_j * (h1 + 2 * h * h)) * now->speed;
+    }
+    vmi_legendre_fit(bends, ratios, bend, ratio);
+    vmi_legendre_derive(bend);
+    for (i = 0; i < VMI_GAUSS; i++) rates[i] += 2 / panel->length * vmi_legendre_at(bend, vmi_gauss_node(i));
+    vmi_legendre_fit(rates, sizes, panel->rate, panel->size);
+    vmi_odd_add_changes(panel, ratio);
+    return VM_OK;
+}
+
+/* Whether a panel is short enough for its series. Phase and size are evaluated inside the panel, where the terms that
+   their series leave out are not squared. whole is the length of the walk, s. */
+VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, vm_real whole)
+{
+    const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
+    if (!(at->edge <= vmi_panel_edge_limit(limit))) return 0;
+    if (!vmi_panel_is_resolved(at->inverse, limit) || !vmi_panel_is_resolved(at->stiffness, limit)) return 0;
+    return vmi_panel_is_resolved(panel->rate, fine) && vmi_panel_is_resolved(panel->size, fine);
+}
+
+/* -- The walk from t = 0 to the plan's end -- */
+
+/* Adds a resolved panel to the plan, and writes the start of the next one to *next. */
+VM_API void vmi_odd_keep(vm_odd_plan *p, const vmi_odd_panel *panel, const vmi_odd_nodes *at, vmi_odd_panel *next)
+{
+    p->panel[p->n] = *panel;
+    p->n++;
+    *next = *panel;
+    next->t += panel->length;
+    next->phase += panel->length * panel->rate[0];
+    next->decay = at->decay_end;
+    p->reach = next->t;
+}
+
+/* Adds the panels of a piece of time without points of tables. Returns VM_NO_LAW where the averaged motion ends: at a
+   separatrix, and where the plan has no room for more panels. */
+VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_orbit *orbit, vmi_odd_panel *next)
+{
+    const vm_real whole = VM_FABS(p->t_end), shortest_at_end = whole / 64;
+    vmi_panels panels = vmi_panels_from(next->t, end, longest, whole);
+    while (vmi_panels_next(&panels)) {
+        vmi_odd_panel panel = *next;
+        vmi_odd_nodes at;
+        vmi_orbit trial = *orbit;
+        int status;
+        if (p->n == VMI_ODD_PANELS) return VM_NO_LAW;
+        panel.t = panels.t;
+        panel.length = panels.side * panels.step;
+        status = vmi_odd_panel_of(p, &panel, &trial, &at);
+        if (status && (status != VM_NO_LAW || panels.step < shortest_at_end)) return status;
+        if (status || !vmi_odd_panel_is_resolved(&panel, &at, whole)) {
+            if (vmi_panels_halve(&panels)) continue;
+            return VM_NO_LAW;
+        }
+        *orbit = trial;
+        vmi_odd_keep(p, &panel, &at, next);
+        vmi_panels_advance(&panels);
+        next->t = panels.t;
+        p->reach = panels.t;
+    }
+    return VM_OK;
+}
+
+/* Takes the mean motion past t, a point of a table: the derivative of h jumps there, but the motion does not, so that
+   the mean action jumps. */
+VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
+{
+    const int side = vmi_time_side(p->t_end);
+    const vm_real length = vmi_odd_sampling_time(orbit->w, p->speed0);
+    vmi_odd_rates rates;
+    vmi_odd_slow before, after;
+    vmi_orbit_ripple ripple;
+    vmi_orbit_ripple_values now;
+    vm_real w, left;
+    int status = vmi_odd_rates_at(&p->problem, next->t, -side, &rates);
+    if (!status) status = vmi_orbit_find(orbit, p->ln_j + next->ln_J + vmi_odd_adiabatic(p, &rates, next->decay));
+    if (!status) status = vmi_odd_slow_at(&p->problem, next->t, -side, length, &before);
+    if (!status) status = vmi_odd_slow_at(&p->problem, next->t, side, length, &after);
+    if (status) return status;
+    vmi_orbit_ripple_init(&ripple, orbit);
+    vmi_orbit_ripple_at(&ripple, orbit, next->phase, &now);
+    w = orbit->w;
+    next->ln_J -= 2 * (after.h1 - before.h1) * now.B / (w * w * orbit->j);
+    left = VM_FABS(after.h2 - before.h2) + 4 * VM_FABS((after.h1 - before.h1) * after.h);
+    next->knots += left / (w * w * w);
+    return VM_OK;
+}
+
+/* Walks from t = 0 to the plan's end. */
+VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
+{
+    const vm_odd_problem *o = &p->problem;
+    const vm_real whole = VM_FABS(p->t_end);
+    vm_real longest = vmi_smaller(vmi_law_longest_panel(&o->mass, whole), vmi_law_longest_panel(&o->stiffness, whole));
+    vmi_odd_panel next;
+    int i, status = VM_OK;
+    longest = vmi_smaller(longest, vmi_law_longest_panel(&o->damping, whole));
+    next.t = 0;
+    next.length = 0;
+    next.phase = p->phase;
+    next.decay = 0;
+    next.ln_J = 0;
+    next.knots = 0;
+    next.largest_a = 0;
+    next.largest_B = 0;
+    next.gamma = 0;
+    for (i = 0; i < VMI_ODD_ORDERS; i++) next.change[i] = 0;
+    while (!status && next.t != p->t_end) {
+        vm_real end = vmi_law_next_knot(&o->mass, next.t, p->t_end);
+        end = vmi_law_next_knot(&o->stiffness, next.t, end);
+        end = vmi_law_next_knot(&o->damping, next.t, end);
+        status = vmi_odd_walk_piece(p, end, longest, orbit, &next);
+        if (!status && end != p->t_end) status = vmi_odd_walk_past_knot(p, orbit, &next);
+    }
+    return status;
+}
+
+/* Computes the mean motion at t = 0 from the state at t = 0, and the numbers that estimates need there. */
+VM_API int vmi_odd_start(vm_odd_plan *p, const vmi_orbit *orbit)
+{
+    const int side = vmi_time_side(p->t_end);
+    vmi_orbit_ripple ripple;
+    vmi_orbit_ripple_values now;
+    vm_real mean;
+    int status = vmi_odd_slow_at(&p->problem, 0, side, vmi_odd_sampling_time(orbit->w, p->speed0), &p->slow);
+    if (!status) status = orbit->force->phase(orbit, p->problem.x, p->problem.v / p->speed0, &p->phi);
+    if (status) return status;
+    vmi_orbit_ripple_init(&ripple, orbit);
+    vmi_orbit_ripple_at(&ripple, orbit, p->phi, &now);
+    mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1);
+    p->phase = p->phi - 2 * p->slow.h * now.B_j;
+    p->gamma = vmi_orbit_gamma(&ripple, orbit);
+    p->first_a = ripple.largest_a;
+    p->first_B = ripple.largest_B;
+    if (!(mean > 0)) return VM_NO_LAW; /* the laws are not slow */
+    p->ln_j = vmi_log(mean).hi;
+    return VM_OK;
+}
+
+/* Checks the problem and its laws between 0 and t. */
+VM_API int vmi_odd_check(const vm_odd_problem *o, vm_real t)
+{
+    const vm_real numbers[5] = {o->reactive, o->x, o->v, o->force.k1, o->force.k3};
+    int status = vmi_all_finite(5, numbers) ? VM_OK : VM_NOT_FINITE;
+    if (!o->force.at) return VM_BAD_ARGUMENT;
+    status = vmi_first_error(status, vmi_law_check(&o->mass, VM_BAD_MASS, t));
+    status = vmi_first_error(status, vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
+    return vmi_first_error(status, vmi_law_check(&o->damping, VM_OK, t));
+}
+
+/* Fills a plan whose fields problem, t_end, m0, k0 and speed0 are set. */
+VM_API int vmi_odd_fill(vm_odd_plan *p)
+{
+    vmi_orbit orbit;
+    int status;
+    vm_real f;
+    p->n = 0;
+    p->reach = 0;
+    p->at_rest = 0;
+    orbit.size = 0;
+    p->start = orbit;
+    status = p->problem.force.at(&p->problem.force, p->problem.x, &f);
+    if (status) return status;
+    if (p->problem.v == 0 && f == 0) p->at_rest = 1;
+    else status = vmi_orbit_of_state(&p->problem.force, p->problem.x, p->problem.v / p->speed0, &orbit);
+    if (status == VM_NO_LAW) return VM_OK;
+    if (status || p->at_rest || orbit.size == 0) return status;
+    p->start = orbit;
+    p->start.force = NULL; /* the force is p->problem.force, wherever the plan is copied to */
+    status = vmi_odd_start(p, &orbit);
+    if (!status && p->t_end != 0) status = vmi_odd_walk(p, &orbit);
+    return status == VM_NO_LAW ? VM_OK : status;
+}
+
+/* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
+   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
+   plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
+   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers and for a law or force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for
+   laws that are not positive, VM_DOMAIN for a table out of order or one that does not hold 0 and t_end, and where a
+   user's function fails. */
+VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
+{
+    vm_odd_plan plan;
+    vmi_odd_rates rates;
+    int status;
+    if (!p || !problem) return VM_BAD_ARGUMENT;
+    memset(&plan, 0, sizeof plan);
+    plan.problem = *problem;
+    plan.t_end = t_end;
+    if (VM_IS_FINITE(t_end)) status = vmi_odd_check(problem, t_end);
+    else status = vmi_first_error(VM_NOT_FINITE, vmi_odd_check(problem, 0));
+    if (!status) status = vmi_odd_rates_at(problem, 0, vmi_time_side(t_end), &rates);
+    if (status) return status;
+    plan.m0 = rates.m;
+    plan.k0 = rates.k;
+    plan.speed0 = rates.speed;
+    status = vmi_odd_fill(&plan);
+    if (!status) *p = plan;
+    return status;
+}
+
+/* -- Averaged solutions -- */
+
+/* The mean motion at one time */
+typedef struct VM_TAG(vmi_odd_mean) {
+    vmi_orbit orbit;     /* the mean orbit */
+    vm_real phase;       /* the mean phase */
+    vmi_odd_rates rates; /* the laws */
+    const vmi_odd_panel *panel;
+} vmi_odd_mean;
+
+/* Computes the mean motion at t from the series of the plan. Returns VM_NO_LAW beyond the plan's reach. */
+VM_API int vmi_odd_mean_at(const vm_odd_plan *p, vm_real t, vmi_odd_mean *mean)
+{
+    const vmi_odd_panel *panel = p->panel;
+    vm_real place;
+    int i, status;
+    if (p->n == 0 || VM_FABS(t) > VM_FABS(p->reach)) return VM_NO_LAW;
+    for (i = 1; i < p->n && VM_FABS(t) > VM_FABS(p->panel[i].t); i++) panel++;
+    place = vmi_clamp(2 * ((t - panel->t) / panel->length) - 1, -1, 1);
+    status = vmi_odd_rates_at(&p->problem, t, -vmi_time_side(p->t_end), &mean->rates);
+    if (status) return status;
+    mean->panel = panel;
+    mean->orbit = p->start;
+    mean->orbit.force = &p->problem.force;
+    mean->orbit.size = vmi_legendre_at(panel->size, place);
+    mean->phase = panel->phase + panel->length / 2 * vmi_legendre_integral(panel->rate, place);
+    return mean->orbit.force->complete(&mean->orbit);
+}
+
+/* Adds the ripple to the mean motion: phase and orbit become those of x and v. */
+VM_API int vmi_odd_add_ripple(vmi_odd_mean *mean)
+{
+    vmi_orbit *orbit = &mean->orbit;
+    const vm_real h = mean->rates.h / mean->rates.speed;
+    vmi_orbit_ripple ripple;
+    vmi_orbit_ripple_values now;
+    vmi_orbit_ripple_init(&ripple, orbit);
+    vmi_orbit_ripple_at(&ripple, orbit, mean->phase, &now);
+    mean->phase += 2 * h * now.B_j;
+    orbit->size *= vmi_exp(-2 * h * now.a / (orbit->w * ripple.j_size * orbit->size), 0);
+    return orbit->force->complete(orbit);
+}
+
+/* A bound of the change of ln J that fast changes of the laws cause: the smallest of the bounds that follow from
+   integrating by parts i times, as vmi_osc_fast (oscillators/mean_motion.h) does */
+VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
+{
+    const vm_real turn = mean->orbit.span / VM_PI;
+    vm_real size = 2, least = VM_INFINITY;
+    int i;
+    for (i = 0; i < VMI_ODD_ORDERS; i++) {
+        const vm_real bound = size * mean->panel->change[i];
+        if (!(bound >= least)) least = bound;
+        if (i == 0) size = 2 * largest_a;
+        else size *= turn;
+    }
+    return least;
+}
+
+/* How large terms of second and of third order are at a time with this damping h, on an orbit whose phase has the rate
+   w */
+VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, vm_real *third)
+{
+    const vm_real h = VM_FABS(slow->h / w), h1 = VM_FABS(slow->h1 / w / w), h2 = VM_FABS(slow->h2 / w / w / w);
+    *second = h1 + 2 * h * h;
+    *third = h2 + 4 * h * h1 + 4 * h * h * h;
+}
+
+/* By how much an error of the phase is larger as an error of x/swing or of v/vmax */
+VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
+{
+    const vm_real of_x = orbit->vmax / (orbit->w * orbit->swing);
+    if (orbit->place != VMI_ORBIT_AROUND_0) return of_x + 1 / of_x;
+    return vmi_larger(of_x, orbit->energy_slope / (orbit->w * orbit->vmax));
+}
+
+/* Estimates the error of an averaged solution at t. It adds up how large the terms are that are left out: of the
+   transformation at the start and at t, and of the action at the start and at points of tables, which changes the
+   phase by gamma times the phase. The factors fit the errors of random problems in tests/test_odd_force.c. */
+VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
+{
+    const vmi_orbit *orbit = &mean->orbit;
+    const vm_real largest_known = VM_C(0.25), w = orbit->w, turns = VM_FABS(mean->phase - p->phase);
+    const vm_real gamma = vmi_larger(VM_FABS(p->gamma), mean->panel->gamma);
+    const vm_real a = mean->panel->largest_a, B = mean->panel->largest_B;
+    const vm_real h = VM_FABS(mean->rates.h / mean->rates.speed);
+    vm_real second0, third0, second, third, phase, action;
+    vmi_odd_slow slow;
+    int status = vmi_odd_slow_at(&p->problem, t, -vmi_time_side(p->t_end),
+                                 vmi_odd_sampling_time(w, mean->rates.speed), &slow);
+    if (status) return status;
+    vmi_odd_sizes(&p->slow, p->start.w, &second0, &third0);
+    vmi_odd_sizes(&slow, w, &second, &third);
+    action = p->first_a * (third0 + mean->panel->knots) + vmi_odd_fast(mean, a);
+    phase = (1 + gamma) * (p->first_B * second0 + B * (second + third)) + (1 + gamma * turns) * action;
+    *error = (vmi_odd_steepness(orbit) * phase + a * (second + third) + action) / 2 +
+             4 * VM_EPSILON * (2 + turns);
+    if (route == VM_ODD_MEAN) *error += 2 * h / w * (vmi_odd_steepness(orbit) * B + a);
+    if (!(*error <= largest_known)) *error = VM_INFINITY;
+    return VM_OK;
+}
+
+/* Writes the motion at t by averaging, of first order for VM_ODD_MEAN, else of second order. */
+VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
+{
+    vmi_odd_mean mean;
+    vm_odd_motion r;
+    int status = vmi_odd_mean_at(p, t, &mean);
+    if (status) return status;
+    status = vmi_odd_error(p, route, t, &mean, &r.error);
+    if (!status && route == VM_ODD_ORDER2) status = vmi_odd_add_ripple(&mean);
+    if (!status) status = mean.orbit.force->at_phase(&mean.orbit, mean.phase, &r.x, &r.v);
+    if (status) return status;
+    r.v *= mean.rates.speed;
+    r.amplitude = vmi_orbit_amplitude(&mean.orbit);
+    r.route = route;
+    r.evals = 0;
+    if (!VM_IS_FINITE(r.x) || !VM_IS_FINITE(r.v)) return VM_NOT_FINITE;
+    *motion = r;
+    return VM_OK;
+}
+
+#endif
+/* oscillators/odd_routes.h - routes to the motion of a vibration under an odd elastic force, and its integration
+
+   vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose
+   error is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
+   solutions are those of oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the
+   equation of motion. Estimates: tests/test_odd_force.c compares them with the true errors of random problems. The
+   true error is below three estimates in 99 % of them, and never above ten. The integration of a force with a kink,
+   as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and then says so. Tests:
+   tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
+#define VARMASS_OSCILLATORS_ODD_ROUTES_H
+
+#include <string.h>
+
+/* -- The equation of motion -- */
+
+/* Writes the acceleration at t, position x and velocity v, m/s^2. */
+VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm_real x, vm_real v, vm_real *a)
+{
+    vmi_odd_rates now;
+    vm_real f;
+    int status = vmi_odd_rates_at(o, t, side, &now);
+    if (!status) status = o->force.at(&o->force, x, &f);
+    if (status) return status;
+    *a = -(now.k * f + (o->reactive * now.m_rate + now.b) * v) / now.m;
+    return VM_OK;
+}
+
+/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87.
+   y = (x, x') is in m and m/s; problem points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT
+   for null pointers and for a law or a force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
+   and VM_DOMAIN for t outside a table and where a user's function fails. These statuses stop the run. */
+VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
+{
+    const vm_odd_problem *o = (const vm_odd_problem *)problem;
+    vm_real a;
+    int status;
+    if (!y || !dydt || !o || !o->force.at) return VM_BAD_ARGUMENT;
+    if (!o->mass.derivatives || !o->stiffness.derivatives || !o->damping.derivatives) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(y[0]) || !VM_IS_FINITE(y[1])) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(o->reactive)) return VM_NOT_FINITE;
+    status = vmi_odd_acceleration(o, t, 1, y[0], y[1], &a);
+    if (!status && !VM_IS_FINITE(a)) status = VM_NOT_FINITE;
+    if (status) { /* of several mistakes the first by the table of errors */
+        vm_real f, rate;
+        status = vmi_first_error(status, vmi_law_at(&o->mass, VM_BAD_MASS, t, &f, &rate));
+        status = vmi_first_error(status, vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &f, &rate));
+        return vmi_first_error(status, vmi_law_at(&o->damping, VM_OK, t, &f, &rate));
+    }
+    dydt[0] = y[1];
+    dydt[1] = a;
+    return VM_OK;
+}
+
+/* -- Integration -- */
+
+/* A run of rk87 from 0 to t. Its state is x/length and v/velocity, so that both are of the order of 1. */
+typedef struct VM_TAG(vmi_odd_run) {
+    const vm_odd_plan *plan;
+    int side;                 /* 1 forward, -1 backward in time */
+    int status;               /* status of a law or of the force that stopped the run */
+    vm_real length, velocity; /* units of the state */
+    vm_real longest;          /* longest step, s */
+    long evals;               /* evaluations by all runs so far */
+    rk87 s;
+    vm_real work[RK87_WORK(2)];
+} vmi_odd_run;
+
+/* Right-hand side of the equation of motion for a run */
+VM_API int vmi_odd_run_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run)
+{
+    vmi_odd_run *c = (vmi_odd_run *)run;
+    const vm_real v = c->velocity * y[1];
+    vm_real a;
+    c->status = vmi_odd_acceleration(&c->plan->problem, t, c->side, c->length * y[0], v, &a);
+    if (c->status) return c->status;
+    dydt[0] = v / c->length;
+    dydt[1] = a / c->velocity;
+    return VM_OK;
+}
+
+/* Chooses the units of the state, and the longest step for a way of `whole` seconds. */
+VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
+{
+    const vm_odd_plan *p = c->plan;
+    const vm_odd_problem *o = &p->problem;
+    const vm_law *laws[3];
+    int i;
+    c->longest = whole;
+    c->length = VM_FABS(o->x);
+    c->velocity = VM_FABS(o->v);
+    if (p->start.size > 0) {
+        c->length = vmi_orbit_amplitude(&p->start);
+        c->velocity = p->start.vmax * p->speed0;
+        c->longest = vmi_smaller(VMI_OSC_LONGEST * 2 * VM_PI / (p->start.w * p->speed0), whole);
+    }
+    if (!(c->length > 0)) c->length = c->velocity;
+    if (!(c->velocity > 0)) c->velocity = c->length;
+    laws[0] = &o->mass;
+    laws[1] = &o->stiffness;
+    laws[2] = &o->damping;
+    for (i = 0; i < 3; i++)
+        if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
+}
+
+/* Integrates to t, from one point of a table to the next. */
+VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
+{
+    const vm_odd_problem *o = &c->plan->problem;
+    while (c->s.t != t) {
+        vm_real y[2], stop = vmi_law_next_knot(&o->mass, c->s.t, t);
+        int status;
+        stop = vmi_law_next_knot(&o->stiffness, c->s.t, stop);
+        stop = vmi_law_next_knot(&o->damping, c->s.t, stop);
+        status = rk87_solve(&c->s, stop);
+        if (c->status) return c->status;
+        if (status < 0) return VM_NOT_INTEGRATED;
+        y[0] = c->s.y[0];
+        y[1] = c->s.y[1];
+        if (stop != t) status = rk87_restart(&c->s, stop, y);
+        if (status < 0) return VM_NOT_INTEGRATED;
+    }
+    return VM_OK;
+}
+
+/* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. The amplitude is
+   NaN where there is no vibration; then the units of the run take their places. */
+VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
+{
+    const vm_odd_problem *o = &c->plan->problem;
+    vmi_odd_rates now;
+    vmi_orbit orbit;
+    int status = vmi_odd_rates_at(o, c->s.t, -c->side, &now);
+    if (status) return status;
+    motion->x = c->length * c->s.y[0];
+    motion->v = c->velocity * c->s.y[1];
+    motion->amplitude = VM_NAN;
+    motion->route = VM_ODD_RK87;
+    *swing = c->length;
+    *vmax = c->velocity;
+    if (!VM_IS_FINITE(motion->x) || !VM_IS_FINITE(motion->v)) return VM_NOT_INTEGRATED;
+    if (vmi_orbit_of_state(&o->force, motion->x, motion->v / now.speed, &orbit) || !(orbit.size > 0)) return VM_OK;
+    motion->amplitude = vmi_orbit_amplitude(&orbit);
+    *swing = orbit.swing;
+    *vmax = orbit.vmax * now.speed;
+    return VM_OK;
+}
+
+/* Makes one run from 0 to t, with the motions at the times of vmi_osc_check_time, and their swings and largest
+   velocities. */
+VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd_motion *motion, vm_real *swing,
+                            vm_real *vmax)
+{
+    const vm_real most_steps = VM_C(4e6);
+    const vm_real steps = 1000 + 400 * VM_FABS(t) / c->longest;
+    rk45_options options;
+    vm_real y[2];
+    int i, status;
+    memset(&options, 0, sizeof options);
+    options.rtol = tolerance;
+    options.atol = tolerance;
+    options.h_max = c->longest;
+    options.max_steps = (long)vmi_smaller(steps, most_steps);
+    y[0] = c->plan->problem.x / c->length;
+    y[1] = c->plan->problem.v / c->velocity;
+    c->status = VM_OK;
+    status = rk87_init(&c->s, vmi_odd_run_rhs, c, 2, 0, y, &options, c->work);
+    if (c->status) return c->status;
+    if (status < 0) return VM_NOT_INTEGRATED;
+    for (i = 0; i < VMI_OSC_CHECKS; i++) {
+        status = vmi_odd_solve(c, vmi_osc_check_time(t, i));
+        if (!status) status = vmi_odd_motion_now(c, &motion[i], &swing[i], &vmax[i]);
+        if (status) return status;
+    }
+    c->evals += c->s.evals;
+    return VM_OK;
+}
+
+/* Makes a loose and a strict run, and writes the strict run's motion at t with its error by the largest difference of
+   the two runs. */
+VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_odd_motion *motion)
+{
+    const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
+    const vm_real longest = c->longest, turns = VM_FABS(t) * VMI_OSC_LONGEST * 2 * VM_PI / longest;
+    vm_odd_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS];
+    vm_real swing[VMI_OSC_CHECKS], vmax[VMI_OSC_CHECKS], largest = 0;
+    int i, status = vmi_odd_run_once(c, t, tuning.ratio * step_tolerance, loose, swing, vmax);
+    if (status) return status;
+    c->longest = longest / 2;
+    status = vmi_odd_run_once(c, t, step_tolerance, strict, swing, vmax);
+    c->longest = longest;
+    if (status) return status;
+    for (i = 0; i < VMI_OSC_CHECKS; i++) {
+        largest = vmi_larger(VM_FABS(strict[i].x - loose[i].x) / swing[i], largest);
+        largest = vmi_larger(VM_FABS(strict[i].v - loose[i].v) / vmax[i], largest);
+    }
+    *motion = strict[VMI_OSC_CHECKS - 1];
+    motion->error = vmi_larger(tuning.by_chance * step_tolerance, tuning.factor * largest) +
+                    4 * VM_EPSILON * (2 + turns);
+    return VM_OK;
+}
+
+/* The motion at t by rk87. Pairs of runs with stricter and stricter tolerances follow each other until the estimated
+   error is within the tolerance. A pair that is not better than the best one halves the longest step; after three such
+   pairs the best one is the result. */
+VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
+{
+    const int most_attempts = 8, most_stalled = 3;
+    const vm_real least = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning.least;
+    vmi_odd_run c;
+    vm_odd_motion now;
+    vm_real step_tolerance = vmi_osc_first_tolerance(tolerance), best = VM_INFINITY;
+    int attempt, stalled = 0, status = VM_NOT_INTEGRATED;
+    c.plan = p;
+    c.side = vmi_time_side(t);
+    c.evals = 0;
+    vmi_odd_units(&c, VM_FABS(t));
+    for (attempt = 0; attempt < most_attempts && stalled < most_stalled; attempt++) {
+        step_tolerance = vmi_larger(step_tolerance, least);
+        status = vmi_odd_pair(&c, t, step_tolerance, &now);
+        if (status) break;
+        if (!(now.error < best / 2)) {
+            stalled++;
+            c.longest /= 2;
+        }
+        if (now.error < best) {
+            *motion = now;
+            best = now.error;
+        }
+        if (best <= tolerance) break;
+        step_tolerance = vmi_osc_next_tolerance(step_tolerance, tolerance, now.error);
+    }
+    if (!(best < VM_INFINITY)) return status ? status : VM_NOT_INTEGRATED;
+    motion->evals = c.evals;
+    return best <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
+}
+
+/* -- Routes -- */
+
+/* Checks what all calls with a plan share, and replaces a tolerance of 0 by the default. */
+VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance,
+                              const vm_odd_motion *motion)
+{
+    if (!p || !motion || route < VM_ODD_MEAN || route > VM_ODD_RK87) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
+    if (*tolerance < 0) return VM_DOMAIN;
+    if (t * p->t_end < 0 || VM_FABS(t) > VM_FABS(p->t_end)) return VM_DOMAIN;
+    if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
+    return VM_OK;
+}
+
+/* Writes the motion at t = 0, or that of a body at rest, if it is one of them; returns whether it is. */
+VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
+{
+    if (t != 0 && !p->at_rest) return 0;
+    motion->x = p->problem.x;
+    motion->v = p->problem.v;
+    motion->amplitude = VM_NAN;
+    if (p->at_rest) motion->amplitude = VM_FABS(p->problem.x);
+    if (p->start.size > 0) motion->amplitude = vmi_orbit_amplitude(&p->start);
+    motion->error = 0;
+    motion->route = route;
+    motion->evals = 0;
+    return 1;
+}
+
+/* Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_....
+   motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
+   solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
+   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it
+   returns
+     VM_BAD_ARGUMENT for null pointers or a route that does not exist,
+     VM_NOT_FINITE for a number that is infinite or NaN,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside the plan, and where a user's function fails,
+     VM_NO_LAW beyond the plan's reach and where there is no vibration, except for VM_ODD_RK87,
+     VM_NOT_INTEGRATED where the integrator gives up, as it does for a motion that runs away. */
+VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_real tolerance, vm_odd_motion *motion)
+{
+    vm_odd_motion r;
+    int status = vmi_odd_check_call(p, route, t, &tolerance, motion);
+    if (status) return status;
+    if (vmi_odd_is_known(p, route, t, &r)) status = VM_OK;
+    else if (route == VM_ODD_RK87) status = vmi_odd_integrate(p, t, tolerance, &r);
+    else status = vmi_odd_averaged(p, route, t, &r);
+    if (status >= 0) *motion = r;
+    return status;
+}
+
+/* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance.
+   It takes the cheapest route whose error is estimated to be within the tolerance; motion->route says which. The
+   tolerance is relative, for the larger of |error of x|/swing and |error of v|/vmax; 0 means 1e-6 (float 1e-3). Beyond
+   the plan's reach it integrates. The statuses are those of vm_odd_plan_by_route, but VM_NO_LAW. */
+VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
+{
+    vm_odd_motion r;
+    int route, status = vmi_odd_check_call(p, VM_ODD_MEAN, t, &tolerance, motion);
+    if (status) return status;
+    for (route = VM_ODD_MEAN; route <= VM_ODD_ORDER2; route++) {
+        status = vm_odd_plan_by_route(p, route, t, tolerance, &r);
+        if (status && status != VM_NO_LAW) return status;
+        if (status || !(r.error <= tolerance)) continue;
+        *motion = r;
+        return VM_OK;
+    }
+    return vm_odd_plan_by_route(p, VM_ODD_RK87, t, tolerance, motion);
+}
+
+/* Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan.
+   It is for a single value of t. Arguments, result and statuses are those of vm_odd_plan_within and of
+   vm_odd_plan_init. */
+VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real tolerance, vm_odd_motion *motion)
+{
+    vm_odd_plan plan;
+    int status = VM_OK;
+    if (!problem || !motion) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(tolerance)) status = VM_NOT_FINITE;
+    else if (tolerance < 0) status = VM_DOMAIN;
+    status = vmi_first_error(status, vm_odd_plan_init(&plan, problem, t));
+    if (status) return status;
+    return vm_odd_plan_within(&plan, t, tolerance, motion);
+}
+
+#endif
 /* oscillators/slow.h - laws that oscillators with slowly varying mass share
 
    Here are, in closed form, the amplitude and the largest velocity of an oscillator
@@ -12180,6 +14232,1083 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (status) return status;
     dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
     dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
+    return VM_OK;
+}
+
+#endif
+/* oscillators/van_der_pol_expansion.h - Van der Pol's oscillator: from the motion to its mean motion and back
+
+   The oscillator is that of oscillators/van_der_pol.h. In amplitude A and phase psi of oscillators/reduction.h, with
+   the feed as a negative damping, its exact equations are
+     (ln A)' = -p + W [-(2/n) e ca^2 sa^2 + E0 sa ca - Q0 ca^3 sa],
+     psi'    =      W [1 - e ca^3 sa + (n/2) E0 ca^2 - (n/2) Q0 ca^4],
+   with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass. Let epsilon be the relative
+   change of the vibration within a radian. The disturbances are the numbers
+     e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
+   e is of the order epsilon, the other three are of the order epsilon^2. With feed and m' alone, only E0 is left.
+
+   A transformation leads from A and psi to mean values, whose rates have no ripple within a period. Let J be
+   A^((alpha+3)/2) times a slow factor, so that a constant J means that only -p changes A. Then the mean values obey
+     (ln J)' = W [F e + K_3 e^3 + K_1 e e1 + K_Q e Q0 + K_E e E0],
+     psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
+   where < > is the mean over a period. This file has the constants of these equations, and the transformation in both
+   directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The law is new;
+   docs/van-der-pol.md has what it was measured at.
+       vmi_ripple r;
+       vmi_vdp_ripple v;
+       vmi_ripple_init(&r, 1, vmi_ateb_constants);
+       vmi_ripple_complete(&r);
+       vmi_vdp_ripple_init(&v, &r); // v.F is -1/4, v.K2 -11/256
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
+
+/* The polynomials that this law needs beyond those of oscillators/ripple.h. From a zero of sa: the integrals over the
+   phase of ca^6, and of the square of S, the integral of C = ca^2 - <ca^2>. */
+enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
+
+/* From a zero of ca: the integral of ca^6, and three parts of the integral of the square of S. The first is the square
+   of the phase itself, the last the square of the integral of ca^2, the middle one their product. */
+enum { VMI_VDP_PHASE2 = 1, VMI_VDP_PRODUCT, VMI_VDP_INTEGRAL2, VMI_VDP_ZERO_FUNCTIONS };
+
+/* Constants and polynomials of the law for one alpha, prepared by vmi_vdp_ripple_init. The names of the constants are
+   those of the equations at the top of this file. */
+typedef struct VM_TAG(vmi_vdp_ripple) {
+    vm_real q;               /* (alpha+3)/(alpha+7) */
+    vm_real mean6, mean8;    /* <ca^6>, <ca^8> */
+    vm_real mean_square;     /* the mean of S^2, where S is the integral of ca^2 - <ca^2> */
+    vm_real F, K2, K3, K1, KQ, KE;
+    vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, over e^2 */
+    vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
+    vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
+} vmi_vdp_ripple;
+
+/* The disturbances at one time and one amplitude, see the top of this file */
+typedef struct VM_TAG(vmi_vdp_disturbance) {
+    vm_real e, e1, Q0, E0;
+} vmi_vdp_disturbance;
+
+/* -- Making the polynomials -- */
+
+/* Writes the product of two power series of VMI_RIPPLE_SERIES terms each. */
+VM_API void vmi_vdp_multiply(const vm_real *f, const vm_real *g, vm_real *product)
+{
+    int i, j;
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        product[i] = 0;
+        for (j = 0; j <= i; j++) product[i] += f[j] * g[i - j];
+    }
+}
+
+/* Writes the power series of (1-y)^exponent. */
+VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
+{
+    vm_real before = 0;
+    int i;
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        series[i] = vmi_binomial_next(before, i, exponent);
+        before = series[i];
+    }
+}
+
+/* Turns a power series on [0, 1/2] into a polynomial in 4 w - 1 that differs from it by about rounding errors. */
+VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
+{
+    vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
+    int i, k;
+    for (k = 0; k < VMI_RIPPLE_TERMS; k++) polynomial[k] = 0;
+    for (k = 0; k < VMI_RIPPLE_KEPT; k++) w_power[k] = 0;
+    w_power[0] = 1;
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        for (k = 0; k < VMI_RIPPLE_TERMS; k++) polynomial[k] += series[i] * w_power[k];
+        vmi_chebyshev_times_w(w_power);
+    }
+    vmi_chebyshev_to_powers(polynomial);
+}
+
+/* Makes the polynomials for phases close to a zero of sa. There du = (1-y)^(alpha/n) dpsi with u = |sa|, y = u^2 and
+   n = alpha + 1, so that the integral of (1-y)^b dpsi is u times the sum of [(1-y)^(b-alpha/n)]_i y^i/(2i+1), where
+   [ ]_i is coefficient i of the power series. */
+VM_API void vmi_vdp_make_near_sa_0(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real alpha = r->alpha, n = alpha + 1;
+    vm_real slope[VMI_RIPPLE_SERIES], power[VMI_RIPPLE_SERIES], S[VMI_RIPPLE_SERIES], square[VMI_RIPPLE_SERIES];
+    int i;
+    vmi_vdp_binomial((6 - alpha) / n, power);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) power[i] /= (vm_real)(2 * i + 1);
+    vmi_vdp_economise(power, v->near_sa_0[VMI_VDP_CA6]);
+    vmi_vdp_binomial(-alpha / n, slope);
+    vmi_vdp_binomial((2 - alpha) / n, power);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) S[i] = (power[i] - r->mean2 * slope[i]) / (vm_real)(2 * i + 1);
+    vmi_vdp_multiply(S, S, square);
+    vmi_vdp_multiply(square, slope, power);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) power[i] /= (vm_real)(2 * i + 3);
+    vmi_vdp_economise(power, v->near_sa_0[VMI_VDP_SQUARE]);
+}
+
+/* Makes one of the polynomials of the integral of S^2 close to a zero of ca, from the power series of the two factors
+   of which the product is integrated, and of dpsi/dx. x_power is the power of x = |ca| before the polynomial. */
+VM_API void vmi_vdp_make_part(const vm_real *f, const vm_real *g, const vm_real *slope, vm_real x_power, vm_real n,
+                              vm_real *polynomial)
+{
+    vm_real product[VMI_RIPPLE_SERIES], series[VMI_RIPPLE_SERIES];
+    int i;
+    vmi_vdp_multiply(f, g, product);
+    vmi_vdp_multiply(product, slope, series);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) series[i] /= x_power + (vm_real)i * n;
+    vmi_vdp_economise(series, polynomial);
+}
+
+/* Makes the polynomials for phases close to a zero of ca. There dpsi = (n/2) (1-w)^(-1/2) dx with x = |ca|, w = x^n
+   and n = alpha + 1. The phase is x times one power series in w, the integral of ca^2 is x^3 times another. */
+VM_API void vmi_vdp_make_near_ca_0(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real n = r->alpha + 1;
+    vm_real slope[VMI_RIPPLE_SERIES], phase[VMI_RIPPLE_SERIES], ca2[VMI_RIPPLE_SERIES], ca6[VMI_RIPPLE_SERIES];
+    int i;
+    vmi_vdp_binomial(VM_C(-0.5), slope);
+    for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
+        const vm_real now = (vm_real)i * n;
+        slope[i] *= n / 2;
+        phase[i] = slope[i] / (1 + now);
+        ca2[i] = slope[i] / (3 + now);
+        ca6[i] = slope[i] / (7 + now);
+    }
+    vmi_vdp_economise(ca6, v->near_ca_0[VMI_VDP_CA6]);
+    vmi_vdp_make_part(phase, phase, slope, 3, n, v->near_ca_0[VMI_VDP_PHASE2]);
+    vmi_vdp_make_part(phase, ca2, slope, 5, n, v->near_ca_0[VMI_VDP_PRODUCT]);
+    vmi_vdp_make_part(ca2, ca2, slope, 7, n, v->near_ca_0[VMI_VDP_INTEGRAL2]);
+}
+
+/* -- The integrals of ca^6 and of S^2 -- */
+
+/* The integral of S^2 from the nearest zero of ca to a phase where |ca| = x and sa^2 = y */
+VM_API vm_real vmi_vdp_square_from_ca_0(const vmi_vdp_ripple *v, vm_real mean2, vm_real x, vm_real y)
+{
+    const vm_real z = 4 * (1 - y) - 1, x2 = x * x;
+    const vm_real phase2 = vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_PHASE2], z);
+    const vm_real product = vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_PRODUCT], z);
+    const vm_real integral2 = vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_INTEGRAL2], z);
+    return x2 * x * (mean2 * mean2 * phase2 + x2 * (x2 * integral2 - 2 * mean2 * product));
+}
+
+/* The integral of S^2 from the nearest zero of sa to a phase where |sa| = u and sa^2 = y */
+VM_API vm_real vmi_vdp_square_from_sa_0(const vmi_vdp_ripple *v, vm_real u, vm_real y)
+{
+    return y * u * vmi_ripple_polynomial(v->near_sa_0[VMI_VDP_SQUARE], 4 * y - 1);
+}
+
+/* Writes the integrals over the phase of ca^6 - <ca^6> and of S^2 - <S^2>, both 0 where ca or sa is 0. sa and ca are
+   the Ateb functions of psi. */
+VM_API void vmi_vdp_integrals_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi, vm_real sa, vm_real ca,
+                                 vm_real *ca6, vm_real *square)
+{
+    const vm_real y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
+    const vm_real side = from_sa_0 < 0 ? -1 : 1, t = VM_FABS(from_sa_0), s = r->pi / 2 - t;
+    const vm_real x = VM_FABS(ca), u = VM_FABS(sa);
+    if (y > VM_C(0.5)) {
+        const vm_real power7 = x * (ca * ca) * (ca * ca) * (ca * ca);
+        const vm_real integral = power7 * vmi_ripple_polynomial(v->near_ca_0[VMI_VDP_CA6], 4 * (1 - y) - 1);
+        *ca6 = -side * (integral - v->mean6 * s);
+        *square = -side * (vmi_vdp_square_from_ca_0(v, r->mean2, x, y) - v->mean_square * s);
+    } else {
+        *ca6 = side * (u * vmi_ripple_polynomial(v->near_sa_0[VMI_VDP_CA6], 4 * y - 1) - v->mean6 * t);
+        *square = side * (vmi_vdp_square_from_sa_0(v, u, y) - v->mean_square * t);
+    }
+}
+
+/* -- Preparing an alpha -- */
+
+/* Computes the constants of the equations of the mean motion, from the means of powers of ca and of S^2. */
+VM_API void vmi_vdp_find_constants(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real alpha = r->alpha, n = alpha + 1, g = r->gamma, q = v->q;
+    const vm_real m2 = r->mean2, m4 = r->mean4, m6 = v->mean6, m8 = v->mean8;
+    const vm_real g11 = n * m6 / (alpha + 15);
+    const vm_real H = (alpha + 3) / 8 * (g11 - n * m2 * m4 / (alpha + 7));
+    const vm_real Z = q * q * (v->mean_square - n / 4 * (m6 - m2 * m4) + g11);
+    const vm_real y = -n / 6 * (m8 - m2 * m6) + n / 4 * m2 * (m6 - m2 * m4) + n * m8 / (alpha + 19) - m2 * g11;
+    const vm_real Y = q * q * y;
+    v->F = -q * m2;
+    v->K2 = g * (1 - 2 * g) / 2 * Z + (1 - 2 * g) * H - g11;
+    v->K3 = -(1 - 2 * g) * (v->F * H + Y / 2) - v->F * g11 - (alpha + 3) * n * m8 / ((alpha + 7) * (alpha + 19));
+    v->K1 = -H;
+    v->KQ = -r->scale / 4 * (m6 - m2 * m4);
+    v->KE = r->scale / 2 * r->variance;
+    v->constant = g / 2 * Z + H - (alpha + 3) * n / (2 * (alpha + 7)) * (VM_C(1.) / 6 + 1 / (alpha + 15)) * m6;
+}
+
+/* Prepares the alpha of r, which must have its polynomials. The mean of S^2 is its integral over a quarter of the
+   period, taken from both ends of the quarter up to the phase where sa^2 = 1/2. */
+VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
+{
+    const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
+    v->q = (r->alpha + 3) / (r->alpha + 7);
+    v->mean6 = vmi_osc_mean_ca(6, r->alpha, r->pi, vmi_ateb_constants);
+    v->mean8 = vmi_osc_mean_ca(8, r->alpha, r->pi, vmi_ateb_constants);
+    vmi_vdp_make_near_sa_0(v, r);
+    vmi_vdp_make_near_ca_0(v, r);
+    v->mean_square = 2 / r->pi *
+                     (vmi_vdp_square_from_sa_0(v, sa, half) + vmi_vdp_square_from_ca_0(v, r->mean2, ca, half));
+    vmi_vdp_find_constants(v, r);
+}
+
+/* -- The functions of the transformation -- */
+
+/* Functions of the phase in the transformation. U belongs to e, U1 to e1; P1 is the shift of the phase over e. */
+typedef struct VM_TAG(vmi_vdp_values) {
+    vmi_ripple_values f;
+    vm_real C4;         /* ca^4 - <ca^4> */
+    vm_real U, U1, P1;  /* terms of ln J that belong to e and e1, and the term of the phase that belongs to e */
+    vm_real X;          /* a term of ln J that belongs to e^2 */
+} vmi_vdp_values;
+
+/* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
+VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi, vm_real sa, vm_real ca,
+                              vmi_vdp_values *f)
+{
+    const vm_real n = r->alpha + 1, ca2 = ca * ca, ca4 = ca2 * ca2;
+    vmi_ripple_at(r, 5, psi, sa, ca, &f->f);
+    f->C4 = ca4 - r->mean4;
+    f->U = -v->q * (f->f.S - sa * ca * ca2);
+    f->U1 = v->q * (f->f.S2 + n / 8 * f->C4);
+    f->P1 = (n * f->C4 - (r->alpha - 1) * f->f.S2) / (r->alpha + 7);
+    f->X = v->q * n / 2 * ca4 * ca2 * (VM_C(1.) / 6 + sa * sa / n);
+}
+
+/* -- From the motion to the mean motion -- */
+
+/* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
+   belongs to the phase, *now to the amplitude. */
+VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
+                         const vmi_vdp_disturbance *now)
+{
+    const vm_real g = r->gamma, half = r->scale / 2;
+    const vm_real square = (1 - 2 * g) / 2 * f->U * f->U - v->F * f->P1 - f->X - v->constant;
+    return -now->e * f->U + now->e * now->e * square - now->e1 * f->U1 - half / 2 * now->Q0 * f->C4 +
+           half * now->E0 * f->f.C;
+}
+
+/* Returns the mean phase minus the phase, up to order epsilon, and at phases where sa or ca is 0 up to epsilon^2. */
+VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *now) { return -now->e * f->P1; }
+
+/* -- From the mean motion to the motion -- */
+
+/* Returns the part of order epsilon^2 of ln(J/mean J). *f belongs to the mean phase. */
+VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
+                                     const vmi_vdp_disturbance *now)
+{
+    const vm_real n = r->alpha + 1, half = r->scale / 2, sa_ca = f->f.sa * f->f.ca;
+    const vm_real slope = -(r->alpha + 3) / n * sa_ca * sa_ca;
+    const vm_real square = (1 - 2 * r->gamma) / 2 * f->U * f->U + slope * f->P1 + f->X + v->constant;
+    return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
+}
+
+/* Returns the part of order epsilon^2 of the phase minus the mean phase psi, to which *f belongs. */
+VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
+                                       const vmi_vdp_values *f, const vmi_vdp_disturbance *now)
+{
+    const vm_real alpha = r->alpha, n = alpha + 1, g = r->gamma, q = v->q;
+    const vm_real ca = f->f.ca, sa = f->f.sa, ca3 = ca * ca * ca;
+    vm_real ca6, square, ca4, V, T, odd;
+    vmi_vdp_integrals_at(v, r, psi, sa, ca, &ca6, &square);
+    ca4 = f->f.Q + 2 * r->mean2 * f->f.S;
+    V = n / (alpha + 15) * (ca6 - sa * ca3 * ca3 * ca);
+    T = -n / 8 * (f->f.S * ca3 * ca - ca6 + r->mean2 * ca4);
+    odd = g * q * q / 2 * (square - 2 * T + V) + q * (T - V) -
+          v->F / (alpha + 7) * (n * ca4 - (alpha - 1) * f->f.S3);
+    odd = (1 - 3 * g) * odd - V + g * q / 2 * (n * ca6 / 6 + V);
+    odd += (g * f->U - ca3 * sa) * f->P1;
+    return now->e * now->e * odd +
+           now->e1 * (2 * (alpha - 1) * f->f.S3 + n / 8 * (alpha - 9) * ca4) / (alpha + 7) +
+           n / 16 * (alpha - 9) * now->Q0 * ca4 + r->scale / 2 * (1 - 2 * g) * now->E0 * f->f.S;
+}
+
+/* -- The mean motion -- */
+
+/* The rate of ln J over W e, without its first term F: the terms of order epsilon^2 in the brackets of (ln J)' */
+VM_API vm_real vmi_vdp_mean_second(const vmi_vdp_ripple *v, const vmi_vdp_disturbance *now)
+{
+    return v->K3 * now->e * now->e + v->K1 * now->e1 + v->KQ * now->Q0 + v->KE * now->E0;
+}
+
+/* The mean rate of the phase over W, up to order epsilon^3 */
+VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_disturbance *now)
+{
+    const vm_real n = r->alpha + 1;
+    return 1 + v->K2 * now->e * now->e - n / 2 * r->mean4 * now->Q0 + n / 2 * r->mean2 * now->E0;
+}
+
+/* -- Sizes of the terms, for estimates of errors -- */
+
+/* Bounds of what order two leaves out, for one time: of the phase and of ln J by the transformation back from the mean
+   motion, and of ln J by the transformation to the mean motion. */
+typedef struct VM_TAG(vmi_vdp_sizes) {
+    vm_real psi, J; /* terms of order epsilon^2 of the way back */
+    vm_real start;  /* terms of order epsilon^3 of ln J on the way to the mean motion */
+    vm_real ratio;  /* about the ratio of terms of one order to those of the order before */
+} vmi_vdp_sizes;
+
+/* The sizes where the disturbances are *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors are
+   fitted to the largest values of the functions for alpha from 0.2 to 12. */
+VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturbance *now, vm_real rate)
+{
+    const vm_real d = r->pi / (2 * VM_PI), d2 = d * d, d3 = d2 * d, d4 = d2 * d2;
+    const vm_real e = VM_FABS(now->e), e1 = VM_FABS(now->e1), Q = VM_FABS(now->Q0), E = VM_FABS(now->E0);
+    vmi_vdp_sizes s;
+    s.psi = VM_C(0.11) * d3 * e * e + VM_C(0.45) * d3 * e1 + VM_C(0.75) * d * Q +
+            r->scale / 4 * VM_FABS(1 - 2 * r->gamma) * d * E;
+    s.J = VM_C(0.18) * d2 * (e * e + d * e1) + VM_C(1.5) * d2 * Q + VM_C(2.4) * d2 * E;
+    s.start = e * (VM_C(0.06) * d4 * e * e + VM_C(0.12) * d3 * e1 + VM_C(0.5) * d4 * Q + VM_C(0.9) * d4 * E) +
+              rate * (VM_C(0.14) * d4 * e1 + VM_C(1.1) * d3 * Q + VM_C(2.1) * d3 * E);
+    s.ratio = d * (e + rate);
+    return s;
+}
+
+#endif
+/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along any slow law of its mass
+
+   The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
+   therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
+   there. The mean amplitude and phase at any other time are integrals along the law of the mass, cost does not depend
+   on the number of vibrations. With B = c/m and r = exp(-2 integral of p dt) from the start of a panel of time
+   (oscillators/panels.h), the mean amplitude A and phase psi on the panel are
+     A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
+     psi = psi_0 + integral of W (1 + second order terms) dt.
+   At the points of a table p' jumps, so that the mean motion jumps, too: there the exact equations take over, from the
+   last phase before the point at which sa or ca is 0 to the first one after it.
+       vm_vdp_plan plan;
+       vmi_vdp_mean mean;
+       int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
+       if (!status) status = vmi_vdp_mean_at(&plan, 100, &mean); // mean.ln_A, mean.psi
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
+
+/* The mean motion at one time, and what the error depends on */
+typedef struct VM_TAG(vmi_vdp_mean) {
+    vm_real t;                    /* the time, s */
+    vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
+    vm_real first_ln_A, first_psi; /* both by the first order of the same equations */
+    vm_real segment;              /* time, s, of the last point of a table, or 0: the laws are smooth since then */
+    vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
+    vm_real J_error;              /* what order two leaves out of ln J at starts, as far as it is left at t */
+    vm_real psi_error;            /* what order two leaves out of psi */
+    vm_real J_third, psi_third;   /* the same for order three, of terms that depend on feed and mass alone */
+    vm_real ratio;                /* largest ratio of terms of one order to those of the order before, at all starts */
+    vmi_osc_mean fast;            /* only change, dropped, shortest and error: what fast changes of the mass cause */
+} vmi_vdp_mean;
+
+/* What is computed only once for a Van der Pol oscillator and its state at t = 0, by vm_vdp_plan_init. Read its fields,
+   but do not change them. The plan points to the tables, functions and contexts of the law of the mass. */
+typedef struct VM_TAG(vm_vdp_plan) {
+    vm_vdp vdp;            /* a copy of the oscillator */
+    vm_osc_plan osc;       /* the oscillator without its term -c x^2 x', with the feed as a negative damping */
+    vmi_vdp_ripple ripple; /* constants and polynomials of the law of order three */
+    int start_status;      /* VM_OK where `start` is set; else why there is no mean motion, or VM_NO_LAW at rest */
+    vmi_vdp_mean start;    /* the start of the mean motion forward in time */
+} vm_vdp_plan;
+
+/* The term -c x^2 x', N; ctx points to c. */
+VM_API vm_real vmi_vdp_force(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    const vm_real *c = (const vm_real *)ctx;
+    (void)t;
+    return -*c * x * x * v;
+}
+
+/* -- The disturbances -- */
+
+/* The rate of the phase, 1/s, at the amplitude exp(ln_A) */
+VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real ln_A)
+{
+    const vm_real alpha = p->vdp.alpha;
+    return VM_SQRT((alpha + 1) / 2 * p->vdp.k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
+}
+
+/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. From p = (2 a - m'/m)/(alpha+3) follows m'/m. */
+VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p)
+{
+    return (p->vdp.alpha - 1) * rate_p - rate_a;
+}
+
+/* The disturbances where the mass has the rates a and p, G0 is p^2 - a p - p', and the amplitude exp(ln_A) has the rate
+   of phase W */
+VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real rate_a, vm_real rate_p,
+                                                  vm_real G0, vm_real ln_A, vm_real W)
+{
+    vmi_vdp_disturbance d;
+    d.e = p->vdp.c / mass * vmi_exp(2 * ln_A, 0) / W;
+    d.e1 = d.e * vmi_vdp_nu(p, rate_a, rate_p) / W;
+    d.Q0 = d.e * rate_p / W;
+    d.E0 = G0 / W / W;
+    return d;
+}
+
+/* The same where *now holds mass and rates */
+VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
+                                                  vm_real W)
+{
+    const vm_real G0 = now->G[0] / now->unit / now->unit;
+    return vmi_vdp_disturbance_of(p, now->m, now->a, now->p, G0, ln_A, W);
+}
+
+/* The sizes of terms for estimates, where *now holds mass and rates, and the amplitude exp(ln_A) has the rate of phase
+   W */
+VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
+{
+    const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
+    const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p)) + VM_FABS(now->p) + VM_FABS(now->a)) / W;
+    return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
+}
+
+/* Writes |E_k| = |G_k|/W^(k+2), see oscillators/expansion.h. They belong to the oscillator without its term in c. */
+VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
+{
+    int i;
+    vmi_osc_disturbance(now, W, E);
+    for (i = 0; i < VMI_OSC_G; i++) E[i] = VM_FABS(E[i]);
+}
+
+/* -- The start -- */
+
+/* Starts the mean motion at the state r->A, r->psi, r->W of the reduction, where sa or ca is 0. mean->t and mean->now
+   belong to this time. The errors that the start causes are added to those in *mean. */
+VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi_vdp_mean *mean)
+{
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vm_real ln_A = vmi_log(r->A).hi;
+    const vmi_vdp_disturbance now = vmi_vdp_disturbance_at(p, &mean->now, ln_A, r->W);
+    const vmi_vdp_sizes sizes = vmi_vdp_sizes_at(p, &mean->now, ln_A, r->W);
+    vmi_vdp_values f;
+    vmi_expansion_sizes terms;
+    vm_real E[VMI_OSC_G], sa, ca;
+    vmi_osc_wave_at(&wave, r->psi, &ca, &sa);
+    vmi_vdp_values_at(&p->ripple, &p->osc.ripple, r->psi, sa, ca, &f);
+    vmi_vdp_absolute_E(&mean->now, r->W, E);
+    mean->ln_A = ln_A + 2 / (p->vdp.alpha + 3) * vmi_vdp_J(&p->ripple, &p->osc.ripple, &f, &now);
+    mean->psi = r->psi + vmi_vdp_psi(&f, &now);
+    mean->first_ln_A = mean->ln_A;
+    mean->first_psi = mean->psi;
+    mean->J_error += sizes.start;
+    mean->psi_error += sizes.psi;
+    vmi_expansion_find_sizes(&p->osc.ripple, E, &terms);
+    mean->J_third += terms.J[4];
+    mean->psi_third += terms.psi[3];
+    mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
+}
+
+/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, but past the
+   next point of a table if `knots` is 1. Then starts the mean motion there. side is 1 forward, -1 backward in time.
+   VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has more points on
+   the way. */
+VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
+                          vmi_vdp_mean *mean)
+{
+    const int nodes = 14, most_steps = 8;
+    vm_osc_plan exact = p->osc;
+    vm_real c = p->vdp.c;
+    vmi_osc_course course;
+    vmi_osc_reduced end;
+    vmi_osc_rates rates;
+    int i, landed = 0, status;
+    exact.problem.force = vmi_vdp_force;
+    exact.problem.ctx = &c;
+    vmi_osc_course_start(&course, &exact, r, side, nodes, 2, 16 * VM_EPSILON);
+    course.t = t;
+    for (i = 0; i < most_steps; i++) {
+        course.stop = vmi_osc_next_knot(&exact.problem, course.t, VM_COPYSIGN(VM_INFINITY, (vm_real)side));
+        status = vmi_osc_course_step(&course);
+        if (status) return status;
+        if (course.t == course.stop) landed++;
+        else if (landed >= knots) break;
+        if (landed > knots) return VM_NOT_INTEGRATED;
+    }
+    if (i == most_steps) return VM_NOT_INTEGRATED;
+    status = vmi_osc_rates_at(&exact.problem, course.t, side, &rates);
+    if (!status)
+        status = vmi_osc_slow_at(&exact.problem, course.t, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om,
+                                 &mean->now);
+    if (status) return status;
+    end.psi = course.psi;
+    end.A = exact.A * vmi_exp(course.ln_A, 0);
+    end.W = exact.Om * vmi_osc_Om_ratio(&exact, &rates, course.ln_A);
+    mean->t = course.t;
+    mean->segment = knots ? mean->segment : t;
+    vmi_vdp_start_at(p, &end, mean);
+    return VM_OK;
+}
+
+/* Starts the mean motion from position and velocity at t = 0, for times t > 0 with side = 1, t < 0 with side = -1. */
+VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_osc_problem *o = &p->osc.problem;
+    const vm_real quarter = p->osc.ripple.pi / 2;
+    vmi_osc_reduced r;
+    vm_real from_multiple;
+    int i, status = vmi_osc_slow_at(o, 0, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om, &mean->now);
+    if (status) return status;
+    mean->t = 0;
+    mean->segment = 0;
+    mean->J_error = 0;
+    mean->psi_error = 0;
+    mean->J_third = 0;
+    mean->psi_third = 0;
+    mean->ratio = 0;
+    mean->fast = vmi_osc_mean_at_0(&p->osc);
+    for (i = 0; i < VMI_WALK_ORDERS; i++) mean->fast.change[i] = 0;
+    r = vmi_osc_reduce(&mean->now, o->alpha, o->x, o->v);
+    if (!(r.A > 0) || !VM_IS_FINITE(r.A)) return VM_NOT_FINITE;
+    from_multiple = r.psi - quarter * VM_FLOOR(r.psi / quarter + VM_C(0.5));
+    if (VM_FABS(from_multiple) > 64 * VM_EPSILON * quarter) return vmi_vdp_bridge(p, 0, side, &r, 0, mean);
+    vmi_vdp_start_at(p, &r, mean);
+    return VM_OK;
+}
+
+/* Plan for many values of the motion of a Van der Pol oscillator.
+   x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
+   plan. The fields method and a1 to a3 of the oscillator do not matter. The oscillator is copied; the tables and
+   contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
+   pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN,
+   VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for
+   alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
+VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
+{
+    vm_vdp_plan plan;
+    vm_osc_problem o;
+    int status;
+    if (!p || !v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
+    o.alpha = v->alpha;
+    o.mass = v->mass;
+    o.stiffness = vm_law_linear(v->k, 0);
+    o.reactive = v->reactive;
+    o.damping = -v->feed;
+    o.x = x;
+    o.v = x_rate;
+    o.force = NULL;
+    o.ctx = NULL;
+    plan.vdp = *v;
+    status = vmi_vdp_check(v);
+    status = vmi_first_error(status, vm_osc_plan_init(&plan.osc, &o));
+    if (status) return status;
+    plan.start_status = VM_NO_LAW;
+    if (plan.osc.A > 0) {
+        vmi_vdp_ripple_init(&plan.ripple, &plan.osc.ripple);
+        plan.start_status = vmi_vdp_start(&plan, 1, &plan.start);
+    }
+    *p = plan;
+    return VM_OK;
+}
+
+/* -- A panel -- */
+
+/* Series and integrals of the mean motion on a panel of time */
+typedef struct VM_TAG(vmi_vdp_panel) {
+    vmi_osc_panel laws;                   /* the law of mass; its fields E and noise for fast changes */
+    vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
+    vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
+    vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
+    vm_real loss;                         /* factor by which an error of ln J changes over the panel */
+    vm_real kept;                         /* integral over the phase of this factor from the start */
+} vmi_vdp_panel;
+
+/* Mean values at the points of Gauss' rule of a panel */
+typedef struct VM_TAG(vmi_vdp_nodes) {
+    vm_real r[VMI_GAUSS], ln_r[VMI_GAUSS];      /* r/m, see vmi_vdp_panel, and ln r */
+    vm_real first_ln_A[VMI_GAUSS], first_rate[VMI_GAUSS];
+    vm_real G0[VMI_GAUSS], E[VMI_GAUSS];        /* p^2 - a p - p', and E_0 */
+    vm_real second[VMI_GAUSS];                  /* r/m times the terms of second order of (ln J)'/(W e) */
+    vm_real rate[VMI_GAUSS];
+} vmi_vdp_nodes;
+
+/* ln of r = exp(-2 integral of p dt) over a time in which the mass changes by the factor exp(ln_m), and the integral
+   of dt/m is `way` */
+VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real way)
+{
+    vm_real ln_A, ln_Om;
+    vmi_osc_adiabatic(&p->osc, ln_m, 0, p->osc.problem.damping * way, &ln_A, &ln_Om);
+    return 2 * ln_A;
+}
+
+/* Computes the first order at the nodes, and from it the terms of second order. *mean is the mean motion at the start
+   of the panel, where the mass is m_start. */
+VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vm_real m_start,
+                                const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes, vmi_vdp_panel *panel)
+{
+    const vm_real gain = -4 / (p->vdp.alpha + 3) * p->ripple.F * p->vdp.c * vmi_exp(2 * mean->first_ln_A, 0);
+    vm_real unused[VMI_GAUSS];
+    int i;
+    panel->laws.noise = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real way = length / 2 * vmi_legendre_integral(panel->laws.inverse, vmi_gauss_node(i));
+        nodes->ln_r[i] = vmi_vdp_ln_r(p, vmi_log(now->m / m_start).hi, way);
+        nodes->r[i] = vmi_exp(nodes->ln_r[i], 0) / now->m;
+        nodes->G0[i] = now->p * (now->p - now->a) - at->p_rate[i];
+    }
+    vmi_legendre_fit(nodes->r, nodes->r, panel->r, unused);
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real y = 1 + gain * (length / 2) * vmi_legendre_integral(panel->r, vmi_gauss_node(i));
+        const vm_real ln_A = mean->first_ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2;
+        const vm_real W = vmi_vdp_rate(p, now->m, ln_A);
+        const vm_real p_noise = vmi_osc_rate_noise() / VM_FABS(length);
+        vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        nodes->first_ln_A[i] = ln_A;
+        nodes->first_rate[i] = y > 0 ? W : VM_NAN;
+        nodes->second[i] = nodes->r[i] * vmi_vdp_mean_second(&p->ripple, &d);
+        nodes->E[i] = d.E0;
+        panel->laws.noise = vmi_larger(p_noise / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W), panel->laws.noise);
+    }
+    panel->first_ln_A = 1 + gain * length * panel->r[0]; /* y at the end of the panel */
+}
+
+/* Computes the mean motion of order three at the nodes, from the series `second` of the terms of second order. */
+VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
+                                 const vmi_osc_panel_laws *at, const vm_real *second, vmi_vdp_nodes *nodes,
+                                 vmi_vdp_panel *panel)
+{
+    const vm_real gain = -4 / (p->vdp.alpha + 3) * p->vdp.c * vmi_exp(2 * mean->ln_A, 0);
+    int i;
+    panel->kept = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real node = vmi_gauss_node(i);
+        const vm_real sum = p->ripple.F * vmi_legendre_integral(panel->r, node) + vmi_legendre_integral(second, node);
+        const vm_real y = 1 + gain * (length / 2) * sum;
+        const vm_real ln_A = mean->ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2, W = vmi_vdp_rate(p, now->m, ln_A);
+        const vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        nodes->rate[i] = y > 0 ? W * vmi_vdp_mean_rate(&p->ripple, &p->osc.ripple, &d) : VM_NAN;
+        panel->kept += vmi_gauss_weight(i) / 2 * VM_FABS(length) * W / y;
+    }
+    panel->loss = 1 / (1 + gain * length * (p->ripple.F * panel->r[0] + second[0]));
+}
+
+/* Computes the panel from mean->t over `length`, which is negative backward. */
+VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vmi_vdp_panel *panel)
+{
+    const vm_osc_problem *o = &p->osc.problem;
+    const int side = vmi_time_side(length);
+    vmi_osc_panel_laws at;
+    vmi_vdp_nodes nodes;
+    vm_real m_start[VMI_LAW_ORDERS], m_end[VMI_LAW_ORDERS], second[VMI_GAUSS], ln_r;
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t, side, 0, m_start);
+    if (!status) status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t + length, -side, 0, m_end);
+    if (!status) status = vmi_osc_read_laws(o, side, mean->t, length, &at, &panel->laws);
+    if (status) return status;
+    vmi_vdp_first_order(p, mean, length, m_start[0], &at, &nodes, panel);
+    vmi_legendre_fit(nodes.second, nodes.E, second, panel->laws.E);
+    vmi_vdp_second_order(p, mean, length, &at, second, &nodes, panel);
+    vmi_legendre_fit(nodes.rate, nodes.first_rate, panel->rate, panel->first_rate);
+    ln_r = vmi_vdp_ln_r(p, vmi_log(m_end[0] / m_start[0]).hi, length * panel->laws.inverse[0]);
+    panel->first_ln_A = (ln_r - vmi_log(panel->first_ln_A).hi) / 2;
+    panel->ln_A = (ln_r + vmi_log(panel->loss).hi) / 2;
+    return VM_OK;
+}
+
+/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. A panel also counts as short
+   enough if the terms of E_0 that its series leaves out do not matter. */
+VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length, vm_real whole)
+{
+    const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
+    const vm_real limit = vmi_panel_limit(length, whole), phase = panel->rate[0] * VM_FABS(length);
+    if (!(panel->laws.edge <= vmi_panel_edge_limit(limit))) return 0;
+    if (!vmi_panel_is_resolved(panel->laws.inverse, limit) || !vmi_panel_is_resolved(panel->r, limit)) return 0;
+    if (!vmi_panel_is_resolved(panel->rate, limit) || !vmi_panel_is_resolved(panel->first_rate, limit)) return 0;
+    return vmi_legendre_tail(panel->laws.E) <= E_enough * VM_SQRT(vmi_legendre_square(panel->laws.E)) +
+                                                   phase_matters * (1 + 1 / phase) / phase;
+}
+
+/* Advances the mean motion over a panel. */
+VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_real length, vmi_vdp_mean *mean)
+{
+    const vm_real g = VM_FABS(p->osc.ripple.gamma), phase = panel->rate[0] * VM_FABS(length);
+    const vm_real second = VM_FABS(vmi_expansion_second(&p->osc.ripple)) * vmi_legendre_square(panel->laws.E);
+    mean->t += length;
+    mean->psi += length * panel->rate[0];
+    mean->first_psi += length * panel->first_rate[0];
+    mean->ln_A += panel->ln_A;
+    mean->first_ln_A += panel->first_ln_A;
+    mean->psi_error += g * mean->J_error * panel->kept;
+    mean->psi_third += g * mean->J_third * panel->kept + phase * second;
+    mean->J_error *= panel->loss;
+    mean->J_third *= panel->loss;
+    panel->laws.ratio[0] = panel->rate[0] / p->osc.mean.W; /* vmi_osc_add_changes asks for the rate in this form */
+    panel->laws.cube = 0;
+    vmi_osc_add_changes(&p->osc, &panel->laws, length, &mean->fast);
+}
+
+/* Advances the mean motion to `end` by panels of at most `longest`. No table may have a point on the way. `whole` is
+   the length of the whole walk, s. Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+VM_API int vmi_vdp_walk_piece(const vm_vdp_plan *p, vm_real end, vm_real longest, vm_real whole, vmi_vdp_mean *mean)
+{
+    vmi_panels panels = vmi_panels_from(mean->t, end, longest, whole);
+    while (vmi_panels_next(&panels)) {
+        const vm_real length = panels.side * panels.step;
+        vmi_vdp_panel panel;
+        int status = vmi_vdp_panel_of(p, mean, length, &panel);
+        if (status) return status;
+        if (!vmi_vdp_panel_is_resolved(&panel, panels.step, whole)) {
+            if (vmi_panels_halve(&panels)) continue;
+            if (!VM_IS_FINITE(panel.ln_A) || !VM_IS_FINITE(panel.rate[0])) return VM_NOT_FINITE;
+            mean->fast.error += panels.step * vmi_legendre_tail(panel.rate) / p->osc.Om;
+        }
+        vmi_vdp_add_panel(p, &panel, length, mean);
+        if (panels.step < mean->fast.shortest && panels.step < panels.left) mean->fast.shortest = panels.step;
+        vmi_panels_advance(&panels);
+        mean->t = panels.t;
+    }
+    return VM_OK;
+}
+
+/* -- The motion that belongs to a mean motion -- */
+
+/* Writes amplitude, phase and its rate at mean->t by order 1, 2 or 3, with rates from mean->now. */
+VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_vdp_mean *mean)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vm_real share = 2 / (r->alpha + 3);
+    vm_real ln_A = order == 1 ? mean->first_ln_A : mean->ln_A, sa, ca, ln_J;
+    vmi_osc_reduced state;
+    vmi_vdp_disturbance now;
+    vmi_vdp_values f;
+    state.W = vmi_vdp_rate(p, mean->now.m, ln_A);
+    state.psi = order == 1 ? mean->first_psi : mean->psi;
+    if (order > 1) {
+        now = vmi_vdp_disturbance_at(p, &mean->now, ln_A, state.W);
+        vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+        vmi_vdp_values_at(&p->ripple, r, state.psi, sa, ca, &f);
+        ln_J = now.e * f.U;
+        state.psi += now.e * f.P1;
+        if (order > 2) {
+            ln_J += vmi_vdp_J_back_second(&p->ripple, r, &f, &now);
+            state.psi += vmi_vdp_psi_back_second(&p->ripple, r, mean->psi, &f, &now);
+        }
+        ln_A += share * ln_J;
+        state.W *= vmi_exp(r->gamma * ln_J, 0);
+    }
+    state.A = vmi_exp(ln_A, 0);
+    return state;
+}
+
+/* -- The walk -- */
+
+/* Sets the rates of *mean for its time. side is the direction of the walk, 1 forward, -1 backward in time; where
+   derivatives jump, their values on the side from which the walk comes are taken. */
+VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_real sampling = vmi_osc_sampling_time(&p->osc), way = VM_FABS(mean->t);
+    const vm_real unit = 1 / p->osc.Om;
+    if (way == 0) return vmi_osc_slow_at(&p->osc.problem, 0, side, sampling, unit, &mean->now);
+    return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
+}
+
+/* Takes the mean motion past its time, a point of a table: from the last phase before it where sa or ca is 0 by the
+   exact equations to the first one after it. */
+VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), knot = mean->t;
+    const vm_real back = -(vm_real)side * quarter * (turns - VM_FLOOR(turns)) / W;
+    vmi_vdp_panel panel;
+    vmi_osc_reduced state;
+    int status = VM_OK;
+    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the table's points are dense */
+    if (back != 0) {
+        status = vmi_vdp_panel_of(p, mean, back, &panel);
+        if (status) return status;
+        vmi_vdp_add_panel(p, &panel, back, mean);
+    }
+    mean->t = knot + back;
+    status = vmi_vdp_mean_update(p, side, mean);
+    if (status) return status;
+    state = vmi_vdp_state(p, 3, mean);
+    mean->segment = knot;
+    return vmi_vdp_bridge(p, mean->t, side, &state, 1, mean);
+}
+
+/* Computes the mean motion at t by a walk along the law of the mass, from one point of a table to the next. Returns
+   VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer than
+   a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
+VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
+{
+    const vm_law *mass = &p->osc.problem.mass;
+    const int side = vmi_time_side(t);
+    vm_real whole, longest, at = 0;
+    int status = p->start_status;
+    if (side < 0 && mass->time) status = vmi_vdp_start(p, -1, mean);
+    else if (!status) *mean = p->start;
+    if (status) return status;
+    whole = vmi_larger(VM_FABS(t), VM_FABS(mean->t));
+    longest = vmi_law_longest_panel(mass, whole);
+    mean->fast.shortest = longest;
+    while (!status) {
+        const vm_real next = vmi_law_next_knot(mass, at, t);
+        if (next != t && (vm_real)side * (mean->t - next) > 0) return VM_NOT_INTEGRATED;
+        status = vmi_vdp_walk_piece(p, next, longest, whole, mean);
+        if (!status) status = vmi_vdp_mean_update(p, side, mean);
+        if (status || next == t) return status;
+        status = vmi_vdp_walk_past_knot(p, side, mean);
+        at = next;
+    }
+    return status;
+}
+
+#endif
+/* oscillators/van_der_pol_routes.h - the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
+
+   Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
+   after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
+     VM_ROUTE_ATEB           first order, from the start that the law of order three has; errors are O(epsilon)
+     VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
+     VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
+     VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
+     VM_ROUTE_RK87           integration of the equation of motion by rk87, to a tolerance
+   epsilon is the relative change of the vibration within a radian. The cost of the first three does not depend on t.
+   vm_vdp_within takes the cheapest route whose error is estimated to be within a tolerance. The shortest useful call:
+       vm_vdp v;
+       vm_osc_motion motion;
+       memset(&v, 0, sizeof v);
+       v.alpha = 3;
+       v.k = 1;
+       v.feed = v.c = VM_C(0.01);
+       v.mass = vm_law_linear(1, VM_C(-0.001)); // a mass of 1 kg, which leaks 1 g/s
+       int status = vm_vdp_within(&v, VM_C(0.5), 0, 300, VM_C(1e-6), &motion); // from rest at 0.5 m, after 300 s
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_ROUTES_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_ROUTES_H
+
+/* -- The law of orders one to three -- */
+
+/* The order, 1 to 3, of a route of the law, or 0 for every other route */
+VM_API int vmi_vdp_order_of(int route)
+{
+    switch (route) {
+    case VM_ROUTE_ATEB: return 1;
+    case VM_ROUTE_ORDER2: return 2;
+    case VM_ROUTE_ORDER3: return 3;
+    default: return 0;
+    }
+}
+
+/* Estimates the error of order three, and writes that of order two. Both are sums of the terms that the order leaves
+   out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the start grow
+   with the phase. Fast changes of the mass and rounding errors are added. The factor 2 fits the errors that
+   tests/test_van_der_pol_law.c finds. */
+VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vm_real n = r->alpha + 1, largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
+    const vmi_vdp_sizes now = vmi_vdp_sizes_at(p, &mean->now, mean->ln_A, W);
+    const vm_real back = 2 / n * now.psi + 2 / (n + 2) * now.J;
+    const vm_real all = back + 2 / n * mean->psi_error + 2 / (n + 2) * mean->J_error;
+    vm_real E[VMI_OSC_G], third = all * vmi_larger(now.ratio, mean->ratio), error;
+    const vm_real fast = (1 + VM_FABS(r->gamma) * turns) * vmi_osc_fast(&p->osc, &mean->fast);
+    const vm_real rounding = 4 * VM_EPSILON * (2 + turns) + W * mean->fast.error;
+    vmi_expansion_sizes terms;
+    vmi_vdp_absolute_E(&mean->now, W, E);
+    vmi_expansion_find_sizes(r, E, &terms);
+    third += 2 / n * (mean->psi_third + terms.psi[3] + terms.psi[4]);
+    third += 2 / (n + 2) * (mean->J_third + terms.J[3] + terms.J[4]);
+    error = 2 * third + fast + rounding;
+    *second = 2 * back + error;
+    if (!(*second < largest_known)) *second = VM_INFINITY;
+    return error < largest_known ? error : VM_INFINITY;
+}
+
+/* Computes the motion by order 1, 2 or 3 from the mean motion. */
+VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
+{
+    const int order = vmi_vdp_order_of(route);
+    const vm_real alpha = p->vdp.alpha;
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vmi_osc_reduced state = vmi_vdp_state(p, order, mean);
+    vm_osc_motion result, better;
+    vm_real sa, ca, second;
+    vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+    vmi_osc_unreduce(&state, mean->now.p, alpha, sa, ca, &result.x, &result.v);
+    result.amplitude = state.A;
+    result.error = vmi_vdp_error(p, mean, &second);
+    if (order < 3) result.error = second;
+    result.route = route;
+    result.evals = 0;
+    if (order == 1) { /* the estimate is the difference from order two */
+        const vm_real vmax = 2 / (alpha + 1) * state.A * state.W;
+        int status = vmi_vdp_order_n(p, VM_ROUTE_ORDER2, mean, &better);
+        if (status) return status;
+        result.error += vmi_larger(VM_FABS(result.x - better.x) / state.A, VM_FABS(result.v - better.v) / vmax);
+    }
+    if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
+    if (!(result.error >= 0)) result.error = VM_INFINITY;
+    *motion = result;
+    return VM_OK;
+}
+
+/* -- One route -- */
+
+/* Integrates the exact equations to the tolerance, by a function of oscillators/routes.h. The term -c x^2 x' is the
+   further force. */
+VM_API int vmi_vdp_integrate(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vm_osc_plan exact = p->osc;
+    vm_real c = p->vdp.c;
+    exact.problem.force = vmi_vdp_force;
+    exact.problem.ctx = &c;
+    if (route == VM_ROUTE_COLLOCATION) return vmi_osc_collocate(&exact, route, t, tolerance, motion);
+    if (route == VM_ROUTE_RK87) return vmi_osc_integrate_rk87(&exact, route, t, tolerance, motion);
+    return vmi_osc_integrate_within(&exact, t, tolerance, motion);
+}
+
+/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
+{
+    if (!p) return VM_BAD_ARGUMENT;
+    return vmi_osc_check_call(&p->osc, VM_ROUTE_ATEB, t, tolerance, motion);
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
+   t is in seconds, of either sign. route is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
+   VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
+   velocity at the amplitude A; it is infinite where the law does not hold. The routes that integrate keep it within the
+   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or
+   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. An error
+   leaves *motion untouched; it returns
+     VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
+     VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
+     VM_BAD_MASS for a mass that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, or a user's function that fails,
+     VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for the law and collocation,
+     VM_NOT_INTEGRATED for the law where a table has points closer than a quarter of a vibration,
+     VM_NOT_INTEGRATED where the integrator gives up. */
+VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    const int by_law = vmi_vdp_order_of(route) > 0;
+    vmi_vdp_mean mean;
+    int status;
+    if (!by_law && route != VM_ROUTE_COLLOCATION && route != VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
+    status = vmi_vdp_check_call(p, t, &tolerance, motion);
+    if (status) return status;
+    if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, route, motion);
+    if (!by_law) return vmi_vdp_integrate(p, route, t, tolerance, motion);
+    status = vmi_vdp_mean_at(p, t, &mean);
+    if (status) return status;
+    return vmi_vdp_order_n(p, route, &mean, motion);
+}
+
+/* -- The cheapest route -- */
+
+/* Writes the motion by the first of the orders 1 to 3 whose error is estimated to be within the tolerance. Returns
+   VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
+VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    const vm_real reserve = VM_C(1.5); /* as for the oscillator without feed, see vmi_osc_averaged_within */
+    vmi_vdp_mean mean;
+    vm_osc_motion result;
+    int route;
+    if (vmi_vdp_mean_at(p, t, &mean)) return VM_TOLERANCE_MISSED;
+    for (route = VM_ROUTE_ATEB; route <= VM_ROUTE_ORDER3; route++) {
+        if (vmi_vdp_order_n(p, route, &mean, &result)) return VM_TOLERANCE_MISSED;
+        if (!(reserve * result.error <= tolerance)) continue;
+        *motion = result;
+        return VM_OK;
+    }
+    return VM_TOLERANCE_MISSED;
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan.
+   t is in seconds, of either sign. It takes the first of order one, two and three whose error is estimated to be within
+   the tolerance, and else integrates; motion->route says which. The tolerance is relative, for the larger of |error of
+   x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
+VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    int status = vmi_vdp_check_call(p, t, &tolerance, motion);
+    if (status) return status;
+    if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, VM_ROUTE_ATEB, motion);
+    status = vmi_vdp_law_within(p, t, tolerance, motion);
+    if (status != VM_TOLERANCE_MISSED) return status;
+    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* collocation, or else rk87 */
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, for a single t.
+   x (m) and x_rate (m/s) are position and velocity at t = 0. Arguments, result and statuses are those of
+   vm_vdp_plan_within and vm_vdp_plan_init. */
+VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, vm_real tolerance,
+                         vm_osc_motion *motion)
+{
+    vm_vdp_plan plan;
+    int status = vmi_osc_check_arguments(VM_ROUTE_ATEB, t, tolerance, motion);
+    status = vmi_first_error(status, vm_vdp_plan_init(&plan, v, x, x_rate));
+    if (status) return status;
+    return vm_vdp_plan_within(&plan, t, tolerance, motion);
+}
+
+/* -- The limit cycle -- */
+
+/* The limit cycle of a Van der Pol oscillator of constant mass */
+typedef struct VM_TAG(vm_vdp_cycle) {
+    vm_real largest_x; /* the largest position, m */
+    vm_real period;    /* s */
+    vm_real epsilon;   /* the small number of which largest_x and period are power series */
+    int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
+} vm_vdp_cycle;
+
+/* Writes the coefficients of epsilon^2 in the series of the largest x, *kx, and of the rate of the phase, *kw, where
+   epsilon = feed/(m W). The amplitude is constant on the cycle, which gives the disturbances for epsilon = 1. The
+   largest x is reached where x' = 0, that is V = p x: by `late` epsilon later than the phase 0, where V = 0. */
+VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
+{
+    const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
+    vmi_vdp_disturbance d;
+    vmi_vdp_values f;
+    vm_real kA, late;
+    d.e = -1 / v->F;
+    d.e1 = (2 * s - 1) * d.e;
+    d.Q0 = -s / 2 * d.e;
+    d.E0 = -s * (2 - s) / 4;
+    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* changes of A^2 over A^2, from F + second = 0 */
+    *kw = (r->alpha - 1) / 4 * kA + vmi_vdp_mean_rate(v, r, &d) - 1;
+    vmi_vdp_values_at(v, r, 0, 0, 1, &f);
+    late = n * s / 4;
+    *kx = kA / 2 + 2 / (n + 2) * (late - d.e * f.P1 + vmi_vdp_J_back_second(v, r, &f, &d)) - late * late / n;
+}
+
+/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon.
+   epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the
+   largest x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16
+   for alpha = 1. Both are right to O(epsilon^4). The mass is that of the law v->mass at t = 0; the fields method,
+   reactive and a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
+   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
+   cycle, that is unless feed and c have the same sign. An error leaves *cycle untouched. */
+VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
+{
+    vmi_ripple r;
+    vmi_vdp_ripple ripple;
+    vm_vdp_cycle result;
+    vm_real mass, mass_rate, A, W, kx, kw, numbers[3];
+    int status;
+    if (!v || !cycle || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
+    status = vmi_first_error(vmi_vdp_check(v), vmi_law_check(&v->mass, VM_BAD_MASS, 0));
+    if (!status) status = vmi_law_at(&v->mass, VM_BAD_MASS, 0, &mass, &mass_rate);
+    if (status) return status;
+    if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
+    vmi_ripple_init(&r, v->alpha, vmi_ateb_constants);
+    vmi_ripple_complete(&r);
+    vmi_vdp_ripple_init(&ripple, &r);
+    vmi_vdp_cycle_coefficients(&ripple, &r, &kx, &kw);
+    A = VM_SQRT(v->feed / v->c / -ripple.F);
+    W = vmi_slow_rate(A, v->k, mass, v->alpha);
+    result.epsilon = v->feed / mass / W;
+    result.largest_x = A * (1 + kx * result.epsilon * result.epsilon);
+    result.period = 2 * r.pi / (W * (1 + kw * result.epsilon * result.epsilon));
+    result.stable = v->c > 0;
+    numbers[0] = result.largest_x;
+    numbers[1] = result.period;
+    numbers[2] = result.epsilon;
+    if (!vmi_all_finite(3, numbers)) return VM_NOT_FINITE;
+    *cycle = result;
     return VM_OK;
 }
 
@@ -15235,8 +18364,7 @@ VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 /* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
    each evaluation vary receives a copy of the stream and writes the values of its fields for the time t and the state
    y: the point, which may move in the body, the rate, the velocity or the store (vm_supply_at gives that of a tank).
-   vm_scene_start returns VM_BAD_ARGUMENT if vary is
-   NULL or the effect has no stream. */
+   vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)

@@ -23,6 +23,13 @@ static int steps;
 BODY(K, a = jacobi_K(m))
 BODY(E, a = jacobi_E(m))
 BODY(am, a = jacobi_am(u, m))
+BODY(F, a = jacobi_F(u, m))
+BODY(second_kind, a = jacobi_E_incomplete(u, m))
+BODY(third_kind, a = jacobi_Pi_incomplete(u, VM_C(0.25), m))
+BODY(Pi, a = jacobi_Pi(VM_C(0.25), m))
+BODY(RF, a = jacobi_RF(1, w, m))
+BODY(RJ, a = jacobi_RJ(1, w, m, VM_C(0.75)))
+BODY(inverse_cn, a = jacobi_inverse_cn(w, m))
 BODY(solve, a = jacobi_solve_kpK(m))
 BODY(means, jacobi_cn_means(m, &a, &b, &c))
 BODY(sncndn, jacobi_sncndn(u, m, &a, &b, &c))
@@ -55,6 +62,12 @@ static void by_agm(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 BODY(gsl_elljac, gsl_sf_elljac_e(u, m, &a, &b, &c))
 APART(gsl_K, a = gsl_sf_ellint_Kcomp(w, GSL_PREC_DOUBLE))
 APART(gsl_E, a = gsl_sf_ellint_Ecomp(w, GSL_PREC_DOUBLE))
+BODY(gsl_F, a = gsl_sf_ellint_F(u, w, GSL_PREC_DOUBLE))
+BODY(gsl_second_kind, a = gsl_sf_ellint_E(u, w, GSL_PREC_DOUBLE))
+BODY(gsl_third_kind, a = gsl_sf_ellint_P(u, w, -0.25, GSL_PREC_DOUBLE))
+BODY(gsl_Pi, a = gsl_sf_ellint_Pcomp(w, -0.25, GSL_PREC_DOUBLE))
+BODY(gsl_RF, a = gsl_sf_ellint_RF(1, w, m, GSL_PREC_DOUBLE))
+BODY(gsl_RJ, a = gsl_sf_ellint_RJ(1, w, m, 0.75, GSL_PREC_DOUBLE))
 static void by_gsl(double u, double m, double *sn, double *cn, double *dn) { gsl_sf_elljac_e(u, m, sn, cn, dn); }
 static double by_gsl_K(double m) { return gsl_sf_ellint_Kcomp(sqrt(m), GSL_PREC_DOUBLE); }
 static double by_gsl_E(double m) { return gsl_sf_ellint_Ecomp(sqrt(m), GSL_PREC_DOUBLE); }
@@ -172,6 +185,43 @@ static void measure_inverses(void)
     }
 }
 
+/* Elliptic integrals up to |phi|, for 0 < m < 1 */
+static void measure_integrals(double phi)
+{
+    char job[80];
+    fill(phi, 0, 0, 1);
+    snprintf(job, sizeof job, "F(phi | m), |phi| < %g", phi);
+    measure_function(job, "jacobi_F", "", NO_ERROR, F_apart, F_chain);
+#if GSL
+    measure_function(job, "gsl_sf_ellint_F", "", NO_ERROR, gsl_F_apart, gsl_F_chain);
+#endif
+    snprintf(job, sizeof job, "E(phi | m), |phi| < %g", phi);
+    measure_function(job, "jacobi_E_incomplete", "", NO_ERROR, second_kind_apart, second_kind_chain);
+#if GSL
+    measure_function(job, "gsl_sf_ellint_E", "", NO_ERROR, gsl_second_kind_apart, gsl_second_kind_chain);
+#endif
+    snprintf(job, sizeof job, "Pi(1/4; phi | m), |phi| < %g", phi);
+    measure_function(job, "jacobi_Pi_incomplete", "", NO_ERROR, third_kind_apart, third_kind_chain);
+#if GSL
+    measure_function(job, "gsl_sf_ellint_P", "", NO_ERROR, gsl_third_kind_apart, gsl_third_kind_chain);
+#endif
+}
+
+/* The complete integral of the third kind, Carlson's integrals, and an inverse, for 0 < m < 1 */
+static void measure_symmetric(void)
+{
+    fill(1, 0, 0, 1);
+    measure_function("Pi(1/4 | m)", "jacobi_Pi", "", NO_ERROR, Pi_apart, Pi_chain);
+    measure_function("R_F(1, k, m)", "jacobi_RF", "", NO_ERROR, RF_apart, RF_chain);
+    measure_function("R_J(1, k, m, 3/4)", "jacobi_RJ", "", NO_ERROR, RJ_apart, RJ_chain);
+    measure_function("u of cn(u | m) = k", "jacobi_inverse_cn", "", NO_ERROR, inverse_cn_apart, inverse_cn_chain);
+#if GSL
+    measure_function("Pi(1/4 | m)", "gsl_sf_ellint_Pcomp", "", NO_ERROR, gsl_Pi_apart, gsl_Pi_chain);
+    measure_function("R_F(1, k, m)", "gsl_sf_ellint_RF", "", NO_ERROR, gsl_RF_apart, gsl_RF_chain);
+    measure_function("R_J(1, k, m, 3/4)", "gsl_sf_ellint_RJ", "", NO_ERROR, gsl_RJ_apart, gsl_RJ_chain);
+#endif
+}
+
 /* One quantity, one m, by every route */
 static void measure_routes(double m)
 {
@@ -207,6 +257,9 @@ int main(int argc, char **argv)
     measure_complete();
     measure_any_m();
     measure_inverses();
+    measure_integrals(1.5);
+    measure_integrals(10);
+    measure_symmetric();
     for (i = 0; i < sizeof m / sizeof *m; i += bench_quick ? 2 : 1) measure_routes(m[i]);
     return bench_end();
 }

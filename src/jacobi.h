@@ -1,4 +1,4 @@
-/* jacobi.h - Jacobi's elliptic functions, complete elliptic integrals, and the modulus from its quarter period
+/* jacobi.h - Jacobi's elliptic functions, elliptic integrals, and the modulus from its quarter period
 
    Part of varmass (MIT licence), usable alone: copy this one file, include it, link with -lm.
 
@@ -22,7 +22,13 @@
    WHAT TO CALL
      jacobi_sncndn        sn, cn and dn for one u and one m; the twelve quotients and the amplitude have functions of
                           their own
-     jacobi_K, jacobi_E   complete elliptic integrals
+     jacobi_sncndn_any    sn, cn and dn for m > 1 too, as a rotating pendulum needs them
+     jacobi_K, jacobi_E, jacobi_Pi
+                          complete elliptic integrals of the first, second and third kind
+     jacobi_F, jacobi_E_incomplete, jacobi_Pi_incomplete
+                          incomplete elliptic integrals from 0 to any angle phi; F is the inverse of the amplitude
+     jacobi_inverse_sn    u from sn(u | m); jacobi_inverse_cn and jacobi_inverse_dn do the same for cn and dn
+     jacobi_RF            Carlson's symmetric integrals R_F, R_C, R_D, R_J, R_G, of which all others are sums
      jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
                           jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
                           examples/print_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
@@ -33,7 +39,9 @@
                           argument
 
    ERRORS
-     m > 1, m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give NaN. m = 1 gives the limits:
+     m > 1 (but for jacobi_sncndn_any), m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give
+     NaN. The incomplete integrals, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
+     argument, and NaN where there is none. m = 1 gives the limits:
      K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u, for u = +-infinity too. A quotient at a pole is
      infinite. A plan refuses a bad m with -1 and stays as it was. Nothing else can fail. The functions allocate no
      memory and keep no state; the value of errno means nothing.
@@ -46,6 +54,7 @@
      words.
      Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
      or 1/(1 - m), which is then at most 0.003.
+     Incomplete integrals, inverses: Carlson's duplications and a series of order 10, after the angle is reduced by pi.
      A plan has polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
 
    MACROS, to be defined before the include
@@ -81,6 +90,9 @@
      k'K          <= 5 ulp
      means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
+     F, E, Pi     <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; for n > 1 as at jacobi_Pi_incomplete
+     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp, but R_G <= 10 ulp, and R_J as at jacobi_RJ
+     m > 1        as sn, cn, dn for m <= 1, with k u in place of u
      solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
 
    COST
@@ -93,6 +105,7 @@
      [3] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
      [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (307) are its equations.
      [5] DLMF, 23.9 (Laurent series of Weierstrass' function), 22.6 (duplication).
+     [6] B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numer. Algorithms 10 (1995) 13-26.
 
    INDEX
 @INDEX@ */
@@ -108,5 +121,9 @@
 #include "jacobi/means.h"
 #include "jacobi/descending.h"
 #include "jacobi/third_kind.h"
+#include "jacobi/carlson.h"
+#include "jacobi/incomplete.h"
+#include "jacobi/inverse.h"
+#include "jacobi/reciprocal.h"
 
 #endif

@@ -24,9 +24,10 @@
                     Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
                     rotation; streams of mass with their reactive force and torque; rockets; tanks and grains; orbits of
                     two bodies; a band that winds up on a drum
-     oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping; Van
-                    der Pol's oscillator, Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation,
-                    resonance, turning points
+     oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
+                    Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
+                    Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
+                    points
      scenes/        bodies, the effects that act on them, the events that change them: only what is listed is
                     simulated
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
@@ -142,8 +143,16 @@
 #include "oscillators/integration.h"
 #include "oscillators/collocation.h"
 #include "oscillators/routes.h"
+#include "oscillators/odd_force.h"
+#include "oscillators/duffing.h"
+#include "oscillators/orbit_ripple.h"
+#include "oscillators/odd_motion.h"
+#include "oscillators/odd_routes.h"
 #include "oscillators/slow.h"
 #include "oscillators/van_der_pol.h"
+#include "oscillators/van_der_pol_expansion.h"
+#include "oscillators/van_der_pol_walk.h"
+#include "oscillators/van_der_pol_routes.h"
 #include "oscillators/jeffcott.h"
 #include "oscillators/pair.h"
 #include "oscillators/forced.h"

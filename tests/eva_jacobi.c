@@ -34,6 +34,39 @@ void eva_quotients(void)
     sink[0] = jacobi_ns(any, any);
 }
 
+void eva_incomplete(void)
+{
+    sink[0] = jacobi_F(any, any);
+    sink[1] = jacobi_F_m1(any, any);
+    sink[2] = jacobi_E_incomplete(any, any);
+    sink[3] = jacobi_E_incomplete_m1(any, any);
+    sink[4] = jacobi_Pi(any, any);
+    sink[5] = jacobi_Pi_m1(any, any);
+    sink[6] = jacobi_Pi_incomplete(any, any, any);
+    sink[7] = jacobi_Pi_incomplete_m1(any, any, any);
+}
+
+void eva_carlson(void)
+{
+    sink[0] = jacobi_RF(any, any, any);
+    sink[1] = jacobi_RC(any, any);
+    sink[2] = jacobi_RD(any, any, any);
+    sink[3] = jacobi_RJ(any, any, any, any);
+    sink[4] = jacobi_RG(any, any, any);
+}
+
+void eva_inverse(void)
+{
+    sink[0] = jacobi_inverse_sn(any, any);
+    sink[1] = jacobi_inverse_sn_m1(any, any);
+    sink[2] = jacobi_inverse_cn(any, any);
+    sink[3] = jacobi_inverse_cn_m1(any, any);
+    sink[4] = jacobi_inverse_dn(any, any);
+    sink[5] = jacobi_inverse_dn_m1(any, any);
+}
+
+void eva_sncndn_any(void) { jacobi_sncndn_any(any, any, sink, sink + 1, sink + 2); }
+
 void eva_am(void) { sink[0] = jacobi_am(any, any); }
 void eva_solve(void)
 {

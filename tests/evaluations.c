@@ -211,6 +211,43 @@ static trial try_legendre(random_bits *g) /* E K' + E' K - K K' = pi/2 */
     return result(m, 0, 0, VM_FABS(E * K1 + E1 * K - K * K1 - VM_PI / 2) <= 6 * EPS * (E * K1 + E1 * K + K * K1));
 }
 
+/* F and E between their neighbours, and F E >= phi^2 (Schwarz) */
+static trial try_incomplete(random_bits *g)
+{
+    const vm_real m = random_m(g), phi = random_phase(g, R(1.5707963267948966));
+    const vm_real x = VM_FABS(phi), F = jacobi_F(x, m), E = jacobi_E_incomplete(x, m);
+    return result(phi, m, 0,
+                  jacobi_F(-x, m) == -F && jacobi_E_incomplete(-x, m) == -E &&
+                      (m > 0 ? E <= F * (1 + 16 * EPS) : F <= E * (1 + 16 * EPS)) &&
+                      (x == 0 || (jacobi_F(next_up(x), m) >= F * (1 - 16 * EPS) && F * (E / x) >= x * (1 - 32 * EPS))));
+}
+
+/* Pi lies between F and F/(1 - n) */
+static trial try_Pi(random_bits *g)
+{
+    const vm_real m = random_m(g), n = 1 - of_size(g, -10, 20), x = VM_FABS(random_phase(g, R(1.5707963267948966)));
+    const vm_real F = jacobi_F(x, m), P = jacobi_Pi_incomplete(x, n, m), bound = F / (1 - n);
+    return result(x, n, m,
+                  n < 0 ? P <= F * (1 + 20 * EPS) && P >= bound * (1 - 20 * EPS)
+                        : P >= F * (1 - 20 * EPS) && P <= bound * (1 + 20 * EPS));
+}
+
+static trial try_inverse_sn(random_bits *g)
+{
+    const vm_real m = random_m(g), x = uniform(g, -1, 1), u = jacobi_inverse_sn(x, m), K = jacobi_K(m);
+    const vm_real other = jacobi_inverse_cn(VM_FABS(x), m) + jacobi_inverse_sn(0, m);
+    return result(x, m, 0, VM_FABS(u) <= K && jacobi_inverse_sn(-x, m) == -u && other >= 0 && other <= K * (1 + 8 * EPS));
+}
+
+static trial try_carlson(random_bits *g)
+{
+    const vm_real x = of_size(g, -20, 20), y = of_size(g, -20, 20), z = of_size(g, -20, 20);
+    const vm_real D = jacobi_RD(x, y, z), F = jacobi_RF(x, y, z);
+    return result(x, y, z,
+                  same_size(jacobi_RJ(x, y, z, z), D, 24) && same_size(jacobi_RF(z, x, y), F, 16) &&
+                      F * jacobi_RG(x, y, z) >= 1 - 32 * EPS && same_size(jacobi_RF(x, y, y), jacobi_RC(x, y), 16));
+}
+
 static trial try_solve_kpK(random_bits *g)
 {
     const vm_real c = of_size(g, -5, 5), m1 = jacobi_solve_kpK_m1(c);
@@ -387,6 +424,10 @@ static const job jobs[] = {{"sn, cn, dn", try_sncndn, 2 * PHASES, 1},
                            {"K, k'K", try_K, 2, 1},
                            {"E", try_E, 2, 1},
                            {"K, E, Legendre", try_legendre, 4, 1},
+                           {"F, E, incomplete", try_incomplete, 5, 1},
+                           {"Pi, incomplete", try_Pi, 2, 1},
+                           {"inverse sn, cn", try_inverse_sn, 4, 1},
+                           {"R_F, R_C, R_D, R_J, R_G", try_carlson, 6, 1},
                            {"solve k'K", try_solve_kpK, 1, 1},
                            {"solve K", try_solve_K, 1, 1},
                            {"cn means", try_cn_means, 1, 1},

@@ -137,6 +137,7 @@ static vm_vec3 vector(vm_real size)
 /* ---- sections ---- */
 
 #include "golden/jacobi.h"
+#include "golden/elliptic.h"
 #include "golden/ateb.h"
 #include "golden/integrators.h"
 #include "golden/jumps.h"
@@ -147,6 +148,7 @@ static vm_vec3 vector(vm_real size)
 #include "golden/drum.h"
 #include "golden/oscillators.h"
 #include "golden/slow.h"
+#include "golden/duffing.h"
 #include "golden/scenes.h"
 #include "golden/orbit.h"
 
@@ -195,6 +197,7 @@ int main(void)
 #else
     RUN(kernels);
     RUN(jacobi);
+    RUN(elliptic);
     RUN(ateb);
     RUN(beta);
     RUN(integrators);
@@ -207,7 +210,9 @@ int main(void)
     RUN(oscillators);
     RUN(routes);
     RUN(slow);
+    RUN(van_der_pol);
     RUN(resonance);
+    RUN(duffing);
     RUN(scenes_on_a_line);
     RUN(scenes_in_the_plane);
     RUN(scenes_in_space);

@@ -344,8 +344,35 @@ static void null_oscillators(void)
 /* A state for all right-hand sides of slow vibrations */
 static const vm_real slow_y[5] = {R(0.1), R(0.2), R(0.3), R(0.4), R(0.5)};
 
+static void null_odd_force(void)
+{
+    const vm_odd_force force = vm_duffing_force(1, 1);
+    vm_odd_problem o;
+    static vm_odd_plan p;
+    o.force = force;
+    o.mass = vm_law_linear(1, 0);
+    o.stiffness = vm_law_linear(1, 0);
+    o.damping = vm_law_linear(0, 0);
+    o.reactive = 1;
+    o.x = 1;
+    o.v = 0;
+    CHECK(vm_odd_plan_init(&p, &o, 2) == VM_OK);
+    NUMBER(1, vm_odd_period(IN(0, vm_odd_force, &force), 1));
+    NUMBER(1, vm_odd_action(IN(0, vm_odd_force, &force), 1));
+    STATUS(3, vm_odd_exact_from(IN(0, vm_odd_force, &force), 1, 1, 0, X(1, vm_real), X(2, vm_real)));
+    STATUS(2, vm_odd_plan_init(IO(0, vm_odd_plan, &p), IN(1, vm_odd_problem, &o), 2));
+    STATUS(3, vm_odd_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_odd_problem, &o)));
+    STATUS(2, vm_odd_plan_by_route(IN(0, vm_odd_plan, &p), VM_ODD_ORDER2, 1, 0, X(1, vm_odd_motion)));
+    STATUS(2, vm_odd_plan_within(IN(0, vm_odd_plan, &p), 1, 0, X(1, vm_odd_motion)));
+    STATUS(2, vm_odd_within(IN(0, vm_odd_problem, &o), 1, 0, X(1, vm_odd_motion)));
+    NOTHING(2, vm_duffing_exact_from(1, 1, 0, 1, 1, X(0, vm_real), X(1, vm_real)));
+    o.force = vm_odd_force_user(NULL, NULL);
+    CHECK(vm_odd_plan_init(&p, &o, 2) == VM_BAD_ARGUMENT);
+}
+
 static void null_van_der_pol(void)
 {
+    static vm_vdp_plan p;
     vm_vdp v = a_vdp();
     CHECK(vm_vdp_init(&v) == VM_OK);
     STATUS(1, vm_vdp_init(IO(0, vm_vdp, &v)));
@@ -353,6 +380,13 @@ static void null_van_der_pol(void)
     NUMBER(1, vm_vdp_limit_cycle(IN(0, vm_vdp, &v), 0, NULL));
     STATUS(3, vm_vdp_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_vdp, &v)));
     STATUS(3, vm_vdp_averaged_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_vdp, &v)));
+    CHECK(vm_vdp_plan_init(&p, &v, 1, 0) == VM_OK);
+    STATUS(2, vm_vdp_plan_init(IO(0, vm_vdp_plan, &p), IN(1, vm_vdp, &v), 1, 0));
+    STATUS(2, vm_vdp_plan_by_route(IN(0, vm_vdp_plan, &p), VM_ROUTE_ORDER3, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_vdp_plan_by_route(IN(0, vm_vdp_plan, &p), VM_ROUTE_RK87, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_vdp_plan_within(IN(0, vm_vdp_plan, &p), 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_vdp_within(IN(0, vm_vdp, &v), 1, 0, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_vdp_cycle_of(IN(0, vm_vdp, &v), X(1, vm_vdp_cycle)));
 }
 
 static void null_laval(void)
@@ -613,6 +647,7 @@ static void call_with_null_pointers(void)
     null_streams();
     null_drum();
     null_oscillators();
+    null_odd_force();
     null_van_der_pol();
     null_laval();
     null_pair();

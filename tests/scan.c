@@ -66,7 +66,25 @@ static void scan_seams(double largest)
     scan_jacobi("seams", (double)m, uniform48(-2, 2) * (double)quarter_period(1 - (quad)m, &E));
     m = (vm_real)(floor(2 * drand48()) - 1 + apart);
     scan_jacobi("m near 0, -1", (double)m, half * (1 + apart) * (double)quarter_period(1 - (quad)m, &E));
+    scan_jacobi("m near 0, -1", (double)m, uniform48(-100, 100) * (double)quarter_period(1 - (quad)m, &E));
     scan_jacobi("m << -1, far", -log_uniform(1, 5), uniform48(-largest, largest));
+}
+
+/* u = j K +- v with v just above a power of two, where an ulp of v is largest, relative to v. Where sn(v) or sd(v) lies
+   just below that power, an ulp of the result is smallest, so that the same relative error is twice as many ulp. This
+   meets most errors for m a little below 0, v about 1/2 and odd j, where cn(u) = -k' sd(v) has the error of k' too. */
+static void scan_binades(void)
+{
+    const double m[3] = {-log_uniform(-6, -1), uniform48(-0.3, 0.3), -log_uniform(-1, 1.5)};
+    const double v[3] = {0.5, 0.25, 0.125}, j = floor(uniform48(0, 50));
+    int i;
+    for (i = 0; i < 3; i++) {
+        const vm_real mr = (vm_real)m[i];
+        const double side = (drand48() < 0.5 ? -1 : 1) * (1 + uniform48(0, 0.05));
+        quad E, K = quarter_period(1 - (quad)mr, &E);
+        scan_jacobi("v > 1/2, j odd", (double)mr, (double)((2 * j + 1) * K + side * v[0]));
+        scan_jacobi("v above 2^-n", (double)mr, (double)((j + i) * K + side * v[i]));
+    }
 }
 
 /* The root of k' K1(k') = c next to the kit's answer, by Newton's method with a difference quotient. What one ulp of c
@@ -137,6 +155,7 @@ int main(int argc, char **argv)
         scan_jacobi("m near 1", 1 - log_uniform(-16, -1), uniform48(-100, 100));
         scan_jacobi("|u| large", uniform48(-5, 1), uniform48(-largest, largest));
         scan_seams(largest);
+        scan_binades();
         m = (double)(vm_real)(i % 2 ? m : 1 - log_uniform(-4, 4));
         K = (double)quarter_period(1 - (quad)m, &E);
         scan_jacobi("u near jK", m,

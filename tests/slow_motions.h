@@ -78,40 +78,4 @@ static inline vm_osc_problem slow_from(const slow_case *s, int i, routes_case *c
     return o;
 }
 
-/* ---- Errors and their estimates ---- */
-
-static inline int rising(const void *a, const void *b)
-{
-    const double d = *(const double *)a - *(const double *)b;
-    return d < 0 ? -1 : d > 0;
-}
-
-static inline double median(double *values, int n)
-{
-    qsort(values, (size_t)n, sizeof *values, rising);
-    return values[n / 2];
-}
-
-/* True errors and their estimates, one by one */
-typedef struct judgement {
-    double *sharp; /* estimate by true error */
-    int count, beyond, unknown;
-    double worst;
-} judgement;
-
-static inline void judge(judgement *j, double error, double estimate)
-{
-    j->sharp[j->count++] = estimate / fmax(error, 1e-300);
-    j->worst = fmax(j->worst, error / estimate);
-    j->beyond += error > 3 * estimate;
-}
-
-static inline void report(const char *name, judgement *j, double sharp, double unknown)
-{
-    check_error(name, "true > 3 est", "%", 100. * j->beyond / j->count, 1, j->count, 0);
-    check_error(name, "true/est, worst", "", j->worst, 10, 0, 0);
-    check_error(name, "unknown", "%", 100. * j->unknown / (j->count + j->unknown), unknown, j->unknown, 0);
-    check_error(name, "est/true, median", "", median(j->sharp, j->count), sharp, 0, 0);
-}
-
 #endif

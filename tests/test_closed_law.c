@@ -5,6 +5,7 @@
 #include "check.h"
 #include "oscillator_checks.h"
 #include "routes_problems.h"
+#include "judgement.h"
 #include "slow_motions.h"
 #include "data/slow_solved.h"
 

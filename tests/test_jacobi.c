@@ -362,6 +362,15 @@ static void test_plans(void)
         }
     }
     CHECK(same || CONTRACTED); /* contraction may differ from loop to loop */
+    for (i = 0; i < 3; i++) { /* m1 = -0 is m1 = 0 */
+        vm_real exact[3];
+        jacobi_sncndn_m1((vm_real)i - 1, 0, exact, exact + 1, exact + 2);
+        jacobi_sncndn_m1((vm_real)i - 1, -(vm_real)0, &sn, &cn, &dn);
+        CHECK(sn == exact[0] && cn == exact[1] && dn == exact[2]);
+        CHECK(jacobi_plan_init_m1(&plan, -(vm_real)0) == 0);
+        jacobi_plan_sncndn(&plan, (vm_real)i - 1, &sn, &cn, &dn);
+        CHECK(isfinite(sn) && isfinite(cn) && isfinite(dn));
+    }
     kept = plan;
     CHECK(jacobi_plan_init(&plan, 2) < 0 && jacobi_plan_init(&plan, VM_NAN) < 0 &&
           jacobi_plan_init_m1(&plan, -1) < 0);

@@ -7,6 +7,7 @@
 #include "check.h"
 #include "oscillator_checks.h"
 #include "routes_problems.h"
+#include "judgement.h"
 #include "slow_motions.h"
 
 typedef struct ripple_constants {

@@ -1,5 +1,5 @@
-/* A sounding rocket in two stages. Straight up: two motors, staging, weight, drag in an atmosphere that thins by e every
-   8 km, and from the apogee on a parachute. Drag is an effect of one's own; the parachute is a larger one.
+/* A sounding rocket in two stages. Straight up: two motors, staging, weight, drag in an atmosphere that thins by e
+   every 8 km, and from the apogee on a parachute. Drag is an effect of one's own; the parachute is a larger one.
 
    cc -O2 11_sounding_rocket.c -lm && ./a.out [file.csv] */
 #include <math.h>
@@ -9,7 +9,8 @@
 static void drag(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
     const vm_real height = y[e->x], v = y[e->v], area = *(const vm_real *)e->ctx; /* with the drag coefficient */
-    (void)(t + (vm_real)scene->size);
+    (void)t;
+    (void)scene;
     e->load->force[0] -= 1.225 * exp(-height / 8000) / 2 * area * v * fabs(v);
 }
 
@@ -30,7 +31,6 @@ int main(int argc, char **argv)
     vm_event events[EVENTS];
     ode_event located[EVENTS];
     static vm_scene scene; /* what is not set is zero */
-    int status;
     effects[MOTOR_2].off = effects[PARACHUTE].off = 1;
     events[EMPTY] = vm_then_switch(vm_event_mass(ROCKET, 70, -1), MOTOR_1, 1);
     events[STAGING] = vm_then_separate_on_line(vm_event_at(8.5), ROCKET, BOOSTER, &stage, 1);
@@ -45,7 +45,7 @@ int main(int argc, char **argv)
     scene.events = events;
     scene.located = located;
     scene.n_events = EVENTS;
-    status = vm_scene_start(&scene, t, y, NULL);
+    int status = vm_scene_start(&scene, t, y, NULL);
     if (csv) fprintf(csv, "t (s),\"height (km)\",\"velocity (100 m/s)\",\"mass (kg)\"\n");
     for (next = 1; status == VM_OK; next += 1) {
         status = vm_scene_run(&scene, &t, next, y, work, NULL);

@@ -1,9 +1,9 @@
 /* base/status.h - the statuses that functions return, and what each of them means
 
    Every function of varmass.h that can fail returns one of these numbers. 0 (VM_OK) means that all went well. A
-   positive number means that the result is there, with a remark. A negative number means that nothing was done: the
-   outputs are untouched. The same mistake has the same status in every function, and where a call has several
-   mistakes, the status names the first of them in this order:
+   positive number means that the function has done its work, but the caller should know something about the result. A
+   negative number is an error: the outputs are unchanged. A mistake has the same status in every function. If a call
+   has several mistakes, the status names the first of them in this order:
 
        a null pointer, a negative count, a choice that does not exist    VM_BAD_ARGUMENT
        an infinite number or NaN                                         VM_NOT_FINITE
@@ -27,8 +27,8 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body (a rod, a point) has no inertia about an axis: it keeps its spin
-                                    about this axis, and the angular momentum that the spin should take up is lost */
+    VM_NULL_AXIS = 1,            /* done, but a body (a rod or a point) has no inertia about an axis. Its spin about
+                                    this axis stays as it was; angular momentum about this axis is lost. */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
@@ -114,8 +114,8 @@ VM_API const char *vm_strerror(int status)
     }
 }
 
-/* Returns the rank of an error: of two errors, the one with the smaller rank is reported. The ranks follow the order at
-   the top of this file; errors that are not named there follow in the order of their numbers. */
+/* Returns the rank of an error. Of two errors, the one with the smaller rank is reported. The order is that of the
+   numbers -1, -2, -3, ..., but VM_BAD_STIFFNESS stands directly after VM_BAD_MASS, as at the top of base/status.h. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
@@ -131,7 +131,7 @@ VM_API int vmi_first_error(int a, int b)
     return b;
 }
 
-/* Copies n numbers if all of them are finite. Returns VM_OK, or VM_NOT_FINITE and leaves the target as it was. */
+/* Copies n numbers and returns VM_OK if all of them are finite, else copies nothing and returns VM_NOT_FINITE. */
 VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 {
     if (!vmi_all_finite(n, from)) return VM_NOT_FINITE;

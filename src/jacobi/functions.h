@@ -30,7 +30,7 @@ VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), so also between 1 and m1 */
     if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
     *bound = VM_SQRT(m1);
-    v = vmi_reduced(VM_FABS(u), m1, m1_lo, reach, &v_lo, &quarters);
+    v = vmi_reduced(VM_FABS(u), m1, m1_lo, *bound, reach, &v_lo, &quarters);
     if (v * v * vmi_larger(m1, 1) > VMI_NEAR) theta = vmi_theta_far_unprepared(vmi_two(v, v_lo), m1, m1_lo);
     else theta = vmi_theta_near(v, m1);
     theta = vmi_theta_shift(theta, *bound, quarters);
@@ -62,7 +62,7 @@ VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_rea
    Domain and accuracy are those of jacobi_sncndn; m1 keeps its digits where m is close to 1. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    vmi_sncndn(u, m1, 0, sn, cn, dn);
+    vmi_sncndn(u, m1 + 0, 0, sn, cn, dn); /* m1 + 0 turns -0 into 0 */
 }
 
 /* Returns the theta function whose name is s, c, d or n. */

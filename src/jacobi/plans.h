@@ -116,7 +116,7 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 
 /* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
    Domain and result are those of jacobi_plan_init; m1 keeps its digits where m is close to 1. */
-VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
+VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* 0 for -0 */
 
 /* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
    (compare vmi_theta_near). theta_s is v times the polynomial p->b, since the derivative of sc^2 is 2 sc nc dc. */

@@ -2,8 +2,8 @@
 
    The argument is written as u = j K + v, where K is the quarter period, j a whole number and |v| at most K/2 apart
    from rounding. v needs a small relative error, because next to a zero of sn the value of sn is nearly v or -v. The
-   closer u is to a multiple of K, the more digits of K are needed. Therefore K is used in three forms: as one word with
-   corrections, in two words, or in three words.
+   closer u is to a multiple of K, the more digits of K are needed. Therefore K is used in four forms: from a
+   table (m between -1.25 and 0.97), as one word with corrections, in two words, or in three words.
 
    Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_REDUCTION_H
@@ -15,6 +15,7 @@
 #include "../base/words.h"
 #include "agm.h"
 #include "integrals.h"
+#include "period_table.h"
 #include "theta.h"
 
 /* The product of a piece of K (see vmi_pieces) and a whole number below this limit (2^30, float 2^13) is exact. */
@@ -68,7 +69,7 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
    2 pi (1 + x S), where x S is small. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
    2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
    of u are exact. */
-VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
+VMI_APART vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
     const vm_real grid = VMI_REDUCTION_GRID, half_grid = grid / 2;
@@ -93,7 +94,7 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
 /* Returns u minus the nearest multiple j K in two words, for any u > 0 and m1 > 0. The last bits of *quarters become
    those of j. K is used in two words, or in three if u is below 128 K and next to a multiple of K. Where u is so large
    that no digit of the phase is left, the result is 0. */
-VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
+VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
     const vm_real next = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(8e-6);
@@ -120,20 +121,42 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
         return vmi_two_terms(vmi_reduce_pieces(u, K, rate.hi / half_pi.hi, quarters));
     }
     v = rest.hi / rate.hi;
-    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and no caller needs the low word of v */
+    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and 1.5 ulp of v are enough outside of the table */
     error = vmi_two_product(v, rate.hi);
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
+/* The largest argument that vmi_reduce_by_table reduces: then j is below 2^20 (float 2^13). */
+#define VMI_TABLE_REACH (VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(11000.0))
+
+/* Returns u minus the nearest multiple j K, for 0 <= u < VMI_TABLE_REACH and a k' = kp for which VMI_IN_PERIOD_TABLE is
+   1. The last bits of *quarters become those of j. K has a relative error below 2^-71 (float 2^-36), so that the result
+   is within half an ulp plus 2^-71 u (float 2^-36 u). Where this is too much next to a multiple of K, the result is
+   NaN, and u must be reduced by vmi_reduce_long. It is not NaN for j >= 128, since there only the absolute error
+   counts. */
+VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
+{
+    const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);
+    const vmi_period K = vmi_period_by_table(m1, m1_lo, kp);
+    const vm_real shifted = vmi_rounded(u / K.rough + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
+    const vm_real rest = ((u - j * K.head) - j * K.middle) - j * K.low; /* only the last product and difference round */
+    *quarters = vmi_to_bits(shifted); /* the last bits of `shifted` are those of j */
+    if (j < 128 && VM_FABS(rest) * closest < u) return VM_NAN;
+    return rest;
+}
+
 /* Returns u >= 0 minus the nearest multiple j K, or NaN if u or m1 is outside the domain of jacobi_sncndn. The low
-   word of the result goes to *v_lo, the last bits of j to *quarters. reach is about (2u/K)^2; if reach is below 30,
-   u < 2.5 K. */
-VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo,
+   word of the result goes to *v_lo, the last bits of j to *quarters. kp is k'. reach is about (2u/K)^2; if reach is
+   below 30, u < 2.5 K. */
+VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vm_real reach, vm_real *v_lo,
                               vmi_bits *quarters)
 {
     *v_lo = 0;
-    if (reach < 30 && VMI_MIDDLE(m1)) {
-        const vm_real v = vmi_reduce_short(u, m1, m1_lo, VM_SQRT(m1), quarters);
+    if (VMI_IN_PERIOD_TABLE(kp) && u < VMI_TABLE_REACH) {
+        const vm_real v = vmi_reduce_by_table(u, m1, m1_lo, kp, quarters);
+        if (v == v) return v;
+    } else if (reach < 30 && VMI_MIDDLE(m1)) {
+        const vm_real v = vmi_reduce_short(u, m1, m1_lo, kp, quarters);
         if (v == v) return v;
     }
     *quarters = 0;

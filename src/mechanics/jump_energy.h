@@ -1,6 +1,6 @@
 /* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
    Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds, and an
-   attachment takes, the kinetic energy of the motions relative to the whole: (113), (118), Carnot's theorem.
+   attachment takes, the kinetic energy that the bodies have relative to the whole: (113), (118), Carnot's theorem.
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -15,8 +15,8 @@
 #include "relative.h"
 #include "vectors.h"
 
-/* The sum of the kinetic energies of the n `bodies` and of one_more in their motions relative to `whole`. Returns NaN
-   for a null pointer or n < 0. */
+/* The sum of the kinetic energies that the n `bodies` and `one_more` have in their motions relative to `whole`. Returns
+   NaN for a null pointer or n < 0. */
 VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
@@ -31,8 +31,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     return sum + vm_kinetic_energy(&b);
 }
 
-/* Work of an impulse on a body, J: v.linear + omega.moment, with the moment about the mass centre. Returns 0 for a null
-   pointer. */
+/* Work of an impulse on a body, J: v.linear + omega.moment. v and omega are the velocity and angular velocity of the
+   body; the moment of the impulse is taken about its mass centre. Returns 0 for a null pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -41,18 +41,18 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
-/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113), (118).
-   It is computed as the kinetic energy of their motions relative to the whole, plus the work of the impulse on the
-   whole. This holds exactly in space. At high speed it keeps digits that the difference of the energies loses. `whole`
-   is the body before the separation; `parts` and `rest` are those after it. Returns NaN for a null pointer or n < 0. */
+/* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
+   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the impulse on the whole.
+   The two are exactly equal, but the difference of energies loses digits at high speed. `whole` is the body before the
+   separation; `parts` and `rest` are the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
     return vmi_relative_energy(whole, n, parts, rest) + vmi_impulse_work(whole, external_or_NULL);
 }
 
-/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` less that of the whole
-   (Carnot's loss). It is computed as the kinetic energy of their motions relative to the whole, less the work of the
+/* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` minus that of the whole
+   (Carnot's loss). It is computed as the kinetic energy of these bodies relative to the whole, minus the work of the
    impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it. Returns
    NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,

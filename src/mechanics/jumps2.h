@@ -1,9 +1,9 @@
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
    This is jumps.h for the plane, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
-   The code of jumps.h joins the masses. Only the last step, from angular momentum to angular velocity, differs.
+   Functions of jumps.h join the masses. Only the last step, from angular momentum to angular velocity, differs.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
-       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: how the rest moves on
+       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: `rest` has the motion after the separation
 
    Tests: tests/test_jumps2.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS2_H
@@ -15,7 +15,7 @@
 #include "jumps.h"
 #include "vectors.h"
 
-/* An impulse in the plane, written as one in space */
+/* Converts an impulse in the plane to an impulse in space */
 VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 {
     vm_impulse lifted;
@@ -26,7 +26,7 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 }
 
 /* Sets the moment of inertia of a lump of the plane to 0 if it is smaller than its rounding errors. Returns
-   VM_NOT_FINITE, VM_BAD_INERTIA for a clearly negative moment, or VM_OK. */
+   VM_NOT_FINITE if the moment is not finite, VM_BAD_INERTIA if it is clearly negative, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -35,9 +35,9 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity of a lump relative to the frame, (44). If the lump has no inertia, *omega becomes
-   `before`, the value before the jump. Returns 1 if a lump without inertia has angular momentum, which is impossible,
-   else 0. */
+/* Sets *omega to the angular velocity of a lump relative to the frame of the jump, (44). For a lump without inertia,
+   *omega becomes `before`, which is this angular velocity before the jump. Returns 1 if a lump without inertia has
+   angular momentum, which is impossible, else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
     if (lump->inertia.zz > 0) {
@@ -104,15 +104,15 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part is the part with
-   its motion after the separation. The impulse, if there is one, acts during the separation. Momentum and angular
-   momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to whole or
-   to part. The accuracy is that of vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part must have the
+   motion of the part after the separation. The impulse, if there is one, acts during the separation. Momentum and
+   angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to
+   whole or to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the balance
-   leaves it angular momentum about itself, which it cannot have. Its omega is then that of the whole. The errors are
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass (or that of the rest) is not positive, and
-   VM_BAD_INERTIA if an inertia (or that of the rest) is negative. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the equations
+   demand angular momentum about this point itself, which a point cannot have. rest->omega is then whole->omega. The
+   errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is
+   not positive, and VM_BAD_INERTIA if an inertia, that of the rest included, is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
@@ -121,26 +121,26 @@ VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_im
 
 /* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. `body` and
    `added` have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has
-   the angle of `body`. The statuses are those of vm_separate2. With VM_NULL_AXIS the two bodies are points at one
-   position, and omega remains that of `body`. */
+   the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one
+   position, and that the impulse would turn them; omega remains that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
     return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n
-   calls of vm_separate2 give the same result. With n = 0 only the impulse acts on the body. The statuses are those
-   of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
+   of vm_separate2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
+   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding
-   errors, n calls of vm_attach2 give the same result. With n = 0 only the impulse acts on the body. The statuses
-   are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors, n
+   calls of vm_attach2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are
+   those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {

@@ -1,13 +1,13 @@
-/* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
-   This chapter gives the motion of a body relative to the frame that moves and turns rigidly with another body (25),
-   (26), (41), and the laws of jumps for such relative motions, (28)-(31), (42)-(44). Use these laws if only the
-   velocity of a part relative to the whole is known.
+/* mechanics/relative.h - motion relative to a moving body, and jumps given by relative motions
+   This chapter gives the motion of one body as seen from another body, in a frame that moves and turns with it (25),
+   (26), (41), and the equations of a jump between such relative motions, (28)-(31), (42)-(44). Use these equations if
+   you know only the velocity of a part relative to the whole.
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
        part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
        part.v.x = part.v.y = part.omega.x = part.omega.y = part.omega.z = 0;
-       part.v.z = 2;                                     // it leaves at 2 m/s, relative to the whole
+       part.v.z = 2;                                     // the part leaves at 2 m/s, relative to the whole
        if (vm_separate_relative(&whole, &part, NULL, &rest) == VM_OK) vm_to_absolute(&whole, &rest, &rest);
 
    Tests: tests/test_relative.c, tests/test_jump_equations.c. */
@@ -21,13 +21,13 @@
 #include "jumps2.h"
 #include "vectors.h"
 
-/* Velocity at the point r of the frame that moves rigidly with a body. In (25) it is the dragging velocity. */
+/* Velocity of the frame that moves and turns with a body, at the point r. It is called dragging velocity in (25). */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
 }
 
-/* The motion of b relative to the frame that moves rigidly with the body `to`. Nothing is checked. */
+/* The motion of b relative to the frame that moves and turns with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
@@ -35,7 +35,7 @@ VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
     return b;
 }
 
-/* The absolute motion of b, whose motion is given relative to the body `to`. Nothing is checked. */
+/* The absolute motion of b, if the motion of b is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
     b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
@@ -61,13 +61,13 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
     return VM_OK;
 }
 
-/* Motion of a body relative to the frame that moves rigidly with the body `to`. The body has position r, velocity v and
-   angular velocity omega; `to` has r_S, v_S and Omega. v and omega of *relative become
+/* Motion of a body relative to the frame that moves and turns with the body `to`. The body has the position r, velocity
+   v and angular velocity omega; for `to` these are r_S, v_S and Omega. The function replaces v and omega by
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
-   and all other fields are copied. The vectors remain along the inertial axes, and r remains the position from the
-   inertial origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE if a number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses
-   and inertias are not checked further. */
+   and copies all other fields. The vectors remain along the inertial axes, and r remains the position from the inertial
+   origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a
+   number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses and inertias need
+   only be finite. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -86,7 +86,7 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion of a body in the plane, relative to the frame that moves rigidly with the body `to`. vx, vy and omega change
+/* Motion of a body in the plane, relative to the frame that moves and turns with the body `to`. vx, vy and omega change
    as in vm_to_relative, and all other fields are copied. The statuses are those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
@@ -110,8 +110,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump from motions relative to `body`. In its own frame `body` is at rest, and the equations of a jump have
-   the same form as in an inertial frame. */
+/* Computes a jump from and to motions relative to `body`. In its own frame `body` is at rest, and the equations of a
+   jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -122,7 +122,7 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Computes a jump in the plane from motions relative to `body`, which is at rest in its own frame */
+/* Computes a jump in the plane from and to motions relative to `body`, which is at rest in its own frame */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -133,36 +133,36 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
     return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of *rest are
-   relative to the whole. v and omega of *whole are not read. Everything else, the statuses included, is as in
-   vm_separate. */
+/* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of the result
+   *rest are relative to the whole, so that v and omega of *whole are not read. In all else, the statuses included, the
+   function is like vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of *whole
-   are relative to `body`. v and omega of *body are not read. Everything else, the statuses included, is as in
-   vm_attach. */
+/* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of the
+   result *whole are relative to `body`, so that v and omega of *body are not read. In all else, the statuses included,
+   the function is like vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
     return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of *rest are
-   relative to the whole. vx, vy and omega of *whole are not read. Everything else, the statuses included, is as in
-   vm_separate2. */
+/* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of the result *rest
+   are relative to the whole, so that vx, vy and omega of *whole are not read. In all else, the statuses included, the
+   function is like vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of *whole are
-   relative to `body`. vx, vy and omega of *body are not read. Everything else, the statuses included, is as in
-   vm_attach2. */
+/* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of the result
+   *whole are relative to `body`, so that vx, vy and omega of *body are not read. In all else, the statuses included,
+   the function is like vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {

@@ -27,6 +27,13 @@ static inline int law_of_zero(vm_real t, vm_real *f, vm_real *rate, void *ctx)
     return 0;
 }
 
+static inline int hardening(vm_real x, vm_real *f, void *ctx)
+{
+    (void)ctx;
+    *f = x + x * x * x;
+    return 0;
+}
+
 static inline int law_of_two(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 {
     (void)t;
@@ -86,6 +93,31 @@ static inline vm_osc_plan a_plan(void)
     problem.stiffness = vm_law_linear(3, R(0.01));
     problem.x = 1;
     vm_osc_plan_init(&plan, &problem);
+    return plan;
+}
+
+static inline vm_odd_plan an_odd_plan(void)
+{
+    vm_odd_problem problem;
+    vm_odd_plan plan;
+    memset(&plan, 0, sizeof plan);
+    problem.force = vm_duffing_force(2, 3);
+    problem.mass = vm_law_linear(2, R(0.01));
+    problem.stiffness = vm_law_linear(1, R(0.01));
+    problem.damping = vm_law_linear(R(0.01), 0);
+    problem.reactive = 1;
+    problem.x = 1;
+    problem.v = 0;
+    vm_odd_plan_init(&plan, &problem, 1);
+    return plan;
+}
+
+static inline vm_vdp_plan a_vdp_plan(void)
+{
+    const vm_vdp v = a_vdp();
+    vm_vdp_plan plan;
+    memset(&plan, 0, sizeof plan);
+    vm_vdp_plan_init(&plan, &v, 1, 0);
     return plan;
 }
 

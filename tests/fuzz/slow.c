@@ -53,6 +53,62 @@ static void check_van_der_pol(void)
     if (vm_vdp_averaged_rhs(t, y, dydt, &v) == 0) HOLDS(vmi_all_finite(2, dydt));
 }
 
+/* Whether the integrations of this oscillator to t end soon: a finite, slow motion without a growth to infinity */
+static int vdp_is_tame(const vm_vdp *v, vm_real t, vm_real x, vm_real rate)
+{
+    return tame_mass(v->mass) && tame(v->k) && tame(v->alpha) && tame(v->feed) && tame(v->c) && tame(v->reactive) &&
+           tame(t) && tame(x) && tame(rate) && VM_FABS(v->feed) < 1 && v->c >= 0 && v->c < 1 && v->reactive >= 0 &&
+           v->reactive <= 1 && VM_FABS(t) <= 30 && VM_FABS(x) + VM_FABS(rate) < 10 && v->k < 100;
+}
+
+/* The law of order three: outputs are finite or untouched, both calls choose the same motion, and the law is as close to
+   the integration as the estimates say. */
+static void check_van_der_pol_law(void)
+{
+    static const int routes[] = {VM_ROUTE_ATEB,        VM_ROUTE_ORDER2, VM_ROUTE_ORDER3,
+                                 VM_ROUTE_COLLOCATION, VM_ROUTE_RK87,   VM_ROUTE_TRIG};
+    const vm_real t = MOSTLY(draw_in(-5, 30)), x = MOSTLY(draw_in(-2, 2)), rate = MOSTLY(draw_in(-2, 2));
+    const vm_real tolerance = draw_log(1e-6, 1e-2);
+    vm_osc_motion law, other;
+    vm_vdp_cycle cycle;
+    vm_vdp_plan plan;
+    vm_vdp v;
+    int i, status;
+    memset(&v, 0, sizeof v);
+    v.alpha = MOSTLY(draw_in(0, 7));
+    v.k = MOSTLY(draw_log(0.1, 10));
+    v.feed = MOSTLY(draw_in(-0.1, 0.1));
+    v.c = MOSTLY(draw_in(-0.05, 0.1));
+    v.reactive = MOSTLY(draw_in(0, 1));
+    v.mass = draw_mass();
+    STAIN(cycle);
+    status = vm_vdp_cycle_of(&v, &cycle);
+    if (status) HOLDS(status < 0 && UNTOUCHED(cycle));
+    else HOLDS(is_finite(cycle.largest_x) && is_finite(cycle.period) && cycle.stable == (v.c > 0));
+    STAIN(plan);
+    status = vm_vdp_plan_init(&plan, &v, x, rate);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(plan));
+        return;
+    }
+    for (i = 0; i < 6; i++) {
+        if (i > 2 && !vdp_is_tame(&v, t, x, rate)) continue;
+        STAIN(other);
+        status = vm_vdp_plan_by_route(&plan, routes[i], t, tolerance, &other);
+        if (status < 0) HOLDS(UNTOUCHED(other));
+        else HOLDS(is_finite(other.x) && is_finite(other.v) && other.error >= 0 && other.route == routes[i]);
+    }
+    if (!vdp_is_tame(&v, t, x, rate)) return;
+    STAIN(law);
+    STAIN(other);
+    status = vm_vdp_plan_within(&plan, t, tolerance, &law);
+    HOLDS(vm_vdp_within(&v, x, rate, t, tolerance, &other) == status);
+    if (status < 0) return;
+    HOLDS(same_bits(law.x, other.x) && same_bits(law.v, other.v));
+    if (fuzz.wild || vm_vdp_plan_by_route(&plan, VM_ROUTE_RK87, t, tolerance, &other) < 0) return;
+    HOLDS(within(law.x, other.x, 10 * ((double)law.error + (double)other.error) * (double)other.amplitude));
+}
+
 static vm_complex turning_load(vm_real t, vm_complex z, vm_complex v, void *ctx)
 {
     const vm_real strength = *(const vm_real *)ctx;
@@ -410,6 +466,7 @@ static void fuzz_slow(void)
     case 1: check_laval(); break;
     case 2: check_pair(); break;
     case 3: check_diagnostics(); break;
+    case 4: check_van_der_pol_law(); break;
     default: check_forced();
     }
 }

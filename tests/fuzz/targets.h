@@ -1,6 +1,8 @@
 /* targets.h - the fuzz targets; a slow one runs so many times fewer inputs */
 #include "ateb.c"
 #include "drum.c"
+#include "duffing.c"
+#include "elliptic.c"
 #include "integrators.c"
 #include "jacobi.c"
 #include "jumps.c"
@@ -21,6 +23,8 @@ typedef struct fuzz_target {
 static const fuzz_target targets[] = {
     {"ateb", fuzz_ateb, 2},
     {"drum", fuzz_drum, 0},
+    {"duffing", fuzz_duffing, 40},
+    {"elliptic", fuzz_elliptic, 0},
     {"integrators", fuzz_integrators, 4},
     {"jacobi", fuzz_jacobi, 0},
     {"jumps", fuzz_jumps, 0},

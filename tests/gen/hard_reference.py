@@ -8,7 +8,7 @@ import glob
 import re
 import struct
 
-from mpmath import (agm, besselj, bessely, beta, betainc, cos, ellipe, ellipfun, ellipk, exp, expm1, fabs, findroot,
+from mpmath import (agm, besselj, bessely, beta, betainc, cos, ellipe, ellipf, ellipfun, ellipk, ellippi, exp, expm1, fabs, findroot,
                     lambertw, log, log1p, mp, mpf, nstr, pi, quad, sin, sqrt)
 
 mp.dps = 60
@@ -238,6 +238,20 @@ def K_near_1(m1):
 @lambda f: with_digits(320, f)
 def E_near_1(m1):
     return ellipe(1 - m1)
+
+
+def F_incomplete(phi, m1):
+    return ellipf(phi, 1 - m1)
+
+
+def Pi_incomplete(phi, n, m):
+    return ellippi(n, phi, m)
+
+
+def rotating(u, m):
+    """sn for m > 1, whose largest value is 1/k"""
+    k = sqrt(m)
+    return jacobi(k * u, 1 - 1 / m)[0] / k, 1 / k
 
 
 def falling_root(function, goal, low, high):

@@ -99,6 +99,14 @@ def jacobi_regions():
         with mp.workdps(40):
             u = near(random.choice((1, 1, 2, 3, 4, 5, 8, 17, 50, 99)) * quarter(1 - mpf(m)))
         yield "u near jK", near(u * (1 + random.choice((0, 0, ulp, -ulp, 3 * ulp, 1e-12, -1e-8)))), m, False
+    own = random.Random(SEED + 2)  # the draws above and below stay as they are
+    for k in range(120 * FACTOR):  # u = j K +- v with v just above a power of two: its ulp is largest there, relative to v
+        near, j, v = single if k % 2 else float, 2 * own.randint(0, 49) + 1, 1 + own.uniform(0, .05)
+        v, j = (v / 2, j) if k % 4 < 2 else (v * 2.0 ** -own.randint(1, 3), j - own.randint(0, 1))
+        m = near(-10 ** own.uniform(-6, -1) if k % 4 < 2 else own.choice((own.uniform(-.3, .3), -10 ** own.uniform(-1, 1.5))))
+        with mp.workdps(40):
+            u = near(j * quarter(1 - mpf(m)) + own.choice((-1, 1)) * v)
+        yield "v above 2^-n", u, m, False
     for u, m in WORST:
         yield "worst", u, m, False
     for near, least in (float, -323.3), (single, -44.8):  # below eps^2 and into the subnormal numbers
@@ -122,7 +130,8 @@ WORST = ((1.5738144120518882, 0.96372153102655389), (1.4562745436990139, 0.97095
          (606584222.08948791, -23981.441535423004), (808314325.2519846, -36064.985706958061),
          (-954408995.3064301, -37427.30282231501), (753773701.62084389, -37067.159128921689),
          (-876790989.3410604, -35232.72552120607), (-2.4983902659658694e-18, -3.4028228579130005e38),
-         (1.3e-154, -1.7e308), (0.33686122683001096, -14.404084102748524))
+         (1.3e-154, -1.7e308), (0.33686122683001096, -14.404084102748524),
+         (-8.3465996483446503, -0.0045901556170718071))
 
 
 def amplitude_rows():

@@ -275,6 +275,46 @@ static void golden_slow(void)
     try_pair();
 }
 
+/* The law of order three: its orders, both integrations, the choice of a route, the limit cycle */
+static void golden_van_der_pol(void)
+{
+    static const int routes[] = {VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION, VM_ROUTE_RK87};
+    int i, k;
+    for (i = 0; i < 6; i++) {
+        const vm_real t = uniform(-10, 30), x = uniform(-1, 1);
+        vm_real mass[3];
+        vm_osc_motion m;
+        vm_vdp_cycle cycle;
+        vm_vdp_plan plan;
+        vm_vdp v;
+        memset(&v, 0, sizeof v);
+        memset(&m, 0, sizeof m);
+        memset(&cycle, 0, sizeof cycle);
+        v.alpha = uniform(0, 4);
+        v.k = uniform(1, 2);
+        v.feed = uniform(-1, 1) / 64;
+        v.c = uniform(0, 1) / 64;
+        v.reactive = uniform(0, 1);
+        draw_all(3, 1, 2, mass);
+        v.mass = i % 2 ? vm_law_linear(mass[0], mass[1] / 128) : vm_law_exponential(mass[0], mass[2] / 128);
+        fold_int(vm_vdp_plan_init(&plan, &v, x, uniform(-1, 1)));
+        for (k = 0; k < 5; k++) {
+            if (i > 1 && routes[k] == VM_ROUTE_RK87) continue; /* it takes long on an emulator */
+            fold_int(vm_vdp_plan_by_route(&plan, routes[k], t, VM_C(0.001), &m));
+            fold_motion(&m);
+        }
+        fold_int(vm_vdp_plan_within(&plan, t, VM_C(0.001), &m));
+        fold_motion(&m);
+        fold_int(vm_vdp_within(&v, x, 0, t, VM_C(0.01), &m));
+        fold_motion(&m);
+        fold_int(vm_vdp_cycle_of(&v, &cycle));
+        fold(cycle.largest_x);
+        fold(cycle.period);
+        fold(cycle.epsilon);
+        fold_int(cycle.stable);
+    }
+}
+
 static void golden_resonance(void)
 {
     try_forced();

@@ -46,6 +46,35 @@ static vm_real modulus_rest_naive(const vm_real *x) { return 1 - jacobi_solve_kp
 static vm_real modulus_of_K_rest_ours(const vm_real *x) { return jacobi_solve_K_m1(x[0]); }
 static vm_real modulus_of_K_rest_naive(const vm_real *x) { return 1 - jacobi_solve_K(x[0]); }
 
+/* F(phi | m), phi = x0, m1 = x1; the naive form is Legendre's in terms of s = sin phi */
+static vm_real F_incomplete_ours(const vm_real *x) { return jacobi_F_m1(x[0], x[1]); }
+static vm_real F_incomplete_naive(const vm_real *x)
+{
+    const vm_real s = SIN(x[0]);
+    return s * jacobi_RF(1 - s * s, 1 - (1 - x[1]) * s * s, 1);
+}
+
+/* Pi(n; phi | m), phi = x0, n = x1, m = x2 */
+static vm_real Pi_incomplete_ours(const vm_real *x) { return jacobi_Pi_incomplete(x[0], x[1], x[2]); }
+static vm_real Pi_incomplete_naive(const vm_real *x)
+{
+    const vm_real s = SIN(x[0]), c = COS(x[0]), d = 1 - x[2] * s * s;
+    return s * (jacobi_RF(c * c, d, 1) + x[1] * s * s / 3 * jacobi_RJ(c * c, d, 1, 1 - x[1] * s * s));
+}
+
+/* sn(u | m) for m > 1, u = x0, m = x1 */
+static vm_real rotating_ours(const vm_real *x)
+{
+    vm_real sn, cn, dn;
+    jacobi_sncndn_any(x[0], x[1], &sn, &cn, &dn);
+    return sn;
+}
+static vm_real rotating_naive(const vm_real *x)
+{
+    const vm_real k = SQRT(x[1]);
+    return jacobi_sn(k * x[0], 1 / x[1]) / k;
+}
+
 /* u = x0, m = x1, or m1 = x1 */
 static vm_real cn_ours(const vm_real *x) { return jacobi_cn(x[0], x[1]); }
 static vm_real cn_naive(const vm_real *x)
@@ -256,6 +285,10 @@ static const hard_case cancellation_cases[] = {
     CASE(beta_inverse_rest, 32, "the same, p itself next to 1", R(1e-9, 1e-4), 0.0625, 0.5),
     CASE(K_near_1, 2, "K next to its logarithm: 1 - m has lost m1", R(3e-13, 3e-6)),
     CASE(K_near_1, 2, "the same: 1 - m is 1, K infinite", R(1e-20, 1e-12)),
+    CASE(F_incomplete, 8, "F(phi | m) next to pi/2 for m near 1: 1 - sin^2 phi has lost the angle",
+         R(1.5707963, 1.5703125), R(1e-16, 1e-8)),
+    CASE(Pi_incomplete, 8, "Pi(n; phi | m) for n << 0: nearly all of F is subtracted", 1.25, R(-1e8, -1e6), 0.5),
+    CASE(rotating, 4, "sn for m > 1, of a rotating pendulum: k u is rounded, a phase of 1e7", R(1e7, 3000.25), 2.5),
     CASE(E_near_1, 2, "E = K (1 - sum) where K is large and E is 1", R(1e-250, 1e-35)),
     CASE(modulus_rest, 12, "m of k'K next to 1: only 1 - m tells", R(1e-4, 1e-2)),
     CASE(modulus_of_K_rest, 4, "m of a large K: 1 - m is e^(-2K)", R(15, 7)),

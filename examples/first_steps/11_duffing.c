@@ -1,0 +1,44 @@
+/* A Duffing oscillator whose mass grows. m x'' + k1 x + k3 x^3 = -(b + m') x': a spring that hardens, k1 = 100 N/m
+   and k3 = 20000 N/m^3, holds a box of 2 kg onto which 0.02 kg of sand trickle each second. With constant mass
+   vm_duffing_exact_from is exact, by Jacobi's functions. With slow laws of mass, stiffness and damping
+   vm_odd_plan_within takes the averaged motion where its estimated error is small enough, and integrates elsewhere.
+   vm_odd_force_user takes any odd spring force in place of vm_duffing_force.
+
+   cc -O2 11_duffing.c -lm && ./a.out [file.csv] */
+#include <stdio.h>
+#include "../../varmass.h"
+
+int main(int argc, char **argv)
+{
+    static const char *names[] = {"mean motion", "with ripple", "integration"};
+    static vm_odd_plan plan;
+    FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
+    vm_odd_problem box;
+    vm_odd_motion now;
+    double t, x, v;
+
+    puts("amplitude (m)  period (s) with constant mass");
+    for (x = 0.025; x < 0.3; x *= 2) printf("%13.3f %11.6f\n", x, vm_duffing_period(x, 100 / 2., 20000 / 2.));
+
+    box.force = vm_duffing_force(100, 20000);
+    box.mass = vm_law_linear(2, 0.02);
+    box.stiffness = vm_law_linear(1, 0); /* a factor of the whole spring force */
+    box.damping = vm_law_linear(0.02, 0);
+    box.reactive = 1; /* the sand arrives at rest */
+    box.x = 0.1;
+    box.v = 0;
+    if (vm_odd_plan_init(&plan, &box, 60)) return 1;
+    puts("\nt (s)        x (m)  amplitude (m)  estimated error  route");
+    for (t = 0; t <= 60; t += 10) {
+        if (vm_odd_plan_within(&plan, t, t < 35 ? 1e-4 : 1e-8, &now)) return 1;
+        printf("%5g %12.8f %14.8f %16.1e  %s\n", t, now.x, now.amplitude, now.error, names[now.route]);
+    }
+    if (csv) fprintf(csv, "t (s),\"x (m)\",\"x with constant mass (m)\",\"amplitude (m)\"\n");
+    for (t = 0; csv && t <= 6; t += 0.01) {
+        if (vm_odd_plan_by_route(&plan, VM_ODD_ORDER2, t, 0, &now)) return 1;
+        vm_duffing_exact_from(t, 0.1, 0, 50, 10000, &x, &v);
+        fprintf(csv, "%.2f,%.9f,%.9f,%.9f\n", t, now.x, x, now.amplitude);
+    }
+    if (csv) fclose(csv);
+    return 0;
+}

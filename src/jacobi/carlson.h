@@ -1,0 +1,370 @@
+/* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
+
+   Every elliptic integral is a sum of these few, and they have no cases and no cancellations of their own:
+     R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
+     R_J(x, y, z, p) = 3/2 integral of dt/((t + p) s(t)),
+   R_C(x, y) = R_F(x, y, y), R_D(x, y, z) = R_J(x, y, z, z), and R_G, which gives the surface of an ellipsoid.
+
+       vm_real K = jacobi_RF(0, VM_C(0.75), 1); // K(m) = R_F(0, 1 - m, 1)
+
+   Method: Carlson's duplication brings the arguments together, until a series about their mean is exact enough. The
+   equations are those of Carlson, Numer. Algorithms 10 (1995) 13-26, with more terms, so that usually two or three
+   duplications are enough. Source: DLMF 19.15 to 19.36. Tests: tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_CARLSON_H
+#define VARMASS_JACOBI_CARLSON_H
+
+#include "../base/bits.h"
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/sums.h"
+#include "../base/words.h"
+
+/* Three arguments on their way to their mean. Each duplication divides their distances from the mean, relative to it,
+   by about 4. */
+typedef struct VM_TAG(vmi_carlson) {
+    vm_real x, y, z; /* the arguments */
+    vm_real mean;    /* their mean (x + y + z)/3 */
+    vm_real X, Y;    /* mean - x and mean - y; mean - z is -(X + Y) */
+    vm_real a, b, c; /* the square roots of x, y, z in the last duplication */
+    vm_real lambda;  /* a b + b c + c a in the last duplication */
+} vmi_carlson;
+
+/* The series are used if all distances from the mean are at most this share of it. The first terms left out, of the
+   order 11 (float 5), are then below 1e-17 (float 4e-9). */
+#define VMI_CARLSON_CLOSE VM_C(0.0262)
+
+/* Begins with the arguments x, y, z. */
+VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
+{
+    vmi_carlson s;
+    s.x = x;
+    s.y = y;
+    s.z = z;
+    s.mean = (x + y + z) * VM_C(0.3333333333333333333);
+    s.X = s.mean - x;
+    s.Y = s.mean - y;
+    s.a = s.b = s.c = s.lambda = 0;
+    return s;
+}
+
+/* Returns the largest distance from the mean. */
+VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
+{
+    return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
+}
+
+/* One duplication (DLMF 19.26.18): each argument x becomes (x + lambda)/4. Nothing cancels. */
+VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
+{
+    s->a = VM_SQRT(s->x);
+    s->b = VM_SQRT(s->y);
+    s->c = VM_SQRT(s->z);
+    s->lambda = s->a * (s->b + s->c) + s->b * s->c;
+    s->x = (s->x + s->lambda) * VM_C(0.25);
+    s->y = (s->y + s->lambda) * VM_C(0.25);
+    s->z = (s->z + s->lambda) * VM_C(0.25);
+    s->mean = (s->mean + s->lambda) * VM_C(0.25);
+    s->X *= VM_C(0.25);
+    s->Y *= VM_C(0.25);
+}
+
+/* The two symmetric functions of the relative distances X, Y, Z from the mean, whose sum is 0:
+   E2 = XY + YZ + ZX, E3 = XYZ */
+VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real *E3)
+{
+    const vm_real per_mean = 1 / s->mean, X = s->X * per_mean, Y = s->Y * per_mean, Z = -(X + Y);
+    *E2 = X * Y - Z * Z;
+    *E3 = X * Y * Z;
+}
+
+/* R_F from arguments that are close together: the sum of t_N/(2N + 1), divided by the root of the mean. The terms t_N
+   are the coefficients of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2) (DLMF 19.19.7). */
+VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
+{
+    vm_real E2, E3, low, high = 0;
+    vmi_carlson_symmetric(s, &E2, &E3);
+    low = VM_C(0.07142857142857142857) * E3 - VM_C(0.1) * E2;
+    low += E2 * (VM_C(0.04166666666666666667) * E2);
+#if VM_MANT_DIG > 24
+    {
+        const vm_real E22 = E2 * E2, E33 = E3 * E3;
+        const vm_real five = VM_C(-0.06818181818181818182) * (E2 * E3);                                 /* -3/44 */
+        const vm_real six = VM_C(0.02884615384615384615) * E33 - VM_C(0.02403846153846153846) * (E22 * E2);
+        const vm_real seven = VM_C(0.0625) * (E22 * E3);                                                /* 1/16 */
+        const vm_real eight = E2 * (VM_C(0.01608455882352941176) * (E22 * E2) - VM_C(0.05514705882352941176) * E33);
+        const vm_real nine = E3 * (VM_C(0.01644736842105263158) * E33 - VM_C(0.05756578947368421053) * (E22 * E2));
+        const vm_real ten = E22 * (VM_C(0.078125) * E33 - VM_C(0.01171875) * (E22 * E2));
+        high = (five + six) + ((seven + eight) + (nine + ten));
+    }
+#endif
+    return (1 + (low + high)) / VM_SQRT(s->mean);
+}
+
+/* R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. The sum has the terms
+   3 T_N/(2N + 3), where T_N are the coefficients of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
+VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
+{
+    vm_real E2, E3, t, T, sum;
+    vmi_carlson_symmetric(s, &E2, &E3);
+    T = P;
+    sum = VM_C(0.6) * T;
+    t = VM_C(-0.5) * E2;
+    T = P * T + t;
+    sum += VM_C(0.4285714285714285714) * T;
+    t = VM_C(0.5) * E3;
+    T = P * T + t;
+    sum += VM_C(0.3333333333333333333) * T;
+    t = VM_C(0.375) * (E2 * E2);
+    T = P * T + t;
+    sum += VM_C(0.2727272727272727273) * T;
+#if VM_MANT_DIG > 24
+    {
+        const vm_real E22 = E2 * E2, E33 = E3 * E3, E222 = E22 * E2;
+        T = P * T - VM_C(0.75) * (E2 * E3);
+        sum += VM_C(0.2307692307692307692) * T;
+        T = P * T + (VM_C(0.375) * E33 - VM_C(0.3125) * E222);
+        sum += VM_C(0.2) * T;
+        T = P * T + VM_C(0.9375) * (E22 * E3);
+        sum += VM_C(0.1764705882352941176) * T;
+        T = P * T + E2 * (VM_C(0.2734375) * E222 - VM_C(0.9375) * E33);
+        sum += VM_C(0.1578947368421052632) * T;
+        T = P * T + E3 * (VM_C(0.3125) * E33 - VM_C(1.09375) * E222);
+        sum += VM_C(0.1428571428571428571) * T;
+        T = P * T + E22 * (VM_C(1.640625) * E33 - VM_C(0.24609375) * E222);
+        sum += VM_C(0.1304347826086956522) * T;
+    }
+#endif
+    return (1 + sum) / (s->mean * VM_SQRT(s->mean));
+}
+
+/* R_F for arguments x, y, z >= 0 of which at most one is 0, within 3 ulp */
+VM_INLINE vm_real vmi_rf(vm_real x, vm_real y, vm_real z)
+{
+    vmi_carlson s = vmi_carlson_begin(x, y, z);
+    vm_real spread = vmi_carlson_spread(&s);
+    while (spread > VMI_CARLSON_CLOSE * s.mean) {
+        vmi_carlson_duplicate(&s);
+        spread *= VM_C(0.25);
+    }
+    return vmi_carlson_first(&s);
+}
+
+/* R_F(x, y, z), and R_D(x, y, z) to *rd, for z > 0 and arguments of which at most one is 0. Both have the same
+   duplications; each of them adds a positive term to R_D (DLMF 19.26.20). */
+VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
+{
+    vmi_carlson s = vmi_carlson_begin(x, y, z);
+    vm_real spread = vmi_carlson_spread(&s), power = 1, sum = 0;
+    while (spread > VMI_CARLSON_CLOSE * s.mean) {
+        vmi_carlson_duplicate(&s);
+        spread *= VM_C(0.25);
+        sum += power / (4 * s.c * s.z); /* 4 z is here z + lambda of the formula */
+        power *= VM_C(0.25);
+    }
+    *rd = 3 * sum + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean);
+    return vmi_carlson_first(&s);
+}
+
+/* The series of R_C(1, 1 + e) for |e| <= 0.05: 1 - e/3 + e^2/5 - ... */
+VM_INLINE vm_real vmi_rc_series(vm_real e)
+{
+    const vm_real ee = e * e, e4 = ee * ee;
+    const vm_real low = (VM_C(-0.3333333333333333333) + e * VM_C(0.2)) +
+                        ee * (VM_C(-0.1428571428571428571) + e * VM_C(0.1111111111111111111));
+#if VM_MANT_DIG > 24
+    const vm_real middle = (VM_C(-0.09090909090909090909) + e * VM_C(0.07692307692307692308)) +
+                           ee * (VM_C(-0.06666666666666666667) + e * VM_C(0.05882352941176470588));
+    const vm_real high = VM_C(-0.05263157894736842105) + e * VM_C(0.04761904761904761905);
+    return 1 + e * (low + e4 * (middle + e4 * high));
+#else
+    return 1 + e * (low - e4 * VM_C(0.09090909091));
+#endif
+}
+
+/* R_C(1, y) for y > 0: the arctangent of sqrt(y - 1) divided by it, or for y < 1 the inverse hyperbolic tangent. Next
+   to y = 1 it is a series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
+VM_API vm_real vmi_rc_of_1(vm_real y)
+{
+    const vm_real e = y - 1;
+    vm_real root;
+    if (VM_FABS(e) < VM_C(0.18)) {
+        const vm_real sum = 1 + VM_SQRT(y);
+        return 2 * vmi_rc_series(e / (sum * sum)) / sum;
+    }
+    root = VM_SQRT(VM_FABS(e));
+    if (e > 0) return vmi_arctan(root, 1) / root;
+    return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
+}
+
+/* R_C(x, y) for x >= 0 and y != 0; for y < 0 its Cauchy principal value (DLMF 19.2.17, 19.2.20) */
+VM_API vm_real vmi_rc(vm_real x, vm_real y)
+{
+    if (y < 0) return VM_SQRT(x / (x - y)) * vmi_rc(x - y, -y);
+    if (2 * x < y) return vmi_arctan(VM_SQRT(y - x), VM_SQRT(x)) / VM_SQRT(y - x);
+    return vmi_rc_of_1(y / x) / VM_SQRT(x);
+}
+
+/* R_F(x, y, z), and R_J(x, y, z, p) to *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. They
+   should be about 1: d, which has their powers 3/2, must neither overflow nor underflow. Each duplication adds 6/d
+   R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995) with d = (r + a)(r + b)(r + c), r = sqrt(p). 1 + e is here 2
+   r (p + lambda)/d, in which nothing cancels. */
+VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
+{
+    vmi_carlson s = vmi_carlson_begin(x, y, z);
+    vm_real P = s.mean - p, spread = vmi_larger(vmi_carlson_spread(&s), VM_FABS(P)), power = 1, sum = 0;
+    while (spread > VMI_CARLSON_CLOSE * s.mean) {
+        const vm_real r = VM_SQRT(p);
+        vm_real d;
+        vmi_carlson_duplicate(&s);
+        d = (r + s.a) * (r + s.b) * (r + s.c);
+        sum += power / d * vmi_rc_of_1(2 * r * (p + s.lambda) / d);
+        p = (p + s.lambda) * VM_C(0.25);
+        P *= VM_C(0.25);
+        spread *= VM_C(0.25);
+        power *= VM_C(0.25);
+    }
+    *rj = 6 * sum + power * vmi_carlson_third(&s, P / s.mean);
+    return vmi_carlson_first(&s);
+}
+
+/* A power of 4 and what it does to an integral: the arguments are multiplied by `factor`, so that the largest is about
+   1 and no power of them overflows or underflows. R_F and R_C are then multiplied by `root`, the root of the factor. */
+typedef struct VM_TAG(vmi_carlson_scale) {
+    vm_real factor, root;
+} vmi_carlson_scale;
+
+/* Returns the scale for the largest of the arguments, a finite number > 0. */
+VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
+{
+    const int exponent = (int)(vmi_to_bits(largest) >> VMI_STORED_DIG) - VMI_BIAS, half = (exponent - 1) / 2;
+    vmi_carlson_scale scale;
+    scale.factor = vmi_ldexp(1, -2 * half);
+    scale.root = vmi_ldexp(1, -half);
+    return scale;
+}
+
+/* Is 1 if a positive argument is so much smaller than the largest one that the scale makes it subnormal or 0 */
+VM_API int vmi_carlson_is_lost(vmi_carlson_scale by, vm_real x) { return x > 0 && by.factor * x < VM_MIN; }
+
+/* Is 1 if x, y, z >= 0 */
+VM_API int vmi_carlson_allowed(vm_real x, vm_real y, vm_real z) { return x >= 0 && y >= 0 && z >= 0; }
+
+/* Is 1 if at least two of the three numbers, which are not negative, are 0 */
+VM_API int vmi_two_zeros(vm_real x, vm_real y, vm_real z)
+{
+    return x + y == 0 || y + z == 0 || z + x == 0;
+}
+
+/* The limit of R_F, R_D or R_J where two arguments are 0 (`zeros`) or one is infinite, else NaN: infinity for two
+   zeros, 0 for an infinite argument, and NaN where both meet. */
+VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
+{
+    if (zeros && infinite) return VM_NAN;
+    if (zeros) return VM_INFINITY;
+    return 0;
+}
+
+/* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
+   most 8 ulp. It is infinite if two arguments are 0, and 0 if one is infinite; NaN if one is negative. K(m) is R_F(0,
+   1 - m, 1), F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
+VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
+{
+    const vm_real largest = vmi_larger(vmi_larger(x, y), z);
+    const int zeros = vmi_two_zeros(x, y, z), infinite = !VM_IS_FINITE(largest);
+    if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
+    if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
+    if (largest <= 1) return vmi_rf(x, y, z);
+    return VM_C(0.25) * vmi_rf(x / 16, y / 16, z / 16); /* sums of the arguments do not overflow */
+}
+
+/* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
+   logarithm for x > y. The error is at most 8 ulp. For y < 0 it is Cauchy's principal value. It is infinite for y =
+   0, and 0 if an argument is infinite; NaN if x is negative. DLMF 19.2.17. */
+VM_API vm_real jacobi_RC(vm_real x, vm_real y)
+{
+    const vm_real largest = vmi_larger(x, VM_FABS(y));
+    vmi_carlson_scale by;
+    if (!(x >= 0) || y != y) return VM_NAN;
+    if (y == 0 || !VM_IS_FINITE(largest)) return vmi_carlson_limit(y == 0, !VM_IS_FINITE(largest));
+    by = vmi_carlson_scale_of(largest);
+    if (!vmi_carlson_is_lost(by, VM_FABS(y))) return by.root * vmi_rc(by.factor * x, by.factor * y);
+    return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* which does not depend on the sign of so little a number */
+}
+
+/* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
+   y. The error is at most 8 ulp. It is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite; NaN if one
+   is negative, and if the quotient of two of them that are not 0 is above 1e307 (float 1e37). DLMF 19.16.5. */
+VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
+{
+    const vm_real largest = vmi_larger(vmi_larger(x, y), z);
+    const int zeros = z == 0 || x + y == 0, infinite = !VM_IS_FINITE(largest);
+    vmi_carlson_scale by;
+    vm_real rd;
+    if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
+    if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
+    by = vmi_carlson_scale_of(largest);
+    if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;
+    vmi_rf_rd(by.factor * x, by.factor * y, by.factor * z, &rd);
+    return by.root * (by.root * (by.root * rd));
+}
+
+/* R_J for p < 0: Cauchy's principal value from R_J at a positive p (DLMF 19.20.14), for 0 <= x, y <= z of which at
+   most one is 0 */
+VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
+{
+    const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
+    vm_real rf, rj, rest;
+    rf = vmi_rf_rj(x, y, z, other, &rj);
+    rest = (other - z) * rj - 3 * rf;
+    return (rest + 3 * VM_SQRT(x * y * z / product) * vmi_rc(product, other * q)) / (z + q);
+}
+
+/* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
+   error is at most 8 ulp where the quotients of the arguments are below 1e16, and at most 16 ulp elsewhere. For p < 0
+   it is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). It is infinite
+   if p = 0 or two of the others are 0, and 0 if an argument is infinite; NaN if x, y or z is negative, and if the
+   quotient of two arguments that are not 0 is above 1e307 (float 1e37). DLMF 19.16.2. */
+VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
+{
+    const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
+    const int zeros = p == 0 || vmi_two_zeros(x, y, z), infinite = !VM_IS_FINITE(largest);
+    vmi_carlson_scale by;
+    vm_real rj;
+    if (!vmi_carlson_allowed(x, y, z) || p != p) return VM_NAN;
+    if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
+    by = vmi_carlson_scale_of(largest);
+    if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;
+    if (vmi_carlson_is_lost(by, VM_FABS(p))) return VM_NAN;
+    x *= by.factor;
+    y *= by.factor;
+    z *= by.factor;
+    p *= by.factor;
+    if (p > 0) vmi_rf_rj(x, y, z, p, &rj);
+    else if (x == by.factor * top) rj = vmi_rj_principal(y, z, x, p);
+    else if (y == by.factor * top) rj = vmi_rj_principal(z, x, y, p);
+    else rj = vmi_rj_principal(x, y, z, p);
+    return by.root * (by.root * (by.root * rj));
+}
+
+/* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. It is
+   infinite if an argument is infinite; NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with the
+   half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. With the middle one of the
+   arguments as z all terms of DLMF 19.21.10 are positive. */
+VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
+{
+    const vm_real least = vmi_smaller(vmi_smaller(x, y), z), largest = vmi_larger(vmi_larger(x, y), z);
+    vm_real middle = vmi_larger(vmi_smaller(x, y), vmi_smaller(vmi_larger(x, y), z)), low, high, rf, rd;
+    vmi_carlson_scale by;
+    if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
+    if (!VM_IS_FINITE(largest)) return VM_INFINITY;
+    by = vmi_carlson_scale_of(largest);
+    if (middle == 0 || vmi_carlson_is_lost(by, middle)) return VM_SQRT(largest) / 2;
+    low = by.factor * least;
+    middle *= by.factor;
+    high = by.factor * largest;
+    rf = vmi_rf_rd(low, high, middle, &rd);
+    rd *= (high - middle) * (middle - low) * VM_C(0.3333333333333333333);
+    return (middle * rf + rd + VM_SQRT(low * high / middle)) / (2 * by.root);
+}
+
+#endif

@@ -1,0 +1,285 @@
+/* jacobi/incomplete.h - incomplete elliptic integrals F, E and Pi, and the complete one of the third kind
+
+     F(phi | m)     = integral from 0 to phi of dx/sqrt(1 - m sin^2 x), the inverse of the amplitude am(u | m)
+     E(phi | m)     = integral of sqrt(1 - m sin^2 x) dx
+     Pi(n; phi | m) = integral of dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)), where n is the characteristic
+   The angle phi is any number of radians, and m = k^2 <= 1. F is the time in which a pendulum reaches an angle, E the
+   length of an arc of an ellipse, Pi the precession of a spherical pendulum or a top.
+
+       vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
+
+   Method: phi is reduced to |theta| <= pi/2 by multiples of pi, where pi has three words; each of them adds twice the
+   complete integral. The rest is a sum of Carlson's integrals whose terms are all positive, so that no digits cancel.
+   Source: DLMF 19.2, 19.7, 19.25. Tests: tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_INCOMPLETE_H
+#define VARMASS_JACOBI_INCOMPLETE_H
+
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/sums.h"
+#include "../base/words.h"
+#include "carlson.h"
+#include "integrals.h"
+
+/* An angle as a multiple of pi and a rest theta, |theta| <= pi/2 */
+typedef struct VM_TAG(vmi_angle) {
+    vm_real turns; /* twice the multiple: the number of complete integrals in an incomplete one */
+    vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
+} vmi_angle;
+
+/* Reduces the finite angle phi. Where phi is so large that its digits say nothing about the rest, turns is 2 phi/pi
+   and theta is 0. */
+VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_real x = VM_FABS(phi), count = x * VM_C(0.6366197723675813431), j = VM_FLOOR(count + VM_C(0.5));
+    vm_two rest = vmi_two(x, 0);
+    vmi_angle angle;
+    vm_real sine, cosine;
+    angle.turns = 0;
+    if (j > 0) {
+        const vm_two p = vmi_two_product(j, half_pi.hi), sum = vmi_two_sum(x - p.hi, -p.lo);
+        rest = vmi_two_sum(sum.hi, sum.lo - j * half_pi.mid);
+        rest.lo -= j * half_pi.lo;
+        angle.turns = j;
+    }
+    if (!(j < VM_C(0.25) / VM_EPSILON)) {
+        angle.turns = count;
+        rest = vmi_two(0, 0);
+    }
+    vmi_sin_cos(rest, &sine, &cosine);
+    angle.s = sine;
+    angle.c = cosine;
+    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, towards 0 */
+        const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
+        angle.turns = j + side;
+        angle.s = -side * cosine;
+        angle.c = VM_FABS(sine);
+    }
+    if (phi < 0) {
+        angle.turns = -angle.turns;
+        angle.s = -angle.s;
+    }
+    return angle;
+}
+
+/* Is 1 if an integral from 0 to phi has no ordinary value: phi or m1 is infinite, or one of them is NaN, or m1 < 0 */
+VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
+{
+    return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
+}
+
+/* F(phi | m) for 1 - m = m1 + m1_lo */
+VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
+{
+    vmi_angle angle;
+    vm_real cc, ss, part;
+    if (vmi_incomplete_special(phi, m1)) {
+        if (!(m1 >= 0) || phi != phi) return VM_NAN;
+        if (VM_IS_FINITE(phi)) return 0 * phi; /* m is -infinity */
+        if (VM_IS_FINITE(m1)) return phi;
+        return VM_NAN;
+    }
+    angle = vmi_angle_of(phi);
+    cc = angle.c * angle.c;
+    ss = angle.s * angle.s;
+    part = angle.s * vmi_rf(cc, cc + m1 * ss, 1);
+    if (angle.turns == 0) return part;
+    return angle.turns * vmi_K(m1, m1_lo) + part;
+}
+
+/* F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1. It is the inverse of the amplitude, odd
+   in phi, and F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
+   infinite phi, 0 for m = -infinity, and NaN for m > 1 and where both are infinite. For m = 1 it is infinite beyond
+   pi/2. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
+VM_API vm_real jacobi_F(vm_real phi, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_F(phi, m1.hi, m1.lo);
+}
+
+/* F(phi | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_F; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
+
+/* E(theta | m) for |theta| <= pi/2, from the sine and the cosine of theta. m and m1 = 1 - m are given both, so that
+   each has its digits. There is one form for either sign of m, with positive terms only (DLMF 19.25.9-10). */
+VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
+{
+    const vm_real cc = c * c, ss = s * s, dd = cc + m1 * ss;
+    vm_real rf, rd;
+    if (m < 0) {
+        rf = vmi_rf_rd(cc, dd, 1, &rd);
+        return s * (rf - m * ss * rd * VM_C(0.3333333333333333333));
+    }
+    rf = vmi_rf_rd(cc, 1, dd, &rd);
+    return s * (m1 * (rf + m * ss * rd * VM_C(0.3333333333333333333)) + m * (c / VM_SQRT(dd)));
+}
+
+/* E(phi | m) for 1 - m = m1 + m1_lo */
+VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_lo)
+{
+    vmi_angle angle;
+    vm_real part;
+    if (vmi_incomplete_special(phi, m1)) {
+        if (!(m1 >= 0) || phi != phi) return VM_NAN;
+        if (phi == 0 || !VM_IS_FINITE(phi)) return phi;
+        return VM_COPYSIGN(VM_INFINITY, phi); /* m is -infinity */
+    }
+    angle = vmi_angle_of(phi);
+    part = vmi_E_part(angle.s, angle.c, m, m1);
+    if (angle.turns == 0) return part;
+    return angle.turns * vmi_E(m1, m1_lo) + part;
+}
+
+/* E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1. It is odd in phi, and E(phi + pi) =
+   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, infinity
+   with the sign of phi for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF 19.2.5. */
+VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_E_incomplete(phi, m, m1.hi, m1.lo);
+}
+
+/* E(phi | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_E_incomplete; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
+
+/* R_F, and weight R_J/3 to *third, for arguments of any size, of which the largest is `top`. Only the product of the
+   weight and R_J has to be within the range of the type. */
+VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
+                                  vm_real *third)
+{
+    vmi_carlson_scale by;
+    vm_real rf, rj;
+    if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
+        rf = vmi_rf_rj(x, y, z, p, &rj);
+        *third = weight * (rj * VM_C(0.3333333333333333333));
+        return rf;
+    }
+    by = vmi_carlson_scale_of(top);
+    rf = vmi_rf_rj(by.factor * x, by.factor * y, by.factor * z, by.factor * p, &rj);
+    *third = by.root * (by.root * weight) * (by.root * rj) * VM_C(0.3333333333333333333);
+    return by.root * rf;
+}
+
+/* Pi(n; theta | m) for |theta| <= pi/2, from the sine and the cosine of theta, with 1 - m = m1. With p = 1 - n s^2 and
+   d = 1 - m s^2 there are three cases, each a sum of positive terms, but for a term of the third with m > 0:
+     n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
+            1 - N s^2 = c^2 + s^2 m1/(1 - n);
+     0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
+     p < 0: m/n replaces n (DLMF 19.7.8), q = 1 - s^2 m/n, and R_C has its principal value. */
+VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m1)
+{
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, top = vmi_larger(d, 1);
+    vm_real p = cc + (1 - n) * ss, q, share, rf, third;
+    if (n < 0) {
+        p = 1 - n * ss;
+        share = m1 / (1 - n);
+        q = cc + share * ss;
+        rf = vmi_rf_rj_weighted(cc, d, 1, q, top, share * ss, &third);
+        return s * (rf / (1 - n) + n / (n - 1) * (c * vmi_rc(d, p * q) + third));
+    }
+    if (p > 0) {
+        rf = vmi_rf_rj_weighted(cc, d, 1, p, top, n * ss, &third);
+        return s * (rf + third);
+    }
+    if (p == 0) return VM_COPYSIGN(VM_INFINITY, s);
+    q = cc + ((n - 1) + m1) / n * ss;
+    vmi_rf_rj_weighted(cc, d, 1, q, top, m / n * ss, &third);
+    return s * (vmi_rc(cc * d, p * q) - third);
+}
+
+/* Pi(n | m), where m and m1 = 1 - m are given both. The cases are those of vmi_Pi_part for theta = pi/2. */
+VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
+{
+    const vm_real top = vmi_larger(m1, 1);
+    vm_real share, rf, third;
+    if (!(m1 >= 0) || n != n) return VM_NAN;
+    if (!VM_IS_FINITE(n) || !VM_IS_FINITE(m1)) {
+        if (VM_IS_FINITE(n) && n < 1) return 0; /* m is -infinity */
+        if (!VM_IS_FINITE(n) && VM_IS_FINITE(m1) && m1 > 0) return 0;
+        return VM_NAN;
+    }
+    if (n == 1) return VM_INFINITY;
+    if (m1 == 0) return VM_COPYSIGN(VM_INFINITY, 1 - n);
+    if (n < 0) {
+        share = m1 / (1 - n);
+        rf = vmi_rf_rj_weighted(0, m1, 1, share, top, share, &third);
+        return rf / (1 - n) + n / (n - 1) * third;
+    }
+    if (n < 1) {
+        rf = vmi_rf_rj_weighted(0, m1, 1, 1 - n, top, n, &third);
+        return rf + third;
+    }
+    vmi_rf_rj_weighted(0, m1, 1, ((n - 1) + m1) / n, top, m / n, &third);
+    return 0 - third;
+}
+
+/* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
+   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 it is Cauchy's principal value. It is infinite
+   for n = 1 and for m = 1, where its sign is that of 1 - n; 0 for infinite n, and for m = -infinity with n < 1; NaN
+   for m > 1. DLMF 19.2.8, 19.6.5. */
+VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
+
+/* Pi(n | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_Pi; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
+
+/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from the sine and the cosine of theta. With the
+   angle theta' for which tan theta tan theta' = 1/k' and N = (m - n)/(1 - n) this is the integral from 0 to theta' of
+   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: always for n
+   <= 0, and for n > 0 where theta is nearer to pi/2 than the larger part of the integral. */
+VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
+{
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, share = m1 / (1 - n);
+    vm_real rf, third;
+    *exact = n <= 0 || share * cc <= m1 * ss;
+    rf = vmi_rf_rj_weighted(m1 * ss, m1, d, m1 * ss + share * cc, vmi_larger(d, m1), n * share * cc, &third);
+    return c * (rf - third) / (1 - n);
+}
+
+/* Pi(n; phi | m), where m and m1 = 1 - m are given both. Between pi/2 and pi a difference 2 Pi(n | m) - Pi(theta)
+   would triple the errors, so that the complement is added to Pi(n | m) instead. */
+VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
+{
+    vmi_angle angle;
+    vm_real part;
+    if (vmi_incomplete_special(phi, m1) || !VM_IS_FINITE(n)) {
+        const vm_real complete = vmi_Pi(n, m, m1);
+        if (!(m1 >= 0) || phi != phi || n != n) return VM_NAN;
+        if (!VM_IS_FINITE(phi) && complete != 0) return VM_COPYSIGN(phi, phi * complete);
+        if (VM_IS_FINITE(phi) && (complete == 0 || m1 == 0)) return 0 * phi;
+        return VM_NAN;
+    }
+    angle = vmi_angle_of(phi);
+    if (VM_FABS(angle.turns) == 2 && angle.s * angle.turns < 0 && n < 1 && m1 > 0) {
+        const vm_real half = vmi_Pi(n, m, m1);
+        int exact;
+        part = vmi_Pi_complement(VM_FABS(angle.s), angle.c, n, m1, &exact);
+        if (exact) return VM_COPYSIGN(half + part, phi);
+    }
+    part = vmi_Pi_part(angle.s, angle.c, n, m, m1);
+    if (angle.turns == 0) return part;
+    return angle.turns * vmi_Pi(n, m, m1) + part;
+}
+
+/* Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1. The characteristic n is any number.
+   Pi is odd in phi, and Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
+   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 it has poles where n sin^2 phi = 1, and is Cauchy's
+   principal value beyond; its error is then at most 16 eps of the larger of |F| and |Pi|, plus the change that 4 ulp
+   of n make. The limits at infinity are 0 for infinite n and for m = -infinity; NaN for m > 1. docs/cost.md has the
+   time. DLMF 19.2.7. */
+VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
+{
+    return vmi_Pi_incomplete(phi, n, m, 1 - m);
+}
+
+/* Pi(n; phi | m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_Pi_incomplete; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
+{
+    return vmi_Pi_incomplete(phi, n, 1 - m1, m1);
+}
+
+#endif

@@ -1,0 +1,98 @@
+/* jacobi/inverse.h - the inverses of sn, cn and dn
+
+   Each returns the u that is nearest to 0 among those at which the function has the value x, for cn and dn the positive
+   one. The other solutions follow from the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m),
+   which jacobi_F computes.
+
+       vm_real u = jacobi_inverse_cn(VM_C(0.3), VM_C(0.5)); // cn(u | 0.5) = 0.3
+
+   Equations: DLMF 22.15, 19.25.31. Tests: tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_INVERSE_H
+#define VARMASS_JACOBI_INVERSE_H
+
+#include "../base/real.h"
+#include "../base/sums.h"
+#include "../base/words.h"
+#include "carlson.h"
+#include "integrals.h"
+
+/* The inverse of sn for 1 - m = m1. 1 - x^2 is computed as a product, so that it keeps its digits. */
+VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
+{
+    const vm_real cc = (1 - x) * (1 + x);
+    if (!(VM_FABS(x) <= 1) || !(m1 >= 0)) return VM_NAN;
+    if (!VM_IS_FINITE(m1)) return 0 * x;
+    if (cc == 0 && m1 == 0) return x * VM_INFINITY;
+    return x * vmi_rf(cc, cc + m1 * (x * x), 1);
+}
+
+/* The inverse of sn: u with sn(u | m) = x and |u| <= K, for |x| <= 1 and m <= 1. It is odd in x. The error is at most
+   8 ulp. For m = 1 it is the inverse of tanh, infinite for |x| = 1. Returns 0 for m = -infinity, and NaN for |x| > 1
+   and m > 1. DLMF 22.15.12. */
+VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x, 1 - m); }
+
+/* The inverse of sn from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_inverse_sn; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
+
+/* The inverse of cn for 1 - m = m1 + m1_lo. For x < 0 it is 2 K minus the inverse at |x|, which is at most K. */
+VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
+{
+    const vm_real ss = (1 - x) * (1 + x), cc = x * x;
+    vm_real u;
+    if (!(VM_FABS(x) <= 1) || !(m1 >= 0)) return VM_NAN;
+    if (!VM_IS_FINITE(m1)) return 0;
+    if (m1 == 0 && x == 0) return VM_INFINITY;
+    if (m1 == 0 && x < 0) return VM_NAN;
+    u = VM_SQRT(ss) * vmi_rf(cc, cc + m1 * ss, 1);
+    if (x < 0) return 2 * vmi_K(m1, m1_lo) - u;
+    return u;
+}
+
+/* The inverse of cn: u with cn(u | m) = x and 0 <= u <= 2K, for |x| <= 1 and m <= 1. The error is at most 8 ulp. For
+   m = 1 it is the inverse of 1/cosh, infinite for x = 0 and NaN for x < 0. Returns 0 for m = -infinity, and NaN for
+   |x| > 1 and m > 1. DLMF 22.15.13. */
+VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_inverse_cn(x, m1.hi, m1.lo);
+}
+
+/* The inverse of cn from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_inverse_cn; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
+
+/* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1. The
+   latter is formed from the exact square of x. It may be negative if x is k' after rounding; then c is taken as 0. */
+VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
+{
+    const vm_real bound = VM_SQRT(m1);
+    const vm_two square = vmi_two_product(x, x);
+    vm_real ss, cc;
+    if (!(x >= vmi_smaller(bound, 1) && x <= vmi_larger(bound, 1)) || !(m1 >= 0)) return VM_NAN;
+    if (x == 1) return 0;
+    if (m1 == 0 && x == 0) return VM_INFINITY;
+    ss = (1 - x) * (1 + x) / m;
+    cc = vmi_larger(((square.hi - m1) + (square.lo - m1_lo)) / m, 0);
+    return VM_SQRT(ss) * vmi_rf(cc, square.hi, 1);
+}
+
+/* The inverse of dn: u with dn(u | m) = x and 0 <= u <= K, for x between 1 and sqrt(1 - m), m <= 1. The error is at
+   most 8 ulp. For m = 1 it is the inverse of 1/cosh, infinite for x = 0. Returns NaN for m > 1 and where dn has no such
+   value; for m = 0 dn is 1 everywhere, and u is 0. DLMF 22.15.14. */
+VM_API vm_real jacobi_inverse_dn(vm_real x, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    if (!VM_IS_FINITE(m)) return VM_NAN;
+    return vmi_inverse_dn(x, m, m1.hi, m1.lo);
+}
+
+/* The inverse of dn from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_inverse_dn; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
+{
+    if (!VM_IS_FINITE(m1)) return VM_NAN;
+    return vmi_inverse_dn(x, 1 - m1, m1, 0);
+}
+
+#endif

@@ -1,0 +1,312 @@
+/* oscillators/duffing.h - Duffing's oscillator, with the elastic force k1 x + k3 x^3
+
+   With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is
+   written with Jacobi's functions, for each sign of the coefficients:
+     c1 >= 0, c3 >= 0   hardening spring: every motion is a vibration around 0, x = A cn
+     c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away
+     c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
+                        them, x = A dn; the separatrix x = A/cosh between them has an infinite period
+       vm_real x, v;
+       vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
+       vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
+   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h.
+   Guide: docs/duffing.md. Tests: tests/test_duffing.c. */
+#ifndef VARMASS_OSCILLATORS_DUFFING_H
+#define VARMASS_OSCILLATORS_DUFFING_H
+
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "../base/sums.h"
+#include "../base/words.h"
+#include "../jacobi/functions.h"
+#include "../jacobi/integrals.h"
+#include "../jacobi/means.h"
+#include "../jacobi/third_kind.h"
+#include "odd_force.h"
+
+/* -- The orbit through a state -- */
+
+/* k1 x + k3 x^3 */
+VM_API int vmi_duffing_at(const vm_odd_force *force, vm_real x, vm_real *f)
+{
+    *f = x * (force->k1 + force->k3 * (x * x));
+    return VM_IS_FINITE(*f) ? VM_OK : VM_NOT_FINITE;
+}
+
+/* By how much the square of the amplitude is larger than x^2. The number d solves c3 d^2/2 + slope d = v^2, where
+   slope = c1 + c3 x^2. Returns NaN for a motion that runs away. */
+VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
+{
+    const vm_real root = VM_SQRT(slope * slope + 2 * c3 * (v * v));
+    if (v == 0 && slope >= 0) return 0;
+    if (slope >= 0) return 2 * (v * v) / (slope + root);
+    if (c3 > 0) return (root - slope) / c3;
+    return VM_NAN;
+}
+
+/* The size and place of the orbit through (x, v). In two wells the orbit is an inner one if its energy is below that
+   of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
+VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
+{
+    const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
+    const vm_real twice_energy = v * v + (x * x) * (k1 + k3 * (x * x) / 2);
+    vm_real above;
+    orbit->force = force;
+    orbit->place = VMI_ORBIT_AROUND_0;
+    if (k1 < 0 && k3 > 0 && twice_energy <= 0) {
+        const vm_real to_rest = slope / k3; /* x^2 minus its value at rest in the well */
+        orbit->size = VM_SQRT(to_rest * to_rest + 2 * (v * v) / k3);
+        if (x > 0) orbit->place = VMI_ORBIT_RIGHT;
+        if (x < 0) orbit->place = VMI_ORBIT_LEFT;
+        if (x == 0) orbit->size = 0; /* rest between the wells */
+        return VM_OK;
+    }
+    orbit->size = 0;
+    if (x == 0 && v == 0) return VM_OK;
+    above = vmi_duffing_above(k3, slope, v);
+    if (!(above >= 0) || !VM_IS_FINITE(above)) return VM_NO_LAW;
+    orbit->size = VM_FABS(x);
+    if (above > 0) orbit->size = VM_SQRT(x * x + above);
+    return VM_OK;
+}
+
+/* -- The shape of an orbit -- */
+
+/* Completes an orbit around 0: x = A cn(lambda t | m) with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3
+   A^2/2)/lambda^2. For c3 < 0 the parameter m is negative. */
+VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, square = orbit->size * orbit->size;
+    const vm_real lambda2 = k1 + k3 * square;
+    const vm_real m1 = (k1 + k3 * square / 2) / lambda2, m = k3 * square / (2 * lambda2);
+    vm_real C2, C4, C6;
+    if (!(lambda2 > 0) || !(m1 > 0)) return VM_NO_LAW;
+    jacobi_cn_means(m, &C2, &C4, &C6);
+    orbit->span = VM_PI / 2;
+    orbit->lambda = VM_SQRT(lambda2);
+    orbit->m1 = m1;
+    orbit->w = VM_PI / 2 * orbit->lambda / jacobi_K_m1(m1);
+    orbit->j = square * lambda2 * (m1 * (1 - C2) + m * (C2 - C4)) / orbit->w;
+    orbit->energy_slope = orbit->size * lambda2;
+    orbit->swing = orbit->size;
+    orbit->vmax = orbit->size * VM_SQRT(k1 + k3 * square / 2);
+    if (k1 < 0) orbit->vmax = lambda2 / VM_SQRT(2 * k3); /* at x^2 = -k1/k3, where the force is 0 */
+    return VM_OK;
+}
+
+/* Completes an orbit in a well, at rest^2 = -c1/c3: x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3
+   A^2/2 and 1 - m = (rest^2 - size)/A^2. */
+VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
+{
+    const vm_real k3 = orbit->force->k3, rest = -orbit->force->k1 / k3, size = orbit->size;
+    const vm_real A = VM_SQRT(rest + size), B = VM_SQRT(vmi_larger(rest - size, 0));
+    const vm_real m1 = (rest - size) / (rest + size), m = 2 * size / (rest + size);
+    vm_real C2, C4, C6;
+    if (!(m1 > 0)) return VM_NO_LAW;
+    jacobi_cn_means(m, &C2, &C4, &C6);
+    orbit->span = VM_PI;
+    orbit->lambda = A * VM_SQRT(k3 / 2);
+    orbit->m1 = m1;
+    orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
+    orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, over w */
+    orbit->energy_slope = k3 * size / 2;
+    orbit->swing = size / (A + B); /* (A - B)/2 */
+    orbit->vmax = size * VM_SQRT(k3 / 2);
+    return VM_OK;
+}
+
+/* Completes an orbit of size > 0. Returns VM_NO_LAW on a separatrix and where the motion runs away. */
+VM_API int vmi_duffing_complete(vmi_orbit *orbit)
+{
+    int status;
+    if (orbit->place == VMI_ORBIT_AROUND_0) status = vmi_duffing_complete_outer(orbit);
+    else status = vmi_duffing_complete_inner(orbit);
+    if (!status && !(orbit->w > 0 && VM_IS_FINITE(orbit->w) && VM_IS_FINITE(orbit->j))) status = VM_NO_LAW;
+    return status;
+}
+
+/* The point at theta: around 0, x = A cos(theta); in a well, x^2 = rest^2 + size cos(2 theta) */
+VM_API void vmi_duffing_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size;
+    vm_real sine, cosine;
+    vmi_sincos(theta, &sine, &cosine);
+    if (orbit->place == VMI_ORBIT_AROUND_0) {
+        const vm_real share = 1 + cosine * cosine, g = k1 + k3 * (size * size) * share / 2;
+        point->x = size * cosine;
+        point->v = -size * sine * VM_SQRT(g);
+        point->x_size = cosine;
+        point->slowness = 1 / VM_SQRT(g);
+        point->slowness_size = -point->slowness * (k3 * size * share / (2 * g));
+    } else {
+        const vm_real cosine2 = 1 - 2 * sine * sine, x = VM_SQRT(-k1 / k3 + size * cosine2), root = VM_SQRT(k3 / 2);
+        point->x = x;
+        point->v = -2 * size * sine * cosine * root;
+        point->x_size = cosine2 / (2 * x);
+        point->slowness = 1 / (x * root);
+        point->slowness_size = -point->slowness * point->x_size / x;
+    }
+}
+
+/* The incomplete integral F = u of the first kind, from s2 = sn^2(u), c2 = cn^2(u) and d2 = dn^2(u), 0 <= u <= K */
+VM_API vm_real vmi_duffing_argument(vm_real s2, vm_real c2, vm_real d2)
+{
+    return VM_SQRT(s2) * vmi_carlson_rf(vmi_two(c2, 0), vmi_two(d2, 0), vmi_two(1, 0)).hi;
+}
+
+/* The argument u of Jacobi's functions at a state of a complete orbit */
+VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_real v)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1;
+    vm_real s2, c2, u;
+    if (orbit->place == VMI_ORBIT_AROUND_0) {
+        const vm_real g = k1 + k3 * (x * x + size * size) / 2; /* v^2 = g (A^2 - x^2) */
+        c2 = vmi_smaller(x * x / (size * size), 1);
+        s2 = vmi_smaller(v * v / (g * (size * size)), 1);
+    } else {
+        const vm_real cosine = vmi_clamp((x * x + k1 / k3) / size, -1, 1); /* of the angle 2 theta */
+        const vm_real sine = v / (size * VM_SQRT(k3 / 2)), angle = vmi_atan2(VM_FABS(sine), cosine) / 2;
+        vm_real s, c;
+        vmi_sincos(angle, &s, &c);
+        s2 = s * s;
+        c2 = c * c;
+    }
+    u = vmi_duffing_argument(s2, c2, c2 + m1 * s2);
+    if (orbit->place == VMI_ORBIT_AROUND_0 && x < 0) u = 2 * jacobi_K_m1(m1) - u;
+    if (v * (orbit->place == VMI_ORBIT_LEFT ? -1 : 1) > 0) u = -u;
+    return u;
+}
+
+/* The state at the argument u of Jacobi's functions */
+VM_API void vmi_duffing_at_argument(const vmi_orbit *orbit, vm_real u, vm_real *x, vm_real *v)
+{
+    vm_real sn, cn, dn;
+    jacobi_sncndn_m1(u, orbit->m1, &sn, &cn, &dn);
+    if (orbit->place == VMI_ORBIT_AROUND_0) {
+        *x = orbit->size * cn;
+        *v = -orbit->size * orbit->lambda * (sn * dn);
+    } else {
+        const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
+        const vm_real A = (vm_real)orbit->place * VM_SQRT(orbit->size - k1 / k3);
+        *x = A * dn;
+        *v = -(vm_real)orbit->place * orbit->size * VM_SQRT(2 * k3) * (sn * cn);
+    }
+}
+
+/* The phase of a state on a complete orbit */
+VM_API int vmi_duffing_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
+{
+    *phi = vmi_duffing_argument_of(orbit, x, v) * (orbit->w / orbit->lambda);
+    return VM_OK;
+}
+
+/* The state at a phase */
+VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v)
+{
+    vmi_duffing_at_argument(orbit, phi * (orbit->lambda / orbit->w), x, v);
+    return VM_OK;
+}
+
+/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but not both may be negative or 0: then
+   nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
+VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
+{
+    vm_odd_force force = vm_odd_force_user(NULL, NULL);
+    force.k1 = k1;
+    force.k3 = k3;
+    force.at = vmi_duffing_at;
+    force.orbit_through = vmi_duffing_through;
+    force.complete = vmi_duffing_complete;
+    force.point = vmi_duffing_point;
+    force.phase = vmi_duffing_phase;
+    force.at_phase = vmi_duffing_at_phase;
+    return force;
+}
+
+/* -- Constant mass: functions of numbers -- */
+
+/* Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2.
+   It is conserved. Returns NaN for infinite arguments. */
+VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
+{
+    if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
+    return v * v / 2 + (x * x) * (c1 / 2 + c3 * (x * x) / 4);
+}
+
+/* Whether a state lies on the separatrix x = A/cosh, which goes out from x = 0 and comes back in infinite time */
+VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
+    if (!(k1 < 0) || !(k3 > 0) || orbit->size == 0) return 0;
+    if (orbit->place == VMI_ORBIT_AROUND_0) return k1 + k3 * (orbit->size * orbit->size) / 2 == 0;
+    return orbit->size == -k1 / k3;
+}
+
+/* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
+   A motion in one of two wells is one vibration there. The period is infinite on the separatrix. The relative error is
+   at most 8 eps where no terms of c1 + c3 x0^2 and c1 + c3 x0^2/2 cancel. Returns NaN where the motion runs away, at
+   x0 = 0, and for infinite arguments. */
+VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
+{
+    const vm_odd_force force = vm_duffing_force(c1, c3);
+    vmi_orbit orbit;
+    if (!VM_IS_FINITE(x0) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
+    if (vmi_duffing_through(&force, x0, 0, &orbit) || orbit.size == 0) return VM_NAN;
+    if (vmi_duffing_is_separatrix(&orbit)) return VM_INFINITY;
+    if (vmi_duffing_complete(&orbit)) return VM_NAN;
+    return 2 * VM_PI / orbit.w;
+}
+
+/* Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
+   It is the integral of v dx over a period, divided by 2 pi; a slow change keeps it constant. Domain and accuracy are
+   those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
+VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
+{
+    const vm_odd_force force = vm_duffing_force(c1, c3);
+    if (!VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
+    return vm_odd_action(&force, x0);
+}
+
+/* The motion x = A/cosh(lambda t) on the separatrix, with A^2 = -2 c1/c3 and lambda^2 = -c1 */
+VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x,
+                                      vm_real *v)
+{
+    const vm_real A = VM_COPYSIGN(VM_SQRT(-2 * c1 / c3), x0), lambda = VM_SQRT(-c1);
+    const vm_real tanh0 = -v0 / (lambda * x0), cosh0 = A / x0;
+    vm_real tanh_t, sech_t, unused, both;
+    jacobi_sncndn_m1(lambda * t, 0, &tanh_t, &sech_t, &unused);
+    both = 1 + tanh0 * tanh_t; /* cosh(a + b) = cosh a cosh b (1 + tanh a tanh b) */
+    *x = A * sech_t / (cosh0 * both);
+    *v = -lambda * *x * ((tanh0 + tanh_t) / both);
+}
+
+/* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
+   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
+   of the amplitude and of the largest velocity, times 1 + t/period, where no terms of c1 + c3 A^2 and c1 + c3 A^2/2
+   cancel at the amplitude A. Writes NaN where the motion runs away and for infinite arguments, and nothing where an
+   output is null. Equations: DLMF 22.19(ii). */
+VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
+{
+    if (!x || !v) return;
+    const vm_odd_force force = vm_duffing_force(c1, c3);
+    vmi_orbit orbit;
+    *x = VM_NAN;
+    *v = VM_NAN;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(x0) || !VM_IS_FINITE(v0) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return;
+    if (vmi_duffing_through(&force, x0, v0, &orbit)) return;
+    if (orbit.size == 0) {
+        *x = x0;
+        *v = v0;
+    } else if (vmi_duffing_is_separatrix(&orbit) && x0 != 0) {
+        vmi_duffing_on_separatrix(t, x0, v0, c1, c3, x, v);
+    } else if (!vmi_duffing_complete(&orbit)) {
+        vmi_duffing_at_argument(&orbit, vmi_duffing_argument_of(&orbit, x0, v0) + orbit.lambda * t, x, v);
+    }
+    if (VM_IS_FINITE(*x) && VM_IS_FINITE(*v)) return;
+    *x = VM_NAN; /* a number has overflowed */
+    *v = VM_NAN;
+}
+
+#endif

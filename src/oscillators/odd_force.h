@@ -1,0 +1,544 @@
+/* oscillators/odd_force.h - vibration under an odd elastic force of any form, with constant mass
+
+   The equation is x'' + F(x) = 0, where F is odd and force per unit mass: x + x^3, sin x, tanh x, or a function of
+   the user. A vm_odd_force holds F. Its constructors are vm_odd_force_user here and vm_duffing_force in
+   oscillators/duffing.h.
+   At an amplitude A one quadrature gives the period, the action and x(t):
+       vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
+       vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
+   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g), where g is the mean of F(x)/x over
+   the squares between x^2 and A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit is the
+   motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of v dx
+   over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
+   Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
+#define VARMASS_OSCILLATORS_ODD_FORCE_H
+
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "../base/zero.h"
+#include "legendre.h"
+
+/* -- The force and its orbits -- */
+
+/* A user's odd function: writes F(x) for x >= 0 to *f and returns 0, or another number where it fails. F must be
+   smooth for x >= 0; at x = 0 it may have a kink, as x|x| does. */
+typedef int (*vm_odd_function)(vm_real x, vm_real *f, void *ctx);
+
+typedef struct VM_TAG(vmi_orbit) vmi_orbit;
+typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
+
+/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions
+   of this header and to the user's function and ctx, which must outlive it. */
+typedef struct VM_TAG(vm_odd_force) vm_odd_force;
+struct VM_TAG(vm_odd_force) {
+    vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
+    vm_odd_function function; /* the user's function; else null */
+    void *ctx;                /* the user's pointer, last argument of function */
+    /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
+    int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* F(x) for any x; null if this is no force */
+    /* Writes the size and the place of the orbit through a state. */
+    int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
+    /* Computes all other fields of an orbit from its size and place. */
+    int (*complete)(vmi_orbit *orbit);
+    /* Writes a point of a complete orbit, the phase of a state on it, and the state at a phase. */
+    void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point);
+    int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);
+    int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v);
+};
+
+/* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
+enum { VMI_ORBIT_AROUND_0 = 0, VMI_ORBIT_RIGHT = 1, VMI_ORBIT_LEFT = -1 };
+
+/* The largest number of equal parts of 0 <= theta <= pi/2, and of equal pieces of 0 <= x <= A */
+enum { VMI_ORBIT_PARTS = 8, VMI_ORBIT_NODES = VMI_ORBIT_PARTS * VMI_GAUSS };
+
+/* An orbit of x'' + F(x) = 0 */
+struct VM_TAG(vmi_orbit) {
+    const vm_odd_force *force;
+    vm_real size;              /* amplitude, m, if the orbit lies around 0; else half the difference of the largest and
+                                  the smallest x^2, m^2 */
+    int place;                 /* VMI_ORBIT_... */
+    vm_real span;              /* the phase between theta = 0 and theta = pi/2: pi/2 around 0, else pi */
+    vm_real w, j;              /* rate of the phase, 1/s, and action */
+    vm_real energy_slope;      /* derivative of the energy by `size` */
+    vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
+    vm_real lambda, m1;        /* of Duffing's force: rate of the argument of Jacobi's functions, and their 1 - k^2 */
+    int pieces;                /* of other forces: equal pieces of 0 ... `size`, on each of which F is a series */
+    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* of other forces: Legendre series of F on the pieces */
+    vm_real above[VMI_ORBIT_PARTS];             /* of other forces: integral of F from the end of a piece to `size` */
+};
+
+/* A point of an orbit, 0 <= theta <= pi/2; theta = 0 is the turning point with the largest |x|. x is positive. */
+struct VM_TAG(vmi_orbit_point) {
+    vm_real x, v;          /* position and velocity */
+    vm_real slowness;      /* dt/dtheta */
+    vm_real x_size;        /* derivative of x by the orbit's size, at fixed theta */
+    vm_real slowness_size; /* derivative of the slowness by the orbit's size, at fixed theta */
+};
+
+/* The largest |x| on a complete orbit, m */
+VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
+{
+    if (orbit->place == VMI_ORBIT_AROUND_0) return orbit->size;
+    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2, as size = (A^2 - B^2)/2 */
+}
+
+/* -- Integrals over theta -- */
+
+/* A function of theta as Legendre series on `parts` equal parts of 0 ... pi/2, and its integral */
+typedef struct VM_TAG(vmi_orbit_sum) {
+    int parts;
+    vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS];
+    vm_real start[VMI_ORBIT_PARTS + 1]; /* the integral from 0 to the start of each part; the last one is the whole */
+} vmi_orbit_sum;
+
+/* The angle theta of node i, if there are `parts` equal parts with 20 nodes each */
+VM_API vm_real vmi_orbit_node(int parts, int i)
+{
+    const vm_real in_part = (1 + vmi_gauss_node(i % VMI_GAUSS)) / 2;
+    return VM_PI / 2 * (((vm_real)(i / VMI_GAUSS) + in_part) / (vm_real)parts);
+}
+
+/* Makes the sums of two functions from their values at the nodes. */
+VM_API void vmi_orbit_sums(int parts, const vm_real *values_a, const vm_real *values_b, vmi_orbit_sum *a,
+                           vmi_orbit_sum *b)
+{
+    const vm_real width = VM_PI / 2 / (vm_real)parts;
+    int i;
+    a->parts = parts;
+    b->parts = parts;
+    a->start[0] = 0;
+    b->start[0] = 0;
+    for (i = 0; i < parts; i++) {
+        vmi_legendre_fit(values_a + i * VMI_GAUSS, values_b + i * VMI_GAUSS, a->series[i], b->series[i]);
+        a->start[i + 1] = a->start[i] + width * a->series[i][0];
+        b->start[i + 1] = b->start[i] + width * b->series[i][0];
+    }
+}
+
+/* The integral from 0 to pi/2 */
+VM_API vm_real vmi_orbit_whole(const vmi_orbit_sum *sum) { return sum->start[sum->parts]; }
+
+/* The part that holds theta, 0 <= theta <= pi/2. Writes the place of theta in it, from -1 to 1. */
+VM_API int vmi_orbit_part(const vmi_orbit_sum *sum, vm_real theta, vm_real *place)
+{
+    const vm_real parts_before = theta / (VM_PI / 2) * (vm_real)sum->parts;
+    int part = (int)VM_FLOOR(parts_before);
+    if (part >= sum->parts) part = sum->parts - 1;
+    if (part < 0) part = 0;
+    *place = 2 * (parts_before - (vm_real)part) - 1;
+    return part;
+}
+
+/* The integral from 0 to theta, 0 <= theta <= pi/2 */
+VM_API vm_real vmi_orbit_sum_to(const vmi_orbit_sum *sum, vm_real theta)
+{
+    vm_real place;
+    const int part = vmi_orbit_part(sum, theta, &place);
+    const vm_real half = VM_PI / 4 / (vm_real)sum->parts;
+    return sum->start[part] + half * vmi_legendre_integral(sum->series[part], place);
+}
+
+/* The value of the function at theta, 0 <= theta <= pi/2 */
+VM_API vm_real vmi_orbit_value(const vmi_orbit_sum *sum, vm_real theta)
+{
+    vm_real place;
+    const int part = vmi_orbit_part(sum, theta, &place);
+    return vmi_legendre_at(sum->series[part], place);
+}
+
+/* The size of the terms that the series leave out, relative to the mean of the function */
+VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
+{
+    vm_real largest = 0;
+    int i;
+    for (i = 0; i < sum->parts; i++) {
+        const vm_real tail = vmi_legendre_tail(sum->series[i]);
+        if (!(tail <= largest)) largest = tail;
+    }
+    return largest / (vmi_orbit_whole(sum) / (VM_PI / 2));
+}
+
+/* The theta at which the integral of a positive function from 0 is `target`, between 0 and its whole integral.
+   Newton's method, with bisection where a step leaves the interval in which the solution lies. */
+VM_API vm_real vmi_orbit_theta(const vmi_orbit_sum *sum, vm_real target)
+{
+    const int most = 64;
+    vm_real low = 0, high = VM_PI / 2, theta = VM_PI / 2 * (target / vmi_orbit_whole(sum));
+    int i;
+    if (!(target > 0)) return 0;
+    if (!(target < vmi_orbit_whole(sum))) return VM_PI / 2;
+    for (i = 0; i < most; i++) {
+        const vm_real rest = vmi_orbit_sum_to(sum, theta) - target;
+        vm_real next = theta - rest / vmi_orbit_value(sum, theta);
+        if (rest > 0) high = theta;
+        else low = theta;
+        if (!(next > low && next < high)) next = low + (high - low) / 2;
+        if (VM_FABS(next - theta) <= VM_EPSILON * theta) return next;
+        theta = next;
+    }
+    return theta;
+}
+
+/* -- A phase, brought to the part of an orbit that repeats -- */
+
+/* A phase on the part 0 ... span, of which all other parts are mirror images */
+typedef struct VM_TAG(vmi_orbit_folded) {
+    vm_real phi;  /* between 0 and the orbit's span */
+    vm_real sign; /* -1 where the phase is a mirror image, so that odd functions change their sign; else 1 */
+    vm_real side; /* -1 where x has the other sign than at phase 0; else 1 */
+} vmi_orbit_folded;
+
+/* Folds a phase of any size. */
+VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
+{
+    vmi_orbit_folded f;
+    const vm_real turn = 2 * orbit->span, turns = VM_FLOOR(phi / turn + VM_C(0.5));
+    const vm_real rest = phi - turn * turns;
+    f.sign = rest < 0 ? -1 : 1;
+    f.phi = vmi_smaller(VM_FABS(rest), orbit->span);
+    f.side = 1;
+    if (orbit->place == VMI_ORBIT_LEFT) f.side = -1;
+    if (orbit->place == VMI_ORBIT_AROUND_0 && turns != 2 * VM_FLOOR(turns / 2)) f.side = -1;
+    return f;
+}
+
+/* The derivative dt/dtheta at all nodes, and its derivative by the orbit's size. Doubles the number of parts until the
+   series leave out no more than `enough`, as far as VMI_ORBIT_PARTS allows. */
+VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_sum *time, vmi_orbit_sum *time_size)
+{
+    vm_real slowness[VMI_ORBIT_NODES], by_size[VMI_ORBIT_NODES];
+    int i, parts;
+    for (parts = 1; parts <= VMI_ORBIT_PARTS; parts *= 2) {
+        for (i = 0; i < parts * VMI_GAUSS; i++) {
+            vmi_orbit_point point;
+            orbit->force->point(orbit, vmi_orbit_node(parts, i), &point);
+            slowness[i] = point.slowness;
+            by_size[i] = point.slowness_size;
+        }
+        vmi_orbit_sums(parts, slowness, by_size, time, time_size);
+        if (vmi_orbit_tail(time) <= enough) break;
+    }
+}
+
+/* -- Forces by a user's function -- */
+
+/* F(x) for any x. Returns VM_DOMAIN where the user's function fails, VM_NOT_FINITE where F is not finite. */
+VM_API int vmi_odd_user_at(const vm_odd_force *force, vm_real x, vm_real *f)
+{
+    *f = 0;
+    if (x == 0) return VM_OK;
+    if (force->function(VM_FABS(x), f, force->ctx)) return VM_DOMAIN;
+    if (!VM_IS_FINITE(*f)) return VM_NOT_FINITE;
+    if (x < 0) *f = -*f;
+    return VM_OK;
+}
+
+/* F at one point of an orbit, and two means up to the amplitude A, or up to the end of a piece */
+typedef struct VM_TAG(vmi_odd_forces) {
+    vm_real f;     /* F(x) */
+    vm_real mean;  /* mean of F between x and the end */
+    vm_real slope; /* (F(end) - F(x))/(end - x) */
+} vmi_odd_forces;
+
+/* Sums of the Legendre series of F on a piece of the length 2 half, at y between -1 and 1, where 1 is the piece's end.
+   With D_k = (1 - P_k(y))/(1 - y) no difference of close numbers occurs near the end. */
+VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_real half)
+{
+    vm_real before = 0, now = 1, D_before = 0, D = 0;
+    vmi_odd_forces r = {0, 0, 0};
+    int k;
+    for (k = 0; k < VMI_GAUSS; k++) {
+        const vm_real next = vmi_legendre_next(k, y, now, before);
+        const vm_real D_next = ((vm_real)(2 * k + 1) * (1 + y * D) - (vm_real)k * D_before) / (vm_real)(k + 1);
+        r.f += series[k] * now;
+        r.mean += series[k] * (D_next - D_before) / (vm_real)(2 * k + 1);
+        r.slope += series[k] * D;
+        before = now;
+        now = next;
+        D_before = D;
+        D = D_next;
+    }
+    r.slope /= half;
+    return r;
+}
+
+/* F and its means between x = share A and the amplitude A, 0 <= share <= 1 */
+VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
+{
+    const vm_real A = orbit->size, half = A / (2 * (vm_real)orbit->pieces);
+    int piece = (int)(share * (vm_real)orbit->pieces);
+    vm_real y, rest;
+    vmi_odd_forces r;
+    if (piece >= orbit->pieces) piece = orbit->pieces - 1;
+    y = 2 * (share * (vm_real)orbit->pieces - (vm_real)piece) - 1;
+    r = vmi_odd_user_sums(orbit->series[piece], y, half);
+    if (piece == orbit->pieces - 1) return r;
+    rest = A * (1 - share);
+    r.mean = (r.mean * (half * (1 - y)) + orbit->above[piece]) / rest;
+    r.slope = (orbit->energy_slope - r.f) / rest;
+    return r;
+}
+
+/* The point at theta. Between x and the amplitude A, F has the mean g (A + x)/2. */
+VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
+{
+    const vm_real A = orbit->size;
+    vm_real sine, cosine, g, g_size;
+    vmi_odd_forces r;
+    vmi_sincos(theta, &sine, &cosine);
+    r = vmi_odd_user_forces(orbit, vmi_larger(cosine, 0));
+    g = 2 * r.mean / (A * (1 + cosine));
+    g_size = (2 * (A * r.slope + r.f) / (A * (1 + cosine)) - 2 * g) / A;
+    point->x = A * cosine;
+    point->v = -A * sine * VM_SQRT(g);
+    point->slowness = 1 / VM_SQRT(g);
+    point->x_size = cosine;
+    point->slowness_size = -point->slowness * (g_size / (2 * g));
+}
+
+/* Fits the series of F on this number of pieces of 0 ... A. Writes the size of the terms that they leave out, relative
+   to the root mean square of F. */
+VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
+{
+    const vm_real length = orbit->size / (vm_real)pieces;
+    vm_real values[VMI_GAUSS], same[VMI_GAUSS], square = 0, largest = 0;
+    int i, k;
+    orbit->pieces = pieces;
+    orbit->above[pieces - 1] = 0;
+    orbit->energy_slope = 0;
+    for (k = pieces - 1; k >= 0; k--) {
+        for (i = 0; i < VMI_GAUSS; i++) {
+            const vm_real x = length * ((vm_real)k + (1 + vmi_gauss_node(i)) / 2);
+            const int status = vmi_odd_user_at(orbit->force, x, &values[i]);
+            if (status) return status;
+        }
+        vmi_legendre_fit(values, values, orbit->series[k], same);
+        square += vmi_legendre_square(orbit->series[k]) / (vm_real)pieces;
+        largest = vmi_larger(vmi_legendre_tail(orbit->series[k]), largest);
+        if (k > 0) orbit->above[k - 1] = orbit->above[k] + length * orbit->series[k][0];
+    }
+    for (i = 0; i < VMI_GAUSS; i++) orbit->energy_slope += orbit->series[pieces - 1][i];
+    *tail = largest / VM_SQRT(square);
+    return VM_OK;
+}
+
+/* Fits series of F between 0 and the orbit's amplitude, on as few pieces as are enough. Returns VM_NO_LAW if F is not
+   smooth enough for them. */
+VM_API int vmi_odd_user_series(vmi_orbit *orbit)
+{
+    const vm_real enough = 64 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-5);
+    vm_real tail = 0;
+    int pieces;
+    for (pieces = 1; pieces <= VMI_ORBIT_PARTS; pieces *= 2) {
+        const int status = vmi_odd_user_fit(orbit, pieces, &tail);
+        if (status) return status;
+        if (tail <= enough) break;
+    }
+    if (tail <= accepted) return VM_OK;
+    return VM_NO_LAW;
+}
+
+/* Completes an orbit whose amplitude is known. Returns VM_NO_LAW where there is no vibration of this amplitude, and
+   where the quadrature is not accurate: close to a separatrix, and for a force that is not smooth. */
+VM_API int vmi_odd_user_complete(vmi_orbit *orbit)
+{
+    const vm_real enough = 16 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-10) : VM_C(1e-4);
+    vmi_orbit_sum time, time_size;
+    vm_real squares[VMI_ORBIT_NODES], largest = 0;
+    int i, status = vmi_odd_user_series(orbit);
+    if (status) return status;
+    vmi_orbit_times(orbit, enough, &time, &time_size);
+    if (!(vmi_orbit_tail(&time) <= accepted)) return VM_NO_LAW;
+    for (i = 0; i < time.parts * VMI_GAUSS; i++) {
+        vmi_orbit_point point;
+        vmi_odd_user_point(orbit, vmi_orbit_node(time.parts, i), &point);
+        squares[i] = point.v * point.v * point.slowness;
+        largest = vmi_larger(-point.v, largest);
+    }
+    orbit->span = VM_PI / 2;
+    orbit->w = orbit->span / vmi_orbit_whole(&time);
+    vmi_orbit_sums(time.parts, squares, squares, &time, &time_size);
+    orbit->j = vmi_orbit_whole(&time) / orbit->span;
+    orbit->swing = orbit->size;
+    orbit->vmax = largest;
+    return VM_IS_FINITE(orbit->w) && orbit->w > 0 && orbit->energy_slope > 0 ? VM_OK : VM_NO_LAW;
+}
+
+/* A state, for the search of its amplitude */
+typedef struct VM_TAG(vmi_odd_state) {
+    const vm_odd_force *force;
+    vm_real x, v; /* position >= 0 and velocity */
+    int status;   /* of the user's function */
+} vmi_odd_state;
+
+/* The potential energy between x and x + more, less the kinetic energy of the state: 0 where x + more is the
+   amplitude */
+VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
+{
+    vmi_odd_state *s = (vmi_odd_state *)state;
+    const vm_real length = more / (vm_real)VMI_ORBIT_PARTS;
+    vm_real sum = 0, f;
+    int i, k;
+    for (k = 0; k < VMI_ORBIT_PARTS; k++) {
+        for (i = 0; i < VMI_GAUSS; i++) {
+            const vm_real x = s->x + length * ((vm_real)k + (1 + vmi_gauss_node(i)) / 2);
+            const int status = vmi_odd_user_at(s->force, x, &f);
+            if (status) s->status = status;
+            sum += vmi_gauss_weight(i) / 2 * f;
+        }
+    }
+    return sum * length - s->v * s->v / 2;
+}
+
+/* The orbit through a state. A trial of the amplitude is doubled or halved until the amplitude lies between two of
+   them. Returns VM_NO_LAW where there is no amplitude. */
+VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
+{
+    const int most = 200;
+    vmi_odd_state s;
+    vm_real step, missing, before;
+    int i = 0;
+    s.force = force;
+    s.x = VM_FABS(x);
+    s.v = v;
+    s.status = VM_OK;
+    orbit->force = force;
+    orbit->place = VMI_ORBIT_AROUND_0;
+    orbit->size = s.x;
+    if (v == 0) return VM_OK;
+    step = s.x > 0 ? s.x : VM_FABS(v);
+    missing = vmi_odd_user_missing(step, &s);
+    for (; missing > 0 && i < most && !s.status; i++) {
+        step /= 2;
+        missing = vmi_odd_user_missing(step, &s);
+    }
+    before = missing;
+    for (; !(missing > 0) && i < most && !s.status; i++) {
+        before = missing;
+        step *= 2;
+        missing = vmi_odd_user_missing(step, &s);
+    }
+    if (s.status) return s.status;
+    if (!(missing > 0)) return VM_NO_LAW;
+    orbit->size = s.x + vmi_find_zero(vmi_odd_user_missing, &s, step / 2, step, before, missing);
+    return s.status;
+}
+
+/* The phase of a state on a complete orbit. It puts x = A cos(theta) and v = -A sin(theta)/(dt/dtheta). */
+VM_API int vmi_odd_user_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
+{
+    const vm_real above = vmi_larger(orbit->size - VM_FABS(x), 0) * (orbit->size + VM_FABS(x));
+    vmi_orbit_sum time, time_size;
+    vmi_orbit_point point;
+    vm_real theta;
+    vmi_orbit_times(orbit, 16 * VM_EPSILON, &time, &time_size);
+    vmi_odd_user_point(orbit, vmi_atan2(VM_SQRT(above), VM_FABS(x)), &point);
+    theta = vmi_atan2(VM_FABS(v) * point.slowness, VM_FABS(x));
+    *phi = orbit->w * vmi_orbit_sum_to(&time, theta);
+    if (x < 0) *phi = VM_PI - *phi;
+    if (v > 0) *phi = -*phi;
+    return VM_OK;
+}
+
+/* Position and velocity at a phase */
+VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v)
+{
+    const vmi_orbit_folded f = vmi_orbit_fold(orbit, phi);
+    vmi_orbit_sum time, time_size;
+    vmi_orbit_point point;
+    vmi_orbit_times(orbit, 16 * VM_EPSILON, &time, &time_size);
+    vmi_odd_user_point(orbit, vmi_orbit_theta(&time, f.phi / orbit->w), &point);
+    *x = f.side * point.x;
+    *v = f.side * f.sign * point.v;
+    return VM_OK;
+}
+
+/* Odd elastic force F(x) by a user's function.
+   The function is called for x >= 0 only. ctx is handed to it. F must be
+   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must
+   be so smooth that polynomials of degree 19 represent it on 8 pieces; otherwise all functions refuse it with
+   VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
+VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
+{
+    vm_odd_force force;
+    force.k1 = 0;
+    force.k3 = 0;
+    force.function = function;
+    force.ctx = ctx;
+    force.at = NULL;
+    if (function) force.at = vmi_odd_user_at; /* else there is no force */
+    force.orbit_through = vmi_odd_user_through;
+    force.complete = vmi_odd_user_complete;
+    force.point = vmi_odd_user_point;
+    force.phase = vmi_odd_user_phase;
+    force.at_phase = vmi_odd_user_at_phase;
+    return force;
+}
+
+/* -- Motion with constant mass -- */
+
+/* Makes the complete orbit through a state. A state of rest has the size 0 and no other fields. */
+VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
+{
+    int status;
+    if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v)) return VM_NOT_FINITE;
+    status = force->orbit_through(force, x, v, orbit);
+    if (status || orbit->size == 0) return status;
+    if (!VM_IS_FINITE(orbit->size)) return VM_NOT_FINITE;
+    return force->complete(orbit);
+}
+
+/* Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
+   Returns NaN for a null pointer, a force that no constructor made, x0 = 0, infinite x0, and where there is no
+   vibration. The relative error is at most 1e-13 (float 1e-5). */
+VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
+{
+    vmi_orbit orbit;
+    if (!force || !force->at || vmi_orbit_of_state(force, x0, 0, &orbit) || orbit.size == 0) return VM_NAN;
+    return 2 * VM_PI / orbit.w;
+}
+
+/* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
+   It is the integral of v dx over a period, divided by 2 pi. A slow change of the force keeps it constant. Errors and
+   accuracy are those of vm_odd_period, but it is 0 for x0 = 0. */
+VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
+{
+    vmi_orbit orbit;
+    if (!force || !force->at || vmi_orbit_of_state(force, x0, 0, &orbit)) return VM_NAN;
+    if (orbit.size == 0) return 0;
+    return orbit.j;
+}
+
+/* Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s), for an odd F per unit mass.
+   The errors of x and v are at most 1e-12 (float 1e-4) of the amplitude and of the largest velocity, times 1 +
+   t/period. Returns VM_BAD_ARGUMENT for null pointers and for a force that no constructor made, VM_NOT_FINITE for
+   infinite numbers and a force that is infinite, VM_DOMAIN where the user's function fails, and VM_NO_LAW where there
+   is no vibration, on a separatrix and close to it, and for a force that is not smooth. An error leaves *x and *v
+   untouched. */
+VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, vm_real v0, vm_real *x, vm_real *v)
+{
+    vmi_orbit orbit;
+    vm_real phi, now[2];
+    int status;
+    if (!force || !force->at || !x || !v) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vmi_orbit_of_state(force, x0, v0, &orbit);
+    if (status) return status;
+    now[0] = x0;
+    now[1] = v0;
+    if (orbit.size > 0) {
+        status = force->phase(&orbit, x0, v0, &phi);
+        if (!status) status = force->at_phase(&orbit, phi + orbit.w * t, &now[0], &now[1]);
+        if (status) return status;
+    }
+    if (!VM_IS_FINITE(now[0]) || !VM_IS_FINITE(now[1])) return VM_NOT_FINITE;
+    *x = now[0];
+    *v = now[1];
+    return VM_OK;
+}
+
+#endif

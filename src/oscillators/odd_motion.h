@@ -1,0 +1,618 @@
+/* oscillators/odd_motion.h - vibration under an odd elastic force with slow mass, stiffness and damping
+
+   The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
+       m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
+   F is odd: Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the user (oscillators/odd_force.h).
+   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. Shortest useful
+   call:
+       vm_odd_problem problem;
+       vm_odd_motion motion;
+       problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
+       problem.mass = vm_law_linear(2, VM_C(0.01));           // 0.01 kg/s settle on the body
+       problem.stiffness = vm_law_linear(1, 0);               // constant
+       problem.damping = vm_law_linear(VM_C(0.02), 0);        // 0.02 N s/m
+       problem.reactive = 1;
+       problem.x = VM_C(0.2);
+       problem.v = 0;
+       if (vm_odd_within(&problem, 60, VM_C(1e-3), &motion) == VM_OK) printf("%g m\n", (double)motion.x);
+   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws
+   are not slow or the motion crosses a separatrix. A plan holds the mean motion from 0 to a given time. Guide:
+   docs/duffing.md. Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ODD_MOTION_H
+#define VARMASS_OSCILLATORS_ODD_MOTION_H
+
+#include <string.h>
+
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "laws.h"
+#include "legendre.h"
+#include "odd_force.h"
+#include "orbit_ripple.h"
+#include "panels.h"
+#include "reduction.h"
+
+/* Routes to x(t) and x'(t), the cheapest first */
+enum {
+    VM_ODD_MEAN = 0,   /* the mean motion: averaging with an error of first order in the rates of the laws */
+    VM_ODD_ORDER2 = 1, /* the mean motion and its ripple within a period: an error of second order */
+    VM_ODD_RK87 = 2    /* integration of the equation of motion by rk87 */
+};
+
+/* A vibration under an odd elastic force, and its state at t = 0 */
+typedef struct VM_TAG(vm_odd_problem) {
+    vm_odd_force force; /* F(x), N, by vm_duffing_force or vm_odd_force_user */
+    vm_law mass;        /* mass m(t), kg, positive */
+    vm_law stiffness;   /* factor k(t) of the whole elastic force, a pure number, positive */
+    vm_law damping;     /* damping b(t), kg/s; positive takes energy out */
+    vm_real reactive;   /* share of the full reactive force: 1 where mass that joins or leaves is at rest, 0 where this
+                           mass has the body's own velocity; numbers between are allowed */
+    vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
+} vm_odd_problem;
+
+/* The motion at one time */
+typedef struct VM_TAG(vm_odd_motion) {
+    vm_real x, v;      /* position, m, and velocity, m/s */
+    vm_real amplitude; /* the largest |x| of the present vibration, m; NaN where x and v belong to no vibration */
+    vm_real error;     /* estimate of the larger of |error of x|/swing and |error of v|/vmax, where swing is half the
+                          distance of the turning points and vmax the largest velocity of the present vibration */
+    int route;         /* the route that was taken, VM_ODD_... */
+    long evals;        /* evaluations of the equation of motion; 0 where nothing was integrated */
+} vm_odd_motion;
+
+/* -- The laws at one time -- */
+
+/* Mass, stiffness, damping and the rates that follow from them, at one time */
+typedef struct VM_TAG(vmi_odd_rates) {
+    vm_real m, k, b;   /* mass, stiffness and damping */
+    vm_real m_rate;    /* dm/dt, kg/s */
+    vm_real speed;     /* ds/dt = sqrt(k/m) */
+    vm_real turn;      /* relative rate of `speed`, 1/s */
+    vm_real h;         /* damping h of orbit_ripple.h, times `speed`, 1/s */
+} vmi_odd_rates;
+
+/* Reads the laws at t. Where a rate jumps at t, side = 1 asks for its value after t, side = -1 before t. */
+VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
+    if (status) return status;
+    r->m = m[0];
+    r->k = k[0];
+    r->b = b[0];
+    r->m_rate = m[1];
+    r->speed = VM_SQRT(k[0] / m[0]);
+    r->turn = (k[1] / k[0] - m[1] / m[0]) / 2;
+    r->h = (r->turn + (o->reactive * m[1] + b[0]) / m[0]) / 2;
+    return VM_OK;
+}
+
+/* The damping h of orbit_ripple.h and its derivatives by s, where ds/dt = sqrt(k/m) */
+typedef struct VM_TAG(vmi_odd_slow) {
+    vm_real h, h1, h2;
+} vmi_odd_slow;
+
+/* Computes h and its derivatives at t; length, s, is for the derivatives of users' laws (see vmi_law_derivatives). */
+VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
+{
+    enum { TERMS = 4 };
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], ln_m[TERMS], ln_k[TERMS], inverse[TERMS];
+    vm_real h[3], turn[2], speed, rate, rate_rate;
+    int i, status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, length, b);
+    if (status) return status;
+    speed = VM_SQRT(k[0] / m[0]);
+    vmi_series_of_derivatives(TERMS, 1, m);
+    vmi_series_of_derivatives(TERMS, 1, k);
+    vmi_series_of_derivatives(TERMS, 1, b);
+    vmi_series_log_rate(TERMS, m, ln_m);
+    vmi_series_log_rate(TERMS, k, ln_k);
+    vmi_series_inverse(TERMS, m, inverse);
+    for (i = 0; i < 3; i++)
+        h[i] = (ln_k[i] + (2 * o->reactive - 1) * ln_m[i] + 2 * vmi_series_product(i, b, inverse)) / 4;
+    for (i = 0; i < 2; i++) turn[i] = (ln_k[i] - ln_m[i]) / 2;
+    rate = h[1] - turn[0] * h[0];
+    rate_rate = 2 * h[2] - turn[1] * h[0] - turn[0] * h[1];
+    slow->h = h[0] / speed;
+    slow->h1 = rate / (speed * speed);
+    slow->h2 = (rate_rate - 2 * turn[0] * rate) / (speed * speed * speed);
+    return VM_OK;
+}
+
+/* -- The plan -- */
+
+/* The largest number of panels of time that a plan holds (a user's law needs 32 at least), and the number of
+   derivatives that tell how fast the laws change */
+enum { VMI_ODD_PANELS = 48, VMI_ODD_ORDERS = 7 };
+
+/* A panel of time, on which the laws and the mean motion are Legendre series */
+typedef struct VM_TAG(vmi_odd_panel) {
+    vm_real t, length;          /* its start and its length, s, negative backward in time */
+    vm_real phase;              /* mean phase at its start */
+    vm_real decay;              /* integral of b/m from 0 to its start */
+    vm_real ln_J;               /* ln of the mean action J over its value at t = 0; it changes at points of tables */
+    vm_real rate[VMI_GAUSS];    /* series of the rate of the mean phase, 1/s */
+    vm_real size[VMI_GAUSS];    /* series of the size of the mean orbit (see vmi_orbit) */
+    /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */
+    vm_real change[VMI_ODD_ORDERS];
+    vm_real knots;              /* what order two leaves out of ln J at points of tables, from 0 to the end */
+    vm_real largest_a, largest_B; /* largest values of these fields of the ripple on the panel */
+    vm_real gamma;              /* largest relative change of w over that of j on the panel */
+} vmi_odd_panel;
+
+/* The mean motion of a problem from t = 0 to a given time. Fill it by vm_odd_plan_init; read its fields, but do not
+   change them. It points to the tables, functions and contexts of the problem. */
+typedef struct VM_TAG(vm_odd_plan) {
+    vm_odd_problem problem; /* a copy of the problem */
+    vm_real t_end;          /* the time up to which the plan was asked for, s */
+    vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or less */
+    vm_real m0, k0, speed0; /* mass, stiffness and sqrt(k/m) at t = 0 */
+    int at_rest;            /* 1 where the body rests in equilibrium, else 0 */
+    vmi_orbit start;        /* the orbit of the state at t = 0; its size is 0 where there is no vibration */
+    vm_real phi;            /* phase of this state */
+    vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
+    vmi_odd_slow slow;      /* damping h at t = 0 */
+    vm_real gamma;          /* the relative change of w over that of j, at t = 0 */
+    vm_real first_a;        /* field largest_a of the ripple at t = 0 */
+    vm_real first_B;        /* field largest_B of the ripple at t = 0 */
+    int n;                  /* number of panels */
+    vmi_odd_panel panel[VMI_ODD_PANELS];
+} vm_odd_plan;
+
+/* Finds the orbit with this ln j by Newton's method, from the size that the orbit has as a guess. A step that leads
+   out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
+VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
+{
+    const vm_real enough = 4 * VM_EPSILON, longest = 2;
+    const int most = 80;
+    vm_real size = orbit->size, step = 0;
+    int i, status = VM_NO_LAW;
+    for (i = 0; i < most; i++) {
+        orbit->size = size * vmi_exp(step, 0);
+        status = orbit->force->complete(orbit);
+        if (status && status != VM_NO_LAW) return status;
+        if (status || !(orbit->j > 0)) {
+            step /= 2;
+            if (VM_FABS(step) < enough) return VM_NO_LAW;
+            continue;
+        }
+        size = orbit->size;
+        step = (ln_j - vmi_log(orbit->j).hi) * (orbit->w * orbit->j) / (orbit->energy_slope * size);
+        step = vmi_clamp(step, -longest, longest);
+        if (VM_FABS(step) <= enough) return VM_OK;
+    }
+    return VM_NO_LAW;
+}
+
+/* The change of ln j by the adiabatic law, from t = 0 to a time with these laws and this integral of b/m */
+VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
+{
+    const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
+    return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay);
+}
+
+/* A time in which the orbit turns by 16 radians, s; derivatives of users' laws are found within it */
+VM_API vm_real vmi_odd_sampling_time(vm_real w, vm_real speed) { return 16 / (w * speed); }
+
+/* -- A panel -- */
+
+/* The laws at the nodes of a panel, and what follows from them */
+typedef struct VM_TAG(vmi_odd_nodes) {
+    vmi_odd_rates rates[VMI_GAUSS];
+    vm_real decay[VMI_GAUSS];  /* integral of b/m from t = 0 */
+    vm_real h_rate[VMI_GAUSS]; /* time derivative of the field h of the rates, 1/s^2 */
+    vm_real edge;              /* largest relative difference between 1/m or k and its series at the panel's ends */
+    vm_real decay_end;         /* integral of b/m from t = 0 to the end of the panel */
+    vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS]; /* series of 1/m and k */
+} vmi_odd_nodes;
+
+/* Reads the laws at the nodes of a panel. */
+VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
+{
+    const int side = vmi_time_side(panel->length);
+    vm_real inverse[VMI_GAUSS], k[VMI_GAUSS], losses[VMI_GAUSS], h[VMI_GAUSS], loss[VMI_GAUSS], h_series[VMI_GAUSS];
+    int i, status;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real t = panel->t + panel->length * ((1 + vmi_gauss_node(i)) / 2);
+        status = vmi_odd_rates_at(o, t, side, &at->rates[i]);
+        if (status) return status;
+        inverse[i] = 1 / at->rates[i].m;
+        k[i] = at->rates[i].k;
+        losses[i] = at->rates[i].b / at->rates[i].m;
+        h[i] = at->rates[i].h;
+    }
+    vmi_legendre_fit(inverse, k, at->inverse, at->stiffness);
+    vmi_legendre_fit(losses, h, loss, h_series);
+    vmi_legendre_derive(h_series);
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real x = vmi_gauss_node(i);
+        at->decay[i] = panel->decay + panel->length / 2 * vmi_legendre_integral(loss, x);
+        at->h_rate[i] = 2 / panel->length * vmi_legendre_at(h_series, x);
+    }
+    at->decay_end = panel->decay + panel->length * loss[0];
+    at->edge = 0;
+    status = vmi_panel_edge(&o->mass, VM_BAD_MASS, 1, panel->t, panel->length, at->inverse, &at->edge);
+    if (status) return status;
+    return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
+}
+
+/* Adds to panel->change what this panel adds, from the series of h/w: root mean squares in place of absolute values.
+   Coefficients that are as small as rounding errors are left out. The series is overwritten. */
+VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
+{
+    const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
+    const vm_real turns = VM_FABS(panel->length * panel->rate[0]);
+    const vm_real least = noise * VM_SQRT(vmi_legendre_square(ratio));
+    vm_real scale = turns;
+    int i;
+    for (i = 0; i < VMI_GAUSS; i++)
+        if (VM_FABS(ratio[i]) <= least) ratio[i] = 0;
+    for (i = 0; i < VMI_ODD_ORDERS; i++) {
+        panel->change[i] += scale * VM_SQRT(vmi_legendre_square(ratio));
+        vmi_legendre_derive(ratio);
+        scale *= 2 / turns;
+    }
+}
+
+/* The number of the kth node in the order of time, 0 <= k < 20: 0, 2 ... 18, 19, 17 ... 1 */
+VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
+
+/* Computes the series of a panel. Its fields for the start and its length are set. orbit is a guess of the mean orbit
+   at the start; it becomes the orbit at the last node. */
+VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
+{
+    vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS];
+    vm_real bend[VMI_GAUSS], ratio[VMI_GAUSS];
+    int i, k, status = vmi_odd_read(&p->problem, panel, at);
+    if (status) return status;
+    panel->largest_a = 0;
+    panel->largest_B = 0;
+    panel->gamma = 0;
+    for (k = 0; k < VMI_GAUSS; k++) {
+        vmi_orbit_ripple ripple;
+        vm_real h, h1, M_j;
+        const vmi_odd_rates *now;
+        i = vmi_odd_node_number(k);
+        now = at->rates + i;
+        status = vmi_orbit_find(orbit, p->ln_j + panel->ln_J + vmi_odd_adiabatic(p, now, at->decay[i]));
+        if (status) return status;
+        vmi_orbit_ripple_init(&ripple, orbit);
+        h = now->h / now->speed;
+        h1 = (at->h_rate[i] - now->h * now->turn) / (now->speed * now->speed);
+        M_j = vmi_orbit_M_j(&ripple, orbit) / orbit->j;
+        panel->largest_a = vmi_larger(ripple.largest_a, panel->largest_a);
+        panel->largest_B = vmi_larger(ripple.largest_B, panel->largest_B);
+        panel->gamma = vmi_larger(VM_FABS(vmi_orbit_gamma(&ripple, orbit)), panel->gamma);
+        sizes[i] = orbit->size;
+        bends[i] = h * M_j;
+        ratios[i] = h / orbit->w;
+        rates[i] = (orbit->w - M_j * (h1 + 2 * h * h)) * now->speed;
+    }
+    vmi_legendre_fit(bends, ratios, bend, ratio);
+    vmi_legendre_derive(bend);
+    for (i = 0; i < VMI_GAUSS; i++) rates[i] += 2 / panel->length * vmi_legendre_at(bend, vmi_gauss_node(i));
+    vmi_legendre_fit(rates, sizes, panel->rate, panel->size);
+    vmi_odd_add_changes(panel, ratio);
+    return VM_OK;
+}
+
+/* Whether a panel is short enough for its series. Phase and size are evaluated inside the panel, where the terms that
+   their series leave out are not squared. whole is the length of the walk, s. */
+VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, vm_real whole)
+{
+    const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
+    if (!(at->edge <= vmi_panel_edge_limit(limit))) return 0;
+    if (!vmi_panel_is_resolved(at->inverse, limit) || !vmi_panel_is_resolved(at->stiffness, limit)) return 0;
+    return vmi_panel_is_resolved(panel->rate, fine) && vmi_panel_is_resolved(panel->size, fine);
+}
+
+/* -- The walk from t = 0 to the plan's end -- */
+
+/* Adds a resolved panel to the plan, and writes the start of the next one to *next. */
+VM_API void vmi_odd_keep(vm_odd_plan *p, const vmi_odd_panel *panel, const vmi_odd_nodes *at, vmi_odd_panel *next)
+{
+    p->panel[p->n] = *panel;
+    p->n++;
+    *next = *panel;
+    next->t += panel->length;
+    next->phase += panel->length * panel->rate[0];
+    next->decay = at->decay_end;
+    p->reach = next->t;
+}
+
+/* Adds the panels of a piece of time without points of tables. Returns VM_NO_LAW where the averaged motion ends: at a
+   separatrix, and where the plan has no room for more panels. */
+VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_orbit *orbit, vmi_odd_panel *next)
+{
+    const vm_real whole = VM_FABS(p->t_end), shortest_at_end = whole / 64;
+    vmi_panels panels = vmi_panels_from(next->t, end, longest, whole);
+    while (vmi_panels_next(&panels)) {
+        vmi_odd_panel panel = *next;
+        vmi_odd_nodes at;
+        vmi_orbit trial = *orbit;
+        int status;
+        if (p->n == VMI_ODD_PANELS) return VM_NO_LAW;
+        panel.t = panels.t;
+        panel.length = panels.side * panels.step;
+        status = vmi_odd_panel_of(p, &panel, &trial, &at);
+        if (status && (status != VM_NO_LAW || panels.step < shortest_at_end)) return status;
+        if (status || !vmi_odd_panel_is_resolved(&panel, &at, whole)) {
+            if (vmi_panels_halve(&panels)) continue;
+            return VM_NO_LAW;
+        }
+        *orbit = trial;
+        vmi_odd_keep(p, &panel, &at, next);
+        vmi_panels_advance(&panels);
+        next->t = panels.t;
+        p->reach = panels.t;
+    }
+    return VM_OK;
+}
+
+/* Takes the mean motion past t, a point of a table: the derivative of h jumps there, but the motion does not, so that
+   the mean action jumps. */
+VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
+{
+    const int side = vmi_time_side(p->t_end);
+    const vm_real length = vmi_odd_sampling_time(orbit->w, p->speed0);
+    vmi_odd_rates rates;
+    vmi_odd_slow before, after;
+    vmi_orbit_ripple ripple;
+    vmi_orbit_ripple_values now;
+    vm_real w, left;
+    int status = vmi_odd_rates_at(&p->problem, next->t, -side, &rates);
+    if (!status) status = vmi_orbit_find(orbit, p->ln_j + next->ln_J + vmi_odd_adiabatic(p, &rates, next->decay));
+    if (!status) status = vmi_odd_slow_at(&p->problem, next->t, -side, length, &before);
+    if (!status) status = vmi_odd_slow_at(&p->problem, next->t, side, length, &after);
+    if (status) return status;
+    vmi_orbit_ripple_init(&ripple, orbit);
+    vmi_orbit_ripple_at(&ripple, orbit, next->phase, &now);
+    w = orbit->w;
+    next->ln_J -= 2 * (after.h1 - before.h1) * now.B / (w * w * orbit->j);
+    left = VM_FABS(after.h2 - before.h2) + 4 * VM_FABS((after.h1 - before.h1) * after.h);
+    next->knots += left / (w * w * w);
+    return VM_OK;
+}
+
+/* Walks from t = 0 to the plan's end. */
+VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
+{
+    const vm_odd_problem *o = &p->problem;
+    const vm_real whole = VM_FABS(p->t_end);
+    vm_real longest = vmi_smaller(vmi_law_longest_panel(&o->mass, whole), vmi_law_longest_panel(&o->stiffness, whole));
+    vmi_odd_panel next;
+    int i, status = VM_OK;
+    longest = vmi_smaller(longest, vmi_law_longest_panel(&o->damping, whole));
+    next.t = 0;
+    next.length = 0;
+    next.phase = p->phase;
+    next.decay = 0;
+    next.ln_J = 0;
+    next.knots = 0;
+    next.largest_a = 0;
+    next.largest_B = 0;
+    next.gamma = 0;
+    for (i = 0; i < VMI_ODD_ORDERS; i++) next.change[i] = 0;
+    while (!status && next.t != p->t_end) {
+        vm_real end = vmi_law_next_knot(&o->mass, next.t, p->t_end);
+        end = vmi_law_next_knot(&o->stiffness, next.t, end);
+        end = vmi_law_next_knot(&o->damping, next.t, end);
+        status = vmi_odd_walk_piece(p, end, longest, orbit, &next);
+        if (!status && end != p->t_end) status = vmi_odd_walk_past_knot(p, orbit, &next);
+    }
+    return status;
+}
+
+/* Computes the mean motion at t = 0 from the state at t = 0, and the numbers that estimates need there. */
+VM_API int vmi_odd_start(vm_odd_plan *p, const vmi_orbit *orbit)
+{
+    const int side = vmi_time_side(p->t_end);
+    vmi_orbit_ripple ripple;
+    vmi_orbit_ripple_values now;
+    vm_real mean;
+    int status = vmi_odd_slow_at(&p->problem, 0, side, vmi_odd_sampling_time(orbit->w, p->speed0), &p->slow);
+    if (!status) status = orbit->force->phase(orbit, p->problem.x, p->problem.v / p->speed0, &p->phi);
+    if (status) return status;
+    vmi_orbit_ripple_init(&ripple, orbit);
+    vmi_orbit_ripple_at(&ripple, orbit, p->phi, &now);
+    mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1);
+    p->phase = p->phi - 2 * p->slow.h * now.B_j;
+    p->gamma = vmi_orbit_gamma(&ripple, orbit);
+    p->first_a = ripple.largest_a;
+    p->first_B = ripple.largest_B;
+    if (!(mean > 0)) return VM_NO_LAW; /* the laws are not slow */
+    p->ln_j = vmi_log(mean).hi;
+    return VM_OK;
+}
+
+/* Checks the problem and its laws between 0 and t. */
+VM_API int vmi_odd_check(const vm_odd_problem *o, vm_real t)
+{
+    const vm_real numbers[5] = {o->reactive, o->x, o->v, o->force.k1, o->force.k3};
+    int status = vmi_all_finite(5, numbers) ? VM_OK : VM_NOT_FINITE;
+    if (!o->force.at) return VM_BAD_ARGUMENT;
+    status = vmi_first_error(status, vmi_law_check(&o->mass, VM_BAD_MASS, t));
+    status = vmi_first_error(status, vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
+    return vmi_first_error(status, vmi_law_check(&o->damping, VM_OK, t));
+}
+
+/* Fills a plan whose fields problem, t_end, m0, k0 and speed0 are set. */
+VM_API int vmi_odd_fill(vm_odd_plan *p)
+{
+    vmi_orbit orbit;
+    int status;
+    vm_real f;
+    p->n = 0;
+    p->reach = 0;
+    p->at_rest = 0;
+    orbit.size = 0;
+    p->start = orbit;
+    status = p->problem.force.at(&p->problem.force, p->problem.x, &f);
+    if (status) return status;
+    if (p->problem.v == 0 && f == 0) p->at_rest = 1;
+    else status = vmi_orbit_of_state(&p->problem.force, p->problem.x, p->problem.v / p->speed0, &orbit);
+    if (status == VM_NO_LAW) return VM_OK;
+    if (status || p->at_rest || orbit.size == 0) return status;
+    p->start = orbit;
+    p->start.force = NULL; /* the force is p->problem.force, wherever the plan is copied to */
+    status = vmi_odd_start(p, &orbit);
+    if (!status && p->t_end != 0) status = vmi_odd_walk(p, &orbit);
+    return status == VM_NO_LAW ? VM_OK : status;
+}
+
+/* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
+   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
+   plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
+   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers and for a law or force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for
+   laws that are not positive, VM_DOMAIN for a table out of order or one that does not hold 0 and t_end, and where a
+   user's function fails. */
+VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
+{
+    vm_odd_plan plan;
+    vmi_odd_rates rates;
+    int status;
+    if (!p || !problem) return VM_BAD_ARGUMENT;
+    memset(&plan, 0, sizeof plan);
+    plan.problem = *problem;
+    plan.t_end = t_end;
+    if (VM_IS_FINITE(t_end)) status = vmi_odd_check(problem, t_end);
+    else status = vmi_first_error(VM_NOT_FINITE, vmi_odd_check(problem, 0));
+    if (!status) status = vmi_odd_rates_at(problem, 0, vmi_time_side(t_end), &rates);
+    if (status) return status;
+    plan.m0 = rates.m;
+    plan.k0 = rates.k;
+    plan.speed0 = rates.speed;
+    status = vmi_odd_fill(&plan);
+    if (!status) *p = plan;
+    return status;
+}
+
+/* -- Averaged solutions -- */
+
+/* The mean motion at one time */
+typedef struct VM_TAG(vmi_odd_mean) {
+    vmi_orbit orbit;     /* the mean orbit */
+    vm_real phase;       /* the mean phase */
+    vmi_odd_rates rates; /* the laws */
+    const vmi_odd_panel *panel;
+} vmi_odd_mean;
+
+/* Computes the mean motion at t from the series of the plan. Returns VM_NO_LAW beyond the plan's reach. */
+VM_API int vmi_odd_mean_at(const vm_odd_plan *p, vm_real t, vmi_odd_mean *mean)
+{
+    const vmi_odd_panel *panel = p->panel;
+    vm_real place;
+    int i, status;
+    if (p->n == 0 || VM_FABS(t) > VM_FABS(p->reach)) return VM_NO_LAW;
+    for (i = 1; i < p->n && VM_FABS(t) > VM_FABS(p->panel[i].t); i++) panel++;
+    place = vmi_clamp(2 * ((t - panel->t) / panel->length) - 1, -1, 1);
+    status = vmi_odd_rates_at(&p->problem, t, -vmi_time_side(p->t_end), &mean->rates);
+    if (status) return status;
+    mean->panel = panel;
+    mean->orbit = p->start;
+    mean->orbit.force = &p->problem.force;
+    mean->orbit.size = vmi_legendre_at(panel->size, place);
+    mean->phase = panel->phase + panel->length / 2 * vmi_legendre_integral(panel->rate, place);
+    return mean->orbit.force->complete(&mean->orbit);
+}
+
+/* Adds the ripple to the mean motion: phase and orbit become those of x and v. */
+VM_API int vmi_odd_add_ripple(vmi_odd_mean *mean)
+{
+    vmi_orbit *orbit = &mean->orbit;
+    const vm_real h = mean->rates.h / mean->rates.speed;
+    vmi_orbit_ripple ripple;
+    vmi_orbit_ripple_values now;
+    vmi_orbit_ripple_init(&ripple, orbit);
+    vmi_orbit_ripple_at(&ripple, orbit, mean->phase, &now);
+    mean->phase += 2 * h * now.B_j;
+    orbit->size *= vmi_exp(-2 * h * now.a / (orbit->w * ripple.j_size * orbit->size), 0);
+    return orbit->force->complete(orbit);
+}
+
+/* A bound of the change of ln J that fast changes of the laws cause: the smallest of the bounds that follow from
+   integrating by parts i times, as vmi_osc_fast (oscillators/mean_motion.h) does */
+VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
+{
+    const vm_real turn = mean->orbit.span / VM_PI;
+    vm_real size = 2, least = VM_INFINITY;
+    int i;
+    for (i = 0; i < VMI_ODD_ORDERS; i++) {
+        const vm_real bound = size * mean->panel->change[i];
+        if (!(bound >= least)) least = bound;
+        if (i == 0) size = 2 * largest_a;
+        else size *= turn;
+    }
+    return least;
+}
+
+/* How large terms of second and of third order are at a time with this damping h, on an orbit whose phase has the rate
+   w */
+VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, vm_real *third)
+{
+    const vm_real h = VM_FABS(slow->h / w), h1 = VM_FABS(slow->h1 / w / w), h2 = VM_FABS(slow->h2 / w / w / w);
+    *second = h1 + 2 * h * h;
+    *third = h2 + 4 * h * h1 + 4 * h * h * h;
+}
+
+/* By how much an error of the phase is larger as an error of x/swing or of v/vmax */
+VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
+{
+    const vm_real of_x = orbit->vmax / (orbit->w * orbit->swing);
+    if (orbit->place != VMI_ORBIT_AROUND_0) return of_x + 1 / of_x;
+    return vmi_larger(of_x, orbit->energy_slope / (orbit->w * orbit->vmax));
+}
+
+/* Estimates the error of an averaged solution at t. It adds up how large the terms are that are left out: of the
+   transformation at the start and at t, and of the action at the start and at points of tables, which changes the
+   phase by gamma times the phase. The factors fit the errors of random problems in tests/test_odd_force.c. */
+VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
+{
+    const vmi_orbit *orbit = &mean->orbit;
+    const vm_real largest_known = VM_C(0.25), w = orbit->w, turns = VM_FABS(mean->phase - p->phase);
+    const vm_real gamma = vmi_larger(VM_FABS(p->gamma), mean->panel->gamma);
+    const vm_real a = mean->panel->largest_a, B = mean->panel->largest_B;
+    const vm_real h = VM_FABS(mean->rates.h / mean->rates.speed);
+    vm_real second0, third0, second, third, phase, action;
+    vmi_odd_slow slow;
+    int status = vmi_odd_slow_at(&p->problem, t, -vmi_time_side(p->t_end),
+                                 vmi_odd_sampling_time(w, mean->rates.speed), &slow);
+    if (status) return status;
+    vmi_odd_sizes(&p->slow, p->start.w, &second0, &third0);
+    vmi_odd_sizes(&slow, w, &second, &third);
+    action = p->first_a * (third0 + mean->panel->knots) + vmi_odd_fast(mean, a);
+    phase = (1 + gamma) * (p->first_B * second0 + B * (second + third)) + (1 + gamma * turns) * action;
+    *error = (vmi_odd_steepness(orbit) * phase + a * (second + third) + action) / 2 +
+             4 * VM_EPSILON * (2 + turns);
+    if (route == VM_ODD_MEAN) *error += 2 * h / w * (vmi_odd_steepness(orbit) * B + a);
+    if (!(*error <= largest_known)) *error = VM_INFINITY;
+    return VM_OK;
+}
+
+/* Writes the motion at t by averaging, of first order for VM_ODD_MEAN, else of second order. */
+VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
+{
+    vmi_odd_mean mean;
+    vm_odd_motion r;
+    int status = vmi_odd_mean_at(p, t, &mean);
+    if (status) return status;
+    status = vmi_odd_error(p, route, t, &mean, &r.error);
+    if (!status && route == VM_ODD_ORDER2) status = vmi_odd_add_ripple(&mean);
+    if (!status) status = mean.orbit.force->at_phase(&mean.orbit, mean.phase, &r.x, &r.v);
+    if (status) return status;
+    r.v *= mean.rates.speed;
+    r.amplitude = vmi_orbit_amplitude(&mean.orbit);
+    r.route = route;
+    r.evals = 0;
+    if (!VM_IS_FINITE(r.x) || !VM_IS_FINITE(r.v)) return VM_NOT_FINITE;
+    *motion = r;
+    return VM_OK;
+}
+
+#endif

@@ -1,0 +1,170 @@
+/* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
+
+   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping and reactive force all act as one damping h:
+       x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
+   so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
+   canonical, and their Hamiltonian is that of constant mass plus 2 h a, times mu sqrt(k/m), with the function
+       a(phi) = (integral of v dx from phase 0) - j phi
+   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
+   in h the mean action and the mean phase are
+       j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
+       phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
+   where M is the mean of a^2, an index j means the derivative by j at fixed phase, and h' = dh/ds.
+       vmi_orbit_ripple ripple;
+       vmi_orbit_ripple_values now;
+       vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit
+       vmi_orbit_ripple_at(&ripple, &orbit, phi, &now);
+   Source: the averaging of canonical equations by Lie series, to second order; docs/duffing.md.
+   Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
+#define VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
+
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "odd_force.h"
+
+/* The functions of the ripple on one orbit. "By size" means the derivative by orbit.size at fixed phase. */
+typedef struct VM_TAG(vmi_orbit_ripple) {
+    vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
+    vmi_orbit_sum squares;         /* integral of v^2 over time */
+    vmi_orbit_sum B, B_size;       /* integrals of a over the phase, and of its derivative by size */
+    vm_real B_mean, B_size_mean;   /* the means of these integrals */
+    vm_real M, M_size;             /* mean of a^2, and its derivative by size */
+    vm_real w_size, j_size;        /* derivatives of w and j by size */
+    vm_real largest_a;             /* largest |a|/j */
+    vm_real largest_B;             /* largest w |(B/w)_j| */
+} vmi_orbit_ripple;
+
+/* The ripple at one phase */
+typedef struct VM_TAG(vmi_orbit_ripple_values) {
+    vm_real a, B; /* see above */
+    vm_real B_j;  /* (B/w)_j */
+} vmi_orbit_ripple_values;
+
+/* Values at the nodes of theta, from which the sums are made */
+typedef struct VM_TAG(vmi_orbit_nodes) {
+    int n;
+    vmi_orbit_point point[VMI_ORBIT_NODES];
+    vm_real a[VMI_ORBIT_NODES], a_size[VMI_ORBIT_NODES]; /* a, and its derivative by size at fixed phase */
+    vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
+} vmi_orbit_nodes;
+
+/* Computes a and its derivative at the nodes. At fixed phase a changes by v times the change of x. */
+VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
+{
+    vm_real squares[VMI_ORBIT_NODES];
+    const int parts = r->time.parts;
+    int i;
+    nodes->n = parts * VMI_GAUSS;
+    for (i = 0; i < nodes->n; i++) {
+        vmi_orbit_point *p = nodes->point + i;
+        orbit->force->point(orbit, vmi_orbit_node(parts, i), p);
+        squares[i] = p->v * p->v * p->slowness;
+    }
+    vmi_orbit_sums(parts, squares, squares, &r->squares, &r->B);
+    for (i = 0; i < nodes->n; i++) {
+        const vmi_orbit_point *p = nodes->point + i;
+        const vm_real theta = vmi_orbit_node(parts, i), time = vmi_orbit_sum_to(&r->time, theta);
+        const vm_real phi_size = r->w_size * time + orbit->w * vmi_orbit_sum_to(&r->time_size, theta);
+        nodes->a[i] = vmi_orbit_sum_to(&r->squares, theta) - orbit->j * (orbit->w * time);
+        nodes->a_size[i] = p->v * (p->x_size - p->v * phi_size / orbit->w);
+        nodes->phase_rate[i] = orbit->w * p->slowness;
+    }
+}
+
+/* The mean over the phase of a function with these values at the nodes */
+VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, const vm_real *values)
+{
+    vm_real sum = 0;
+    int i;
+    for (i = 0; i < nodes->n; i++) sum += vmi_gauss_weight(i % VMI_GAUSS) * values[i] * nodes->phase_rate[i];
+    return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
+}
+
+/* The derivative by j of B/w, from B and its derivative by size */
+VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
+{
+    return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
+}
+
+/* Computes B, the means and the largest values from the nodes. */
+VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, vmi_orbit_ripple *r)
+{
+    const int parts = r->time.parts;
+    vm_real first[VMI_ORBIT_NODES], second[VMI_ORBIT_NODES];
+    int i;
+    for (i = 0; i < nodes->n; i++) {
+        first[i] = nodes->a[i] * nodes->phase_rate[i];
+        second[i] = nodes->a_size[i] * nodes->phase_rate[i];
+    }
+    vmi_orbit_sums(parts, first, second, &r->B, &r->B_size);
+    for (i = 0; i < nodes->n; i++) {
+        first[i] = nodes->a[i] * nodes->a[i];
+        second[i] = 2 * nodes->a[i] * nodes->a_size[i];
+    }
+    r->M = vmi_orbit_mean(orbit, nodes, first);
+    r->M_size = vmi_orbit_mean(orbit, nodes, second);
+    for (i = 0; i < nodes->n; i++) {
+        const vm_real theta = vmi_orbit_node(parts, i);
+        first[i] = vmi_orbit_sum_to(&r->B, theta);
+        second[i] = vmi_orbit_sum_to(&r->B_size, theta);
+    }
+    r->B_mean = vmi_orbit_mean(orbit, nodes, first);
+    r->B_size_mean = vmi_orbit_mean(orbit, nodes, second);
+    r->largest_a = 0;
+    r->largest_B = 0;
+    for (i = 0; i < nodes->n; i++) {
+        const vm_real B_j = vmi_orbit_B_j(orbit, r, first[i] - r->B_mean, second[i] - r->B_size_mean);
+        r->largest_a = vmi_larger(VM_FABS(nodes->a[i]) / orbit->j, r->largest_a);
+        r->largest_B = vmi_larger(VM_FABS(B_j) * orbit->w, r->largest_B);
+    }
+}
+
+/* Computes the ripple of a complete orbit. Its terms are small, so that 8 digits are enough for them. */
+VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-5);
+    vmi_orbit_nodes nodes;
+    vmi_orbit_times(orbit, enough, &r->time, &r->time_size);
+    r->w_size = -orbit->w * (vmi_orbit_whole(&r->time_size) / vmi_orbit_whole(&r->time));
+    r->j_size = orbit->energy_slope / orbit->w;
+    vmi_orbit_ripple_nodes(orbit, r, &nodes);
+    vmi_orbit_ripple_means(orbit, &nodes, r);
+}
+
+/* The ripple at a phase of any size */
+VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
+                                vmi_orbit_ripple_values *now)
+{
+    const vmi_orbit_folded f = vmi_orbit_fold(orbit, phi);
+    const vm_real time = f.phi / orbit->w, theta = vmi_orbit_theta(&r->time, time);
+    const vm_real B_size = vmi_orbit_sum_to(&r->B_size, theta) - r->B_size_mean;
+    now->a = f.sign * (vmi_orbit_sum_to(&r->squares, theta) - orbit->j * f.phi);
+    now->B = vmi_orbit_sum_to(&r->B, theta) - r->B_mean;
+    now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
+}
+
+/* The relative change of w over the relative change of j */
+VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    return orbit->j * r->w_size / (r->j_size * orbit->w);
+}
+
+/* (M/w)_j, on which the mean rate of the phase depends */
+VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
+}
+
+/* The mean action that belongs to the action j of an orbit at a phase. h is the damping above and h_rate = dh/ds. */
+VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
+                                     const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
+{
+    const vm_real w = orbit->w, w_j = r->w_size / r->j_size, first = 2 * h * now->a / w;
+    const vm_real M2_j = (vmi_orbit_M_j(r, orbit) - r->M * w_j / (w * w)) / w; /* (M/w^2)_j */
+    vm_real second = -(2 * h_rate + 4 * h * h) * now->B / (w * w) + 4 * h * h * orbit->j * now->B_j / w;
+    second += 2 * h * h * (M2_j - (now->a * now->a - r->M) * w_j / (w * w * w));
+    return orbit->j + first + second;
+}
+
+#endif

@@ -1,0 +1,273 @@
+/* oscillators/van_der_pol_routes.h - the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
+
+   Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
+   after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
+     VM_ROUTE_ATEB           first order, from the start that the law of order three has; errors are O(epsilon)
+     VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
+     VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
+     VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
+     VM_ROUTE_RK87           integration of the equation of motion by rk87, to a tolerance
+   epsilon is the relative change of the vibration within a radian. The cost of the first three does not depend on t.
+   vm_vdp_within takes the cheapest route whose error is estimated to be within a tolerance. The shortest useful call:
+       vm_vdp v;
+       vm_osc_motion motion;
+       memset(&v, 0, sizeof v);
+       v.alpha = 3;
+       v.k = 1;
+       v.feed = v.c = VM_C(0.01);
+       v.mass = vm_law_linear(1, VM_C(-0.001)); // a mass of 1 kg, which leaks 1 g/s
+       int status = vm_vdp_within(&v, VM_C(0.5), 0, 300, VM_C(1e-6), &motion); // from rest at 0.5 m, after 300 s
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_ROUTES_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_ROUTES_H
+
+#include "../ateb/period.h"
+#include "../base/arrays.h"
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "integration.h"
+#include "collocation.h"
+#include "mean_motion.h"
+#include "problem.h"
+#include "ripple.h"
+#include "routes.h"
+#include "van_der_pol.h"
+#include "van_der_pol_expansion.h"
+#include "van_der_pol_walk.h"
+
+/* -- The law of orders one to three -- */
+
+/* The order, 1 to 3, of a route of the law, or 0 for every other route */
+VM_API int vmi_vdp_order_of(int route)
+{
+    switch (route) {
+    case VM_ROUTE_ATEB: return 1;
+    case VM_ROUTE_ORDER2: return 2;
+    case VM_ROUTE_ORDER3: return 3;
+    default: return 0;
+    }
+}
+
+/* Estimates the error of order three, and writes that of order two. Both are sums of the terms that the order leaves
+   out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the start grow
+   with the phase. Fast changes of the mass and rounding errors are added. The factor 2 fits the errors that
+   tests/test_van_der_pol_law.c finds. */
+VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vm_real n = r->alpha + 1, largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
+    const vmi_vdp_sizes now = vmi_vdp_sizes_at(p, &mean->now, mean->ln_A, W);
+    const vm_real back = 2 / n * now.psi + 2 / (n + 2) * now.J;
+    const vm_real all = back + 2 / n * mean->psi_error + 2 / (n + 2) * mean->J_error;
+    vm_real E[VMI_OSC_G], third = all * vmi_larger(now.ratio, mean->ratio), error;
+    const vm_real fast = (1 + VM_FABS(r->gamma) * turns) * vmi_osc_fast(&p->osc, &mean->fast);
+    const vm_real rounding = 4 * VM_EPSILON * (2 + turns) + W * mean->fast.error;
+    vmi_expansion_sizes terms;
+    vmi_vdp_absolute_E(&mean->now, W, E);
+    vmi_expansion_find_sizes(r, E, &terms);
+    third += 2 / n * (mean->psi_third + terms.psi[3] + terms.psi[4]);
+    third += 2 / (n + 2) * (mean->J_third + terms.J[3] + terms.J[4]);
+    error = 2 * third + fast + rounding;
+    *second = 2 * back + error;
+    if (!(*second < largest_known)) *second = VM_INFINITY;
+    return error < largest_known ? error : VM_INFINITY;
+}
+
+/* Computes the motion by order 1, 2 or 3 from the mean motion. */
+VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
+{
+    const int order = vmi_vdp_order_of(route);
+    const vm_real alpha = p->vdp.alpha;
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vmi_osc_reduced state = vmi_vdp_state(p, order, mean);
+    vm_osc_motion result, better;
+    vm_real sa, ca, second;
+    vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+    vmi_osc_unreduce(&state, mean->now.p, alpha, sa, ca, &result.x, &result.v);
+    result.amplitude = state.A;
+    result.error = vmi_vdp_error(p, mean, &second);
+    if (order < 3) result.error = second;
+    result.route = route;
+    result.evals = 0;
+    if (order == 1) { /* the estimate is the difference from order two */
+        const vm_real vmax = 2 / (alpha + 1) * state.A * state.W;
+        int status = vmi_vdp_order_n(p, VM_ROUTE_ORDER2, mean, &better);
+        if (status) return status;
+        result.error += vmi_larger(VM_FABS(result.x - better.x) / state.A, VM_FABS(result.v - better.v) / vmax);
+    }
+    if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
+    if (!(result.error >= 0)) result.error = VM_INFINITY;
+    *motion = result;
+    return VM_OK;
+}
+
+/* -- One route -- */
+
+/* Integrates the exact equations to the tolerance, by a function of oscillators/routes.h. The term -c x^2 x' is the
+   further force. */
+VM_API int vmi_vdp_integrate(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vm_osc_plan exact = p->osc;
+    vm_real c = p->vdp.c;
+    exact.problem.force = vmi_vdp_force;
+    exact.problem.ctx = &c;
+    if (route == VM_ROUTE_COLLOCATION) return vmi_osc_collocate(&exact, route, t, tolerance, motion);
+    if (route == VM_ROUTE_RK87) return vmi_osc_integrate_rk87(&exact, route, t, tolerance, motion);
+    return vmi_osc_integrate_within(&exact, t, tolerance, motion);
+}
+
+/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
+{
+    if (!p) return VM_BAD_ARGUMENT;
+    return vmi_osc_check_call(&p->osc, VM_ROUTE_ATEB, t, tolerance, motion);
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
+   t is in seconds, of either sign. route is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
+   VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
+   velocity at the amplitude A; it is infinite where the law does not hold. The routes that integrate keep it within the
+   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or
+   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. An error
+   leaves *motion untouched; it returns
+     VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
+     VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
+     VM_BAD_MASS for a mass that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, or a user's function that fails,
+     VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for the law and collocation,
+     VM_NOT_INTEGRATED for the law where a table has points closer than a quarter of a vibration,
+     VM_NOT_INTEGRATED where the integrator gives up. */
+VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    const int by_law = vmi_vdp_order_of(route) > 0;
+    vmi_vdp_mean mean;
+    int status;
+    if (!by_law && route != VM_ROUTE_COLLOCATION && route != VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
+    status = vmi_vdp_check_call(p, t, &tolerance, motion);
+    if (status) return status;
+    if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, route, motion);
+    if (!by_law) return vmi_vdp_integrate(p, route, t, tolerance, motion);
+    status = vmi_vdp_mean_at(p, t, &mean);
+    if (status) return status;
+    return vmi_vdp_order_n(p, route, &mean, motion);
+}
+
+/* -- The cheapest route -- */
+
+/* Writes the motion by the first of the orders 1 to 3 whose error is estimated to be within the tolerance. Returns
+   VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
+VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    const vm_real reserve = VM_C(1.5); /* as for the oscillator without feed, see vmi_osc_averaged_within */
+    vmi_vdp_mean mean;
+    vm_osc_motion result;
+    int route;
+    if (vmi_vdp_mean_at(p, t, &mean)) return VM_TOLERANCE_MISSED;
+    for (route = VM_ROUTE_ATEB; route <= VM_ROUTE_ORDER3; route++) {
+        if (vmi_vdp_order_n(p, route, &mean, &result)) return VM_TOLERANCE_MISSED;
+        if (!(reserve * result.error <= tolerance)) continue;
+        *motion = result;
+        return VM_OK;
+    }
+    return VM_TOLERANCE_MISSED;
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan.
+   t is in seconds, of either sign. It takes the first of order one, two and three whose error is estimated to be within
+   the tolerance, and else integrates; motion->route says which. The tolerance is relative, for the larger of |error of
+   x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
+VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    int status = vmi_vdp_check_call(p, t, &tolerance, motion);
+    if (status) return status;
+    if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, VM_ROUTE_ATEB, motion);
+    status = vmi_vdp_law_within(p, t, tolerance, motion);
+    if (status != VM_TOLERANCE_MISSED) return status;
+    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* collocation, or else rk87 */
+}
+
+/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, for a single t.
+   x (m) and x_rate (m/s) are position and velocity at t = 0. Arguments, result and statuses are those of
+   vm_vdp_plan_within and vm_vdp_plan_init. */
+VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, vm_real tolerance,
+                         vm_osc_motion *motion)
+{
+    vm_vdp_plan plan;
+    int status = vmi_osc_check_arguments(VM_ROUTE_ATEB, t, tolerance, motion);
+    status = vmi_first_error(status, vm_vdp_plan_init(&plan, v, x, x_rate));
+    if (status) return status;
+    return vm_vdp_plan_within(&plan, t, tolerance, motion);
+}
+
+/* -- The limit cycle -- */
+
+/* The limit cycle of a Van der Pol oscillator of constant mass */
+typedef struct VM_TAG(vm_vdp_cycle) {
+    vm_real largest_x; /* the largest position, m */
+    vm_real period;    /* s */
+    vm_real epsilon;   /* the small number of which largest_x and period are power series */
+    int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
+} vm_vdp_cycle;
+
+/* Writes the coefficients of epsilon^2 in the series of the largest x, *kx, and of the rate of the phase, *kw, where
+   epsilon = feed/(m W). The amplitude is constant on the cycle, which gives the disturbances for epsilon = 1. The
+   largest x is reached where x' = 0, that is V = p x: by `late` epsilon later than the phase 0, where V = 0. */
+VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
+{
+    const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
+    vmi_vdp_disturbance d;
+    vmi_vdp_values f;
+    vm_real kA, late;
+    d.e = -1 / v->F;
+    d.e1 = (2 * s - 1) * d.e;
+    d.Q0 = -s / 2 * d.e;
+    d.E0 = -s * (2 - s) / 4;
+    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* changes of A^2 over A^2, from F + second = 0 */
+    *kw = (r->alpha - 1) / 4 * kA + vmi_vdp_mean_rate(v, r, &d) - 1;
+    vmi_vdp_values_at(v, r, 0, 0, 1, &f);
+    late = n * s / 4;
+    *kx = kA / 2 + 2 / (n + 2) * (late - d.e * f.P1 + vmi_vdp_J_back_second(v, r, &f, &d)) - late * late / n;
+}
+
+/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon.
+   epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the
+   largest x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16
+   for alpha = 1. Both are right to O(epsilon^4). The mass is that of the law v->mass at t = 0; the fields method,
+   reactive and a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
+   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
+   cycle, that is unless feed and c have the same sign. An error leaves *cycle untouched. */
+VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
+{
+    vmi_ripple r;
+    vmi_vdp_ripple ripple;
+    vm_vdp_cycle result;
+    vm_real mass, mass_rate, A, W, kx, kw, numbers[3];
+    int status;
+    if (!v || !cycle || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
+    status = vmi_first_error(vmi_vdp_check(v), vmi_law_check(&v->mass, VM_BAD_MASS, 0));
+    if (!status) status = vmi_law_at(&v->mass, VM_BAD_MASS, 0, &mass, &mass_rate);
+    if (status) return status;
+    if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
+    vmi_ripple_init(&r, v->alpha, vmi_ateb_constants);
+    vmi_ripple_complete(&r);
+    vmi_vdp_ripple_init(&ripple, &r);
+    vmi_vdp_cycle_coefficients(&ripple, &r, &kx, &kw);
+    A = VM_SQRT(v->feed / v->c / -ripple.F);
+    W = vmi_slow_rate(A, v->k, mass, v->alpha);
+    result.epsilon = v->feed / mass / W;
+    result.largest_x = A * (1 + kx * result.epsilon * result.epsilon);
+    result.period = 2 * r.pi / (W * (1 + kw * result.epsilon * result.epsilon));
+    result.stable = v->c > 0;
+    numbers[0] = result.largest_x;
+    numbers[1] = result.period;
+    numbers[2] = result.epsilon;
+    if (!vmi_all_finite(3, numbers)) return VM_NOT_FINITE;
+    *cycle = result;
+    return VM_OK;
+}
+
+#endif

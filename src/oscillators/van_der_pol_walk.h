@@ -1,0 +1,510 @@
+/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along any slow law of its mass
+
+   The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
+   therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
+   there. The mean amplitude and phase at any other time are integrals along the law of the mass, cost does not depend
+   on the number of vibrations. With B = c/m and r = exp(-2 integral of p dt) from the start of a panel of time
+   (oscillators/panels.h), the mean amplitude A and phase psi on the panel are
+     A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
+     psi = psi_0 + integral of W (1 + second order terms) dt.
+   At the points of a table p' jumps, so that the mean motion jumps, too: there the exact equations take over, from the
+   last phase before the point at which sa or ca is 0 to the first one after it.
+       vm_vdp_plan plan;
+       vmi_vdp_mean mean;
+       int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
+       if (!status) status = vmi_vdp_mean_at(&plan, 100, &mean); // mean.ln_A, mean.psi
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
+
+#include "../ateb/plans.h"
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "averaging.h"
+#include "collocation.h"
+#include "laws.h"
+#include "legendre.h"
+#include "mean_motion.h"
+#include "panels.h"
+#include "plan.h"
+#include "problem.h"
+#include "reduction.h"
+#include "ripple.h"
+#include "van_der_pol.h"
+#include "van_der_pol_expansion.h"
+#include "walk.h"
+#include "waves.h"
+
+/* The mean motion at one time, and what the error depends on */
+typedef struct VM_TAG(vmi_vdp_mean) {
+    vm_real t;                    /* the time, s */
+    vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
+    vm_real first_ln_A, first_psi; /* both by the first order of the same equations */
+    vm_real segment;              /* time, s, of the last point of a table, or 0: the laws are smooth since then */
+    vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
+    vm_real J_error;              /* what order two leaves out of ln J at starts, as far as it is left at t */
+    vm_real psi_error;            /* what order two leaves out of psi */
+    vm_real J_third, psi_third;   /* the same for order three, of terms that depend on feed and mass alone */
+    vm_real ratio;                /* largest ratio of terms of one order to those of the order before, at all starts */
+    vmi_osc_mean fast;            /* only change, dropped, shortest and error: what fast changes of the mass cause */
+} vmi_vdp_mean;
+
+/* What is computed only once for a Van der Pol oscillator and its state at t = 0, by vm_vdp_plan_init. Read its fields,
+   but do not change them. The plan points to the tables, functions and contexts of the law of the mass. */
+typedef struct VM_TAG(vm_vdp_plan) {
+    vm_vdp vdp;            /* a copy of the oscillator */
+    vm_osc_plan osc;       /* the oscillator without its term -c x^2 x', with the feed as a negative damping */
+    vmi_vdp_ripple ripple; /* constants and polynomials of the law of order three */
+    int start_status;      /* VM_OK where `start` is set; else why there is no mean motion, or VM_NO_LAW at rest */
+    vmi_vdp_mean start;    /* the start of the mean motion forward in time */
+} vm_vdp_plan;
+
+/* The term -c x^2 x', N; ctx points to c. */
+VM_API vm_real vmi_vdp_force(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    const vm_real *c = (const vm_real *)ctx;
+    (void)t;
+    return -*c * x * x * v;
+}
+
+/* -- The disturbances -- */
+
+/* The rate of the phase, 1/s, at the amplitude exp(ln_A) */
+VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real ln_A)
+{
+    const vm_real alpha = p->vdp.alpha;
+    return VM_SQRT((alpha + 1) / 2 * p->vdp.k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
+}
+
+/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. From p = (2 a - m'/m)/(alpha+3) follows m'/m. */
+VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p)
+{
+    return (p->vdp.alpha - 1) * rate_p - rate_a;
+}
+
+/* The disturbances where the mass has the rates a and p, G0 is p^2 - a p - p', and the amplitude exp(ln_A) has the rate
+   of phase W */
+VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real rate_a, vm_real rate_p,
+                                                  vm_real G0, vm_real ln_A, vm_real W)
+{
+    vmi_vdp_disturbance d;
+    d.e = p->vdp.c / mass * vmi_exp(2 * ln_A, 0) / W;
+    d.e1 = d.e * vmi_vdp_nu(p, rate_a, rate_p) / W;
+    d.Q0 = d.e * rate_p / W;
+    d.E0 = G0 / W / W;
+    return d;
+}
+
+/* The same where *now holds mass and rates */
+VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
+                                                  vm_real W)
+{
+    const vm_real G0 = now->G[0] / now->unit / now->unit;
+    return vmi_vdp_disturbance_of(p, now->m, now->a, now->p, G0, ln_A, W);
+}
+
+/* The sizes of terms for estimates, where *now holds mass and rates, and the amplitude exp(ln_A) has the rate of phase
+   W */
+VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
+{
+    const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
+    const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p)) + VM_FABS(now->p) + VM_FABS(now->a)) / W;
+    return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
+}
+
+/* Writes |E_k| = |G_k|/W^(k+2), see oscillators/expansion.h. They belong to the oscillator without its term in c. */
+VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
+{
+    int i;
+    vmi_osc_disturbance(now, W, E);
+    for (i = 0; i < VMI_OSC_G; i++) E[i] = VM_FABS(E[i]);
+}
+
+/* -- The start -- */
+
+/* Starts the mean motion at the state r->A, r->psi, r->W of the reduction, where sa or ca is 0. mean->t and mean->now
+   belong to this time. The errors that the start causes are added to those in *mean. */
+VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi_vdp_mean *mean)
+{
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vm_real ln_A = vmi_log(r->A).hi;
+    const vmi_vdp_disturbance now = vmi_vdp_disturbance_at(p, &mean->now, ln_A, r->W);
+    const vmi_vdp_sizes sizes = vmi_vdp_sizes_at(p, &mean->now, ln_A, r->W);
+    vmi_vdp_values f;
+    vmi_expansion_sizes terms;
+    vm_real E[VMI_OSC_G], sa, ca;
+    vmi_osc_wave_at(&wave, r->psi, &ca, &sa);
+    vmi_vdp_values_at(&p->ripple, &p->osc.ripple, r->psi, sa, ca, &f);
+    vmi_vdp_absolute_E(&mean->now, r->W, E);
+    mean->ln_A = ln_A + 2 / (p->vdp.alpha + 3) * vmi_vdp_J(&p->ripple, &p->osc.ripple, &f, &now);
+    mean->psi = r->psi + vmi_vdp_psi(&f, &now);
+    mean->first_ln_A = mean->ln_A;
+    mean->first_psi = mean->psi;
+    mean->J_error += sizes.start;
+    mean->psi_error += sizes.psi;
+    vmi_expansion_find_sizes(&p->osc.ripple, E, &terms);
+    mean->J_third += terms.J[4];
+    mean->psi_third += terms.psi[3];
+    mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
+}
+
+/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, but past the
+   next point of a table if `knots` is 1. Then starts the mean motion there. side is 1 forward, -1 backward in time.
+   VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has more points on
+   the way. */
+VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
+                          vmi_vdp_mean *mean)
+{
+    const int nodes = 14, most_steps = 8;
+    vm_osc_plan exact = p->osc;
+    vm_real c = p->vdp.c;
+    vmi_osc_course course;
+    vmi_osc_reduced end;
+    vmi_osc_rates rates;
+    int i, landed = 0, status;
+    exact.problem.force = vmi_vdp_force;
+    exact.problem.ctx = &c;
+    vmi_osc_course_start(&course, &exact, r, side, nodes, 2, 16 * VM_EPSILON);
+    course.t = t;
+    for (i = 0; i < most_steps; i++) {
+        course.stop = vmi_osc_next_knot(&exact.problem, course.t, VM_COPYSIGN(VM_INFINITY, (vm_real)side));
+        status = vmi_osc_course_step(&course);
+        if (status) return status;
+        if (course.t == course.stop) landed++;
+        else if (landed >= knots) break;
+        if (landed > knots) return VM_NOT_INTEGRATED;
+    }
+    if (i == most_steps) return VM_NOT_INTEGRATED;
+    status = vmi_osc_rates_at(&exact.problem, course.t, side, &rates);
+    if (!status)
+        status = vmi_osc_slow_at(&exact.problem, course.t, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om,
+                                 &mean->now);
+    if (status) return status;
+    end.psi = course.psi;
+    end.A = exact.A * vmi_exp(course.ln_A, 0);
+    end.W = exact.Om * vmi_osc_Om_ratio(&exact, &rates, course.ln_A);
+    mean->t = course.t;
+    mean->segment = knots ? mean->segment : t;
+    vmi_vdp_start_at(p, &end, mean);
+    return VM_OK;
+}
+
+/* Starts the mean motion from position and velocity at t = 0, for times t > 0 with side = 1, t < 0 with side = -1. */
+VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_osc_problem *o = &p->osc.problem;
+    const vm_real quarter = p->osc.ripple.pi / 2;
+    vmi_osc_reduced r;
+    vm_real from_multiple;
+    int i, status = vmi_osc_slow_at(o, 0, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om, &mean->now);
+    if (status) return status;
+    mean->t = 0;
+    mean->segment = 0;
+    mean->J_error = 0;
+    mean->psi_error = 0;
+    mean->J_third = 0;
+    mean->psi_third = 0;
+    mean->ratio = 0;
+    mean->fast = vmi_osc_mean_at_0(&p->osc);
+    for (i = 0; i < VMI_WALK_ORDERS; i++) mean->fast.change[i] = 0;
+    r = vmi_osc_reduce(&mean->now, o->alpha, o->x, o->v);
+    if (!(r.A > 0) || !VM_IS_FINITE(r.A)) return VM_NOT_FINITE;
+    from_multiple = r.psi - quarter * VM_FLOOR(r.psi / quarter + VM_C(0.5));
+    if (VM_FABS(from_multiple) > 64 * VM_EPSILON * quarter) return vmi_vdp_bridge(p, 0, side, &r, 0, mean);
+    vmi_vdp_start_at(p, &r, mean);
+    return VM_OK;
+}
+
+/* Plan for many values of the motion of a Van der Pol oscillator.
+   x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
+   plan. The fields method and a1 to a3 of the oscillator do not matter. The oscillator is copied; the tables and
+   contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
+   pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN,
+   VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for
+   alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
+VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
+{
+    vm_vdp_plan plan;
+    vm_osc_problem o;
+    int status;
+    if (!p || !v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
+    o.alpha = v->alpha;
+    o.mass = v->mass;
+    o.stiffness = vm_law_linear(v->k, 0);
+    o.reactive = v->reactive;
+    o.damping = -v->feed;
+    o.x = x;
+    o.v = x_rate;
+    o.force = NULL;
+    o.ctx = NULL;
+    plan.vdp = *v;
+    status = vmi_vdp_check(v);
+    status = vmi_first_error(status, vm_osc_plan_init(&plan.osc, &o));
+    if (status) return status;
+    plan.start_status = VM_NO_LAW;
+    if (plan.osc.A > 0) {
+        vmi_vdp_ripple_init(&plan.ripple, &plan.osc.ripple);
+        plan.start_status = vmi_vdp_start(&plan, 1, &plan.start);
+    }
+    *p = plan;
+    return VM_OK;
+}
+
+/* -- A panel -- */
+
+/* Series and integrals of the mean motion on a panel of time */
+typedef struct VM_TAG(vmi_vdp_panel) {
+    vmi_osc_panel laws;                   /* the law of mass; its fields E and noise for fast changes */
+    vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
+    vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
+    vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
+    vm_real loss;                         /* factor by which an error of ln J changes over the panel */
+    vm_real kept;                         /* integral over the phase of this factor from the start */
+} vmi_vdp_panel;
+
+/* Mean values at the points of Gauss' rule of a panel */
+typedef struct VM_TAG(vmi_vdp_nodes) {
+    vm_real r[VMI_GAUSS], ln_r[VMI_GAUSS];      /* r/m, see vmi_vdp_panel, and ln r */
+    vm_real first_ln_A[VMI_GAUSS], first_rate[VMI_GAUSS];
+    vm_real G0[VMI_GAUSS], E[VMI_GAUSS];        /* p^2 - a p - p', and E_0 */
+    vm_real second[VMI_GAUSS];                  /* r/m times the terms of second order of (ln J)'/(W e) */
+    vm_real rate[VMI_GAUSS];
+} vmi_vdp_nodes;
+
+/* ln of r = exp(-2 integral of p dt) over a time in which the mass changes by the factor exp(ln_m), and the integral
+   of dt/m is `way` */
+VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real way)
+{
+    vm_real ln_A, ln_Om;
+    vmi_osc_adiabatic(&p->osc, ln_m, 0, p->osc.problem.damping * way, &ln_A, &ln_Om);
+    return 2 * ln_A;
+}
+
+/* Computes the first order at the nodes, and from it the terms of second order. *mean is the mean motion at the start
+   of the panel, where the mass is m_start. */
+VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vm_real m_start,
+                                const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes, vmi_vdp_panel *panel)
+{
+    const vm_real gain = -4 / (p->vdp.alpha + 3) * p->ripple.F * p->vdp.c * vmi_exp(2 * mean->first_ln_A, 0);
+    vm_real unused[VMI_GAUSS];
+    int i;
+    panel->laws.noise = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real way = length / 2 * vmi_legendre_integral(panel->laws.inverse, vmi_gauss_node(i));
+        nodes->ln_r[i] = vmi_vdp_ln_r(p, vmi_log(now->m / m_start).hi, way);
+        nodes->r[i] = vmi_exp(nodes->ln_r[i], 0) / now->m;
+        nodes->G0[i] = now->p * (now->p - now->a) - at->p_rate[i];
+    }
+    vmi_legendre_fit(nodes->r, nodes->r, panel->r, unused);
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real y = 1 + gain * (length / 2) * vmi_legendre_integral(panel->r, vmi_gauss_node(i));
+        const vm_real ln_A = mean->first_ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2;
+        const vm_real W = vmi_vdp_rate(p, now->m, ln_A);
+        const vm_real p_noise = vmi_osc_rate_noise() / VM_FABS(length);
+        vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        nodes->first_ln_A[i] = ln_A;
+        nodes->first_rate[i] = y > 0 ? W : VM_NAN;
+        nodes->second[i] = nodes->r[i] * vmi_vdp_mean_second(&p->ripple, &d);
+        nodes->E[i] = d.E0;
+        panel->laws.noise = vmi_larger(p_noise / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W), panel->laws.noise);
+    }
+    panel->first_ln_A = 1 + gain * length * panel->r[0]; /* y at the end of the panel */
+}
+
+/* Computes the mean motion of order three at the nodes, from the series `second` of the terms of second order. */
+VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
+                                 const vmi_osc_panel_laws *at, const vm_real *second, vmi_vdp_nodes *nodes,
+                                 vmi_vdp_panel *panel)
+{
+    const vm_real gain = -4 / (p->vdp.alpha + 3) * p->vdp.c * vmi_exp(2 * mean->ln_A, 0);
+    int i;
+    panel->kept = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vmi_osc_rates *now = &at->rates[i];
+        const vm_real node = vmi_gauss_node(i);
+        const vm_real sum = p->ripple.F * vmi_legendre_integral(panel->r, node) + vmi_legendre_integral(second, node);
+        const vm_real y = 1 + gain * (length / 2) * sum;
+        const vm_real ln_A = mean->ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2, W = vmi_vdp_rate(p, now->m, ln_A);
+        const vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        nodes->rate[i] = y > 0 ? W * vmi_vdp_mean_rate(&p->ripple, &p->osc.ripple, &d) : VM_NAN;
+        panel->kept += vmi_gauss_weight(i) / 2 * VM_FABS(length) * W / y;
+    }
+    panel->loss = 1 / (1 + gain * length * (p->ripple.F * panel->r[0] + second[0]));
+}
+
+/* Computes the panel from mean->t over `length`, which is negative backward. */
+VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vmi_vdp_panel *panel)
+{
+    const vm_osc_problem *o = &p->osc.problem;
+    const int side = vmi_time_side(length);
+    vmi_osc_panel_laws at;
+    vmi_vdp_nodes nodes;
+    vm_real m_start[VMI_LAW_ORDERS], m_end[VMI_LAW_ORDERS], second[VMI_GAUSS], ln_r;
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t, side, 0, m_start);
+    if (!status) status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t + length, -side, 0, m_end);
+    if (!status) status = vmi_osc_read_laws(o, side, mean->t, length, &at, &panel->laws);
+    if (status) return status;
+    vmi_vdp_first_order(p, mean, length, m_start[0], &at, &nodes, panel);
+    vmi_legendre_fit(nodes.second, nodes.E, second, panel->laws.E);
+    vmi_vdp_second_order(p, mean, length, &at, second, &nodes, panel);
+    vmi_legendre_fit(nodes.rate, nodes.first_rate, panel->rate, panel->first_rate);
+    ln_r = vmi_vdp_ln_r(p, vmi_log(m_end[0] / m_start[0]).hi, length * panel->laws.inverse[0]);
+    panel->first_ln_A = (ln_r - vmi_log(panel->first_ln_A).hi) / 2;
+    panel->ln_A = (ln_r + vmi_log(panel->loss).hi) / 2;
+    return VM_OK;
+}
+
+/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. A panel also counts as short
+   enough if the terms of E_0 that its series leaves out do not matter. */
+VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length, vm_real whole)
+{
+    const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
+    const vm_real limit = vmi_panel_limit(length, whole), phase = panel->rate[0] * VM_FABS(length);
+    if (!(panel->laws.edge <= vmi_panel_edge_limit(limit))) return 0;
+    if (!vmi_panel_is_resolved(panel->laws.inverse, limit) || !vmi_panel_is_resolved(panel->r, limit)) return 0;
+    if (!vmi_panel_is_resolved(panel->rate, limit) || !vmi_panel_is_resolved(panel->first_rate, limit)) return 0;
+    return vmi_legendre_tail(panel->laws.E) <= E_enough * VM_SQRT(vmi_legendre_square(panel->laws.E)) +
+                                                   phase_matters * (1 + 1 / phase) / phase;
+}
+
+/* Advances the mean motion over a panel. */
+VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_real length, vmi_vdp_mean *mean)
+{
+    const vm_real g = VM_FABS(p->osc.ripple.gamma), phase = panel->rate[0] * VM_FABS(length);
+    const vm_real second = VM_FABS(vmi_expansion_second(&p->osc.ripple)) * vmi_legendre_square(panel->laws.E);
+    mean->t += length;
+    mean->psi += length * panel->rate[0];
+    mean->first_psi += length * panel->first_rate[0];
+    mean->ln_A += panel->ln_A;
+    mean->first_ln_A += panel->first_ln_A;
+    mean->psi_error += g * mean->J_error * panel->kept;
+    mean->psi_third += g * mean->J_third * panel->kept + phase * second;
+    mean->J_error *= panel->loss;
+    mean->J_third *= panel->loss;
+    panel->laws.ratio[0] = panel->rate[0] / p->osc.mean.W; /* vmi_osc_add_changes asks for the rate in this form */
+    panel->laws.cube = 0;
+    vmi_osc_add_changes(&p->osc, &panel->laws, length, &mean->fast);
+}
+
+/* Advances the mean motion to `end` by panels of at most `longest`. No table may have a point on the way. `whole` is
+   the length of the whole walk, s. Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+VM_API int vmi_vdp_walk_piece(const vm_vdp_plan *p, vm_real end, vm_real longest, vm_real whole, vmi_vdp_mean *mean)
+{
+    vmi_panels panels = vmi_panels_from(mean->t, end, longest, whole);
+    while (vmi_panels_next(&panels)) {
+        const vm_real length = panels.side * panels.step;
+        vmi_vdp_panel panel;
+        int status = vmi_vdp_panel_of(p, mean, length, &panel);
+        if (status) return status;
+        if (!vmi_vdp_panel_is_resolved(&panel, panels.step, whole)) {
+            if (vmi_panels_halve(&panels)) continue;
+            if (!VM_IS_FINITE(panel.ln_A) || !VM_IS_FINITE(panel.rate[0])) return VM_NOT_FINITE;
+            mean->fast.error += panels.step * vmi_legendre_tail(panel.rate) / p->osc.Om;
+        }
+        vmi_vdp_add_panel(p, &panel, length, mean);
+        if (panels.step < mean->fast.shortest && panels.step < panels.left) mean->fast.shortest = panels.step;
+        vmi_panels_advance(&panels);
+        mean->t = panels.t;
+    }
+    return VM_OK;
+}
+
+/* -- The motion that belongs to a mean motion -- */
+
+/* Writes amplitude, phase and its rate at mean->t by order 1, 2 or 3, with rates from mean->now. */
+VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_vdp_mean *mean)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
+    const vm_real share = 2 / (r->alpha + 3);
+    vm_real ln_A = order == 1 ? mean->first_ln_A : mean->ln_A, sa, ca, ln_J;
+    vmi_osc_reduced state;
+    vmi_vdp_disturbance now;
+    vmi_vdp_values f;
+    state.W = vmi_vdp_rate(p, mean->now.m, ln_A);
+    state.psi = order == 1 ? mean->first_psi : mean->psi;
+    if (order > 1) {
+        now = vmi_vdp_disturbance_at(p, &mean->now, ln_A, state.W);
+        vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
+        vmi_vdp_values_at(&p->ripple, r, state.psi, sa, ca, &f);
+        ln_J = now.e * f.U;
+        state.psi += now.e * f.P1;
+        if (order > 2) {
+            ln_J += vmi_vdp_J_back_second(&p->ripple, r, &f, &now);
+            state.psi += vmi_vdp_psi_back_second(&p->ripple, r, mean->psi, &f, &now);
+        }
+        ln_A += share * ln_J;
+        state.W *= vmi_exp(r->gamma * ln_J, 0);
+    }
+    state.A = vmi_exp(ln_A, 0);
+    return state;
+}
+
+/* -- The walk -- */
+
+/* Sets the rates of *mean for its time. side is the direction of the walk, 1 forward, -1 backward in time; where
+   derivatives jump, their values on the side from which the walk comes are taken. */
+VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_real sampling = vmi_osc_sampling_time(&p->osc), way = VM_FABS(mean->t);
+    const vm_real unit = 1 / p->osc.Om;
+    if (way == 0) return vmi_osc_slow_at(&p->osc.problem, 0, side, sampling, unit, &mean->now);
+    return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
+}
+
+/* Takes the mean motion past its time, a point of a table: from the last phase before it where sa or ca is 0 by the
+   exact equations to the first one after it. */
+VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), knot = mean->t;
+    const vm_real back = -(vm_real)side * quarter * (turns - VM_FLOOR(turns)) / W;
+    vmi_vdp_panel panel;
+    vmi_osc_reduced state;
+    int status = VM_OK;
+    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the table's points are dense */
+    if (back != 0) {
+        status = vmi_vdp_panel_of(p, mean, back, &panel);
+        if (status) return status;
+        vmi_vdp_add_panel(p, &panel, back, mean);
+    }
+    mean->t = knot + back;
+    status = vmi_vdp_mean_update(p, side, mean);
+    if (status) return status;
+    state = vmi_vdp_state(p, 3, mean);
+    mean->segment = knot;
+    return vmi_vdp_bridge(p, mean->t, side, &state, 1, mean);
+}
+
+/* Computes the mean motion at t by a walk along the law of the mass, from one point of a table to the next. Returns
+   VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer than
+   a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
+VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
+{
+    const vm_law *mass = &p->osc.problem.mass;
+    const int side = vmi_time_side(t);
+    vm_real whole, longest, at = 0;
+    int status = p->start_status;
+    if (side < 0 && mass->time) status = vmi_vdp_start(p, -1, mean);
+    else if (!status) *mean = p->start;
+    if (status) return status;
+    whole = vmi_larger(VM_FABS(t), VM_FABS(mean->t));
+    longest = vmi_law_longest_panel(mass, whole);
+    mean->fast.shortest = longest;
+    while (!status) {
+        const vm_real next = vmi_law_next_knot(mass, at, t);
+        if (next != t && (vm_real)side * (mean->t - next) > 0) return VM_NOT_INTEGRATED;
+        status = vmi_vdp_walk_piece(p, next, longest, whole, mean);
+        if (!status) status = vmi_vdp_mean_update(p, side, mean);
+        if (status || next == t) return status;
+        status = vmi_vdp_walk_past_knot(p, side, mean);
+        at = next;
+    }
+    return status;
+}
+
+#endif

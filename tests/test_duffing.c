@@ -1,0 +1,174 @@
+/* Duffing's oscillator with constant mass: motions, periods and actions against numbers of 20 digits by Taylor series
+   and quadrature (tests/gen/duffing.py), conservation of energy, the limits of a linear and of a purely cubic spring,
+   the separatrix, and what is refused. test_odd_force.c tests its motion with slow mass, stiffness and damping. */
+#include "../varmass.h"
+#include "check.h"
+#include "slow_vibrations.h"
+
+/* By how much rounding errors of c1 + c3 A^2 and c1 + c3 A^2/2 grow because these terms cancel */
+static double cancellation(double c1, double c3, double x0, double v0)
+{
+    const vm_odd_force force = vm_duffing_force(R(c1), R(c3));
+    vmi_orbit orbit;
+    double rest = 1, square;
+    CHECK(vmi_orbit_of_state(&force, R(x0), R(v0), &orbit) == VM_OK);
+    square = (double)(orbit.size * orbit.size);
+    if (orbit.place != VMI_ORBIT_AROUND_0) return 1 + 2 / (double)orbit.m1;
+    if (c1 * c3 < 0) rest = fmin(fabs(1 + c3 * square / c1), fabs(1 + c3 * square / c1 / 2));
+    return 1 + 1 / rest;
+}
+
+static void test_table(void)
+{
+    static const double table[][9] = {
+#include "data/duffing_table.h"
+    };
+    size_t i;
+    for (i = 0; i < sizeof table / sizeof *table; i++) {
+        const double c1 = table[i][0], c3 = table[i][1], x0 = table[i][2], v0 = table[i][3], t = table[i][4];
+        const double period = table[i][7], turns = 1 + fabs(t) / period, cancels = cancellation(c1, c3, x0, v0);
+        const vm_odd_force force = vm_duffing_force(R(c1), R(c3));
+        const char *kind = cancels > 4 ? "cancelling" : "plain";
+        vmi_orbit orbit;
+        double amplitude, vmax;
+        vm_real x, v;
+        vm_duffing_exact_from(R(t), R(x0), R(v0), R(c1), R(c3), &x, &v);
+        CHECK(vmi_orbit_of_state(&force, R(x0), R(v0), &orbit) == VM_OK);
+        amplitude = (double)vmi_orbit_amplitude(&orbit);
+        vmax = (double)orbit.vmax;
+        check_error("exact x", kind, "eps", ERROR_EPS(x, table[i][5], 0, amplitude) / (turns * cancels), 32, c1, x0);
+        check_error("exact v", kind, "eps", ERROR_EPS(v, table[i][6], 0, vmax) / (turns * cancels), 32, c1, x0);
+        check_error("w", kind, "eps", relative_error(2 * VM_PI / (double)orbit.w, period) / (eps * cancels), 8, c1, x0);
+        check_error("action", kind, "eps", relative_error((double)orbit.j, table[i][8]) / (eps * cancels), 24, c1, x0);
+        if (v0 != 0) continue;
+        near_eps("vm_duffing_period", kind, (double)vm_duffing_period(R(x0), R(c1), R(c3)), period, 8 * cancels);
+        near_eps("vm_duffing_action", kind, (double)vm_duffing_action(R(x0), R(c1), R(c3)), table[i][8], 24 * cancels);
+    }
+}
+
+/* At random states, coefficients of any sign and times of up to some hundred periods the motion keeps its energy, and
+   goes back to where it came from. */
+static void test_energy_and_return(void)
+{
+    int i, bound_motions = 0;
+    for (i = 0; i < 4000; i++) {
+        const double c1 = uniform(-2, 2), c3 = uniform(-1, 2), x0 = uniform(-2, 2), v0 = uniform(-2, 2);
+        const double t = uniform(-100, 100);
+        const vm_odd_force force = vm_duffing_force(R(c1), R(c3));
+        vmi_orbit orbit;
+        vm_real x, v, back_x, back_v;
+        double scale, turns, cancels;
+        vm_duffing_exact_from(R(t), R(x0), R(v0), R(c1), R(c3), &x, &v);
+        if (vmi_orbit_of_state(&force, R(x0), R(v0), &orbit)) {
+            CHECK(is_nan(x) && is_nan(v));
+            continue;
+        }
+        bound_motions++;
+        cancels = cancellation(c1, c3, x0, v0);
+        turns = 1 + fabs(t) * (double)orbit.w / (2 * VM_PI);
+        scale = (double)(orbit.vmax * orbit.vmax);
+        check_error("energy", "random", "eps", fabs((double)vm_duffing_energy(x, v, R(c1), R(c3)) -
+                    (double)vm_duffing_energy(R(x0), R(v0), R(c1), R(c3))) / (eps * scale * cancels), 32, c1, c3);
+        vm_duffing_exact_from(R(-t), x, v, R(c1), R(c3), &back_x, &back_v);
+        check_error("return", "random", "eps", fabs((double)back_x - x0) / (eps * (double)orbit.swing * turns *
+                    cancels * cancels), 128, c1, c3);
+    }
+    CHECK(bound_motions > 2000);
+}
+
+/* For c3 -> 0 the motion is a cosine, for c1 -> 0 the Ateb function ca of alpha = 3; both limits are continuous. */
+static void test_limits(void)
+{
+    int i;
+    for (i = 0; i < 200; i++) {
+        const double A = uniform(0.5, 2), t = uniform(0, 20), tiny = eps / 16;
+        vm_real x, v, want_x, want_v;
+        vm_duffing_exact_from(R(t), R(A), 0, 1, R(i % 2 ? tiny : -tiny), &x, &v);
+        check_error("c3 -> 0", "x", "eps", fabs((double)x - A * cos(t)) / (eps * A * (1 + t)), 4, A, t);
+        check_error("c3 -> 0", "v", "eps", fabs((double)v + A * sin(t)) / (eps * A * (1 + t)), 4, A, t);
+        vm_osc_exact_from(R(t), R(A), 0, 1, 3, &want_x, &want_v);
+        vm_duffing_exact_from(R(t), R(A), 0, R(i % 3 == 0 ? 0 : i % 3 == 1 ? tiny : -tiny), 1, &x, &v);
+        check_error("c1 -> 0", "x", "eps", fabs((double)(x - want_x)) / (eps * A * (1 + t * A)), 8, A, t);
+        check_error("c1 -> 0", "v", "eps", fabs((double)(v - want_v)) / (eps * A * A * (1 + t * A)), 8, A, t);
+        near_eps("period", "linear", (double)vm_duffing_period(R(A), 4, 0), (double)VM_PI, 4);
+        near_eps("period", "cubic", (double)vm_duffing_period(R(A), 0, 1), (double)vm_osc_period(R(A), 1, 3), 8);
+        near_eps("action", "linear", (double)vm_duffing_action(R(A), 4, 0), A * A, 8);
+    }
+}
+
+/* On the separatrix of two wells x = A/cosh(t); close to it, inside and outside, the motion follows it for some time,
+   and the period grows as a logarithm. */
+static void test_separatrix(void)
+{
+    const double A = sqrt(2.);
+    double t, period = 0;
+    int i;
+    vm_real x, v;
+    for (t = -8; t <= 8; t += 0.25) {
+        vm_duffing_exact_from(R(t), 2, 0, -1, R(0.5), &x, &v);
+        check_error("separatrix", "x", "eps", fabs((double)x - 2 / cosh(t)) / (2 * eps / cosh(t)), 32, t, 0);
+        check_error("separatrix", "v", "eps", fabs((double)v + 2 * tanh(t) / cosh(t)) / (2 * eps / cosh(t)), 48, t, 0);
+        vm_duffing_exact_from(R(t), -2, 0, -1, R(0.5), &x, &v);
+        CHECK((double)x < 0);
+    }
+    CHECK(vm_duffing_period(2, -1, R(0.5)) == VM_INFINITY && vm_duffing_period(-2, -1, R(0.5)) == VM_INFINITY);
+    CHECK(is_nan(vm_duffing_action(2, -1, R(0.5))));
+    for (i = 1; i < 18; i++) {
+        const double off = ldexp(1, -i);
+        const double outside = (double)vm_duffing_period(R(A + off), -1, 1);
+        CHECK(outside > period && outside < 4 * log(16 / off));
+        period = outside;
+        CHECK((double)vm_duffing_period(R(A - off / 4), -1, 1) < outside + 4);
+    }
+    /* A softening spring: the amplitude 1 rests in unstable equilibrium, larger ones run away. */
+    CHECK(is_nan(vm_duffing_period(1, 1, -1)) && is_nan(vm_duffing_period(R(1.5), 1, -1)));
+    CHECK((double)vm_duffing_period(R(1 - 64 * eps), 1, -1) > 12 && (double)vm_duffing_period(R(0.5), 1, -1) < 8);
+    vm_duffing_exact_from(1, 0, 2, 1, -1, &x, &v);
+    CHECK(is_nan(x) && is_nan(v));
+}
+
+/* Rest stays rest: at x = 0, between the wells, and in a well. */
+static void test_rest(void)
+{
+    vm_real x = 7, v = 7;
+    vm_duffing_exact_from(3, 0, 0, 1, 1, &x, &v);
+    CHECK(x == 0 && v == 0);
+    vm_duffing_exact_from(3, 0, 0, -1, 1, &x, &v);
+    CHECK(x == 0 && v == 0);
+    vm_duffing_exact_from(3, -1, 0, -1, 1, &x, &v);
+    CHECK(x == -1 && v == 0);
+}
+
+static void test_refusals(void)
+{
+    const vm_real bad[2] = {VM_NAN, VM_INFINITY};
+    vm_real x, v;
+    int i, k;
+    for (i = 0; i < 2; i++)
+        for (k = 0; k < 5; k++) {
+            vm_real a[5] = {1, 1, 1, 1, 1};
+            a[k] = bad[i];
+            vm_duffing_exact_from(a[0], a[1], a[2], a[3], a[4], &x, &v);
+            CHECK(is_nan(x) && is_nan(v));
+            if (k > 2) CHECK(is_nan(vm_duffing_period(1, a[3], a[4])) && is_nan(vm_duffing_action(1, a[3], a[4])));
+            if (k > 0) CHECK(is_nan(vm_duffing_energy(a[1], a[2], a[3], a[4])));
+        }
+    CHECK(is_nan(vm_duffing_period(VM_NAN, 1, 1)) && is_nan(vm_duffing_period(0, 1, 1)));
+    CHECK(is_nan(vm_duffing_period(1, -1, -1)) && is_nan(vm_duffing_period(1, 0, 0)));
+    CHECK(vm_duffing_action(0, 1, 1) == 0);
+    x = v = 7;
+    vm_duffing_exact_from(1, 1, 1, 1, 1, NULL, &v);
+    vm_duffing_exact_from(1, 1, 1, 1, 1, &x, NULL);
+    CHECK(x == 7 && v == 7);
+}
+
+int main(void)
+{
+    test_table();
+    test_energy_and_return();
+    test_limits();
+    test_separatrix();
+    test_rest();
+    test_refusals();
+    return check_finish("duffing");
+}

@@ -1,0 +1,372 @@
+/* Elliptic integrals, their inverses and Jacobi's functions for m > 1 (jacobi/carlson.h, incomplete.h, inverse.h,
+   reciprocal.h) against arbitrary-precision tables, identities, and the limits at the edges of their domains. */
+#include "../jacobi.h"
+#include "check.h"
+#include "precision.h"
+
+/* ---- Tables ---- */
+
+static vm_real F(const vm_real *x) { return jacobi_F(x[0], x[1]); }
+static vm_real F_m1(const vm_real *x) { return jacobi_F_m1(x[0], x[1]); }
+static vm_real E(const vm_real *x) { return jacobi_E_incomplete(x[0], x[1]); }
+static vm_real E_m1(const vm_real *x) { return jacobi_E_incomplete_m1(x[0], x[1]); }
+static vm_real Pi(const vm_real *x) { return jacobi_Pi_incomplete(x[0], x[1], x[2]); }
+static vm_real Pi_m1(const vm_real *x) { return jacobi_Pi_incomplete_m1(x[0], x[1], x[2]); }
+static vm_real complete_Pi(const vm_real *x) { return jacobi_Pi(x[0], x[1]); }
+static vm_real complete_Pi_m1(const vm_real *x) { return jacobi_Pi_m1(x[0], x[1]); }
+static vm_real RF(const vm_real *x) { return jacobi_RF(x[0], x[1], x[2]); }
+static vm_real RC(const vm_real *x) { return jacobi_RC(x[0], x[1]); }
+static vm_real RD(const vm_real *x) { return jacobi_RD(x[0], x[1], x[2]); }
+static vm_real RJ(const vm_real *x) { return jacobi_RJ(x[0], x[1], x[2], x[3]); }
+static vm_real RG(const vm_real *x) { return jacobi_RG(x[0], x[1], x[2]); }
+static vm_real inverse_sn(const vm_real *x) { return jacobi_inverse_sn(x[0], x[1]); }
+static vm_real inverse_cn(const vm_real *x) { return jacobi_inverse_cn(x[0], x[1]); }
+static vm_real inverse_dn(const vm_real *x) { return jacobi_inverse_dn(x[0], x[1]); }
+static vm_real inverse_sn_m1(const vm_real *x) { return jacobi_inverse_sn_m1(x[0], x[1]); }
+static vm_real inverse_cn_m1(const vm_real *x) { return jacobi_inverse_cn_m1(x[0], x[1]); }
+static vm_real inverse_dn_m1(const vm_real *x) { return jacobi_inverse_dn_m1(x[0], x[1]); }
+
+/* sn, cn or dn (which = 0, 1, 2) for any m */
+static vm_real any_of(int which, const vm_real *x)
+{
+    vm_real value[3];
+    jacobi_sncndn_any(x[0], x[1], value, value + 1, value + 2);
+    return value[which];
+}
+static vm_real any_sn(const vm_real *x) { return any_of(0, x); }
+static vm_real any_cn(const vm_real *x) { return any_of(1, x); }
+static vm_real any_dn(const vm_real *x) { return any_of(2, x); }
+
+/* The functions of the table, with the bound of rows that have a scale, in eps of it: 4 for functions with |f| <= 1,
+   16 for principal values */
+static const struct {
+    const char *name;
+    vm_real (*value)(const vm_real *x);
+    double bound;
+} functions[] = {{"F", F, 4},
+                 {"F_m1", F_m1, 4},
+                 {"E", E, 4},
+                 {"E_m1", E_m1, 4},
+                 {"Pi", Pi, 16},
+                 {"Pi_m1", Pi_m1, 16},
+                 {"complete Pi", complete_Pi, 4},
+                 {"complete Pi_m1", complete_Pi_m1, 4},
+                 {"R_F", RF, 4},
+                 {"R_C", RC, 4},
+                 {"R_D", RD, 4},
+                 {"R_J", RJ, 16},
+                 {"R_G", RG, 4},
+                 {"inverse sn", inverse_sn, 4},
+                 {"inverse cn", inverse_cn, 4},
+                 {"inverse dn", inverse_dn, 4},
+                 {"inverse sn_m1", inverse_sn_m1, 4},
+                 {"inverse cn_m1", inverse_cn_m1, 4},
+                 {"inverse dn_m1", inverse_dn_m1, 4},
+                 {"sn, m > 1", any_sn, 4},
+                 {"cn, m > 1", any_cn, 4},
+                 {"dn, m > 1", any_dn, 4}};
+enum { FUNCTIONS = sizeof functions / sizeof *functions };
+
+typedef struct table_row {
+    const char *function, *region;
+    double x[4], high, low, scale;
+} table_row;
+
+static const table_row table[] = {
+#ifdef POINTS
+#include "../build/points/elliptic_integrals_table.h"
+#else
+#include "data/elliptic_integrals_table.h"
+#endif
+};
+
+/* Is the row one that the type tested can hold, and within the promised range? */
+static int row_applies(const table_row *row)
+{
+    int i;
+    for (i = 0; i < 4; i++)
+        if (!representable(row->x[i])) return 0;
+    if (is_float && fabs(row->x[0]) > 1e4 && row->function[0] != 'R') return 0;
+    return fabs(row->high) < (double)VM_MAX;
+}
+
+static void check_table_row(const table_row *row)
+{
+    vm_real x[4];
+    int i, f = 0;
+    for (i = 0; i < 4; i++) x[i] = R(row->x[i]);
+    while (f < FUNCTIONS && strcmp(functions[f].name, row->function) != 0) f++;
+    if (f == FUNCTIONS)
+        FAIL("no such function");
+    else if (row->scale > 0)
+        check_error(row->function, row->region, "eps",
+                    ERROR_EPS(functions[f].value(x), row->high, row->low, row->scale), functions[f].bound,
+                    row->x[0], row->x[1]);
+    else
+        check_error(row->function, row->region, "ulp", ERROR_ULP(functions[f].value(x), row->high, row->low),
+                    functions[f].value == RG ? 10 : 8, row->x[0], row->x[1]);
+}
+
+static void test_table(void)
+{
+    size_t i;
+    for (i = 0; i < sizeof table / sizeof *table; i++)
+        if (row_applies(table + i)) check_table_row(table + i);
+}
+
+/* ---- Identities ---- */
+
+static vm_real some_m(int kind)
+{
+    if (kind % 3 == 0) return R(uniform(0, 1));
+    if (kind % 3 == 1) return R(-pow(10, uniform(-3, by_precision(30, 8))));
+    return R(1 - pow(10, uniform(by_precision(-12, -5), -1)));
+}
+
+/* F(am u) = u: an error of the angle is multiplied by the slope of F, which is 1/dn */
+static void test_amplitude(void)
+{
+    int i;
+    for (i = 0; i < 6000; i++) {
+        const vm_real m = some_m(i), K = jacobi_K(m), u = R(uniform(-20, 20)) * K, phi = jacobi_am(u, m);
+        const double dn = fabs((double)jacobi_dn(u, m)), moved = fabs((double)phi) / dn / fabs((double)u);
+        check_error("F(am u) = u", "|u| < 20 K", "eps",
+                    ERROR_EPS(jacobi_F(phi, m), (double)u, 0, fabs((double)u) * (1 + moved)), 16, (double)u,
+                    (double)m);
+    }
+}
+
+/* Each inverse leads back to u: an error of the function's value is divided by its slope */
+static void test_round_trips(void)
+{
+    int i;
+    for (i = 0; i < 6000; i++) {
+        const vm_real m = some_m(i), K = jacobi_K(m), u = R(uniform(0.01, 0.99)) * K;
+        vm_real sn, cn, dn;
+        double s, c, d, size = (double)u;
+        jacobi_sncndn(u, m, &sn, &cn, &dn);
+        s = (double)sn;
+        c = (double)cn;
+        d = (double)dn;
+        check_error("sn", "there and back", "eps", ERROR_EPS(jacobi_inverse_sn(sn, m), size, 0, size + s / (c * d)),
+                    16, size, (double)m);
+        check_error("cn", "there and back", "eps", ERROR_EPS(jacobi_inverse_cn(cn, m), size, 0, size + c / (s * d)),
+                    16, size, (double)m);
+        check_error("dn", "there and back", "eps",
+                    ERROR_EPS(jacobi_inverse_dn(dn, m), size, 0, size + d / fabs((double)m * s * c)), 16, size,
+                    (double)m);
+        check_error("cn", "beyond K", "eps",
+                    ERROR_EPS(jacobi_inverse_cn(-cn, m), 2 * (double)K - size, 0, (double)K + c / (s * d)), 16,
+                    size, (double)m);
+    }
+}
+
+/* Pi(0) = F, Pi(m) and E in closed form, Legendre's relation with R_G, Pi(n) Pi(m/n), and quadratic forms of R_J */
+static void test_relations(void)
+{
+    int i;
+    for (i = 0; i < 4000; i++) {
+        const vm_real m = R(uniform(0.01, 0.99)), phi = R(uniform(-30, 30)), K = jacobi_K(m), G = jacobi_K_m1(m);
+        const double k = (double)K, g = (double)G, e = 2 * (double)jacobi_RG(0, 1 - m, 1),
+                     h = 2 * (double)jacobi_RG(0, m, 1);
+        const vm_real n = R(-pow(10, uniform(-4, 4))), other = m / n;
+        const double s = sin((double)phi), c = cos((double)phi), D = sqrt(1 - (double)m * s * s);
+        const double p = (double)jacobi_Pi(n, m), q = (double)jacobi_Pi(other, m), nn = (double)n;
+        check_error("Legendre", "R_G", "eps", ERROR_EPS(e * g + h * k - k * g, pi / 2, 0, e * g + h * k + k * g), 8,
+                    (double)m, 0);
+        check_error("Pi(0) = F", "random", "ulp",
+                    ERROR_ULP(jacobi_Pi_incomplete(phi, 0, m), (double)jacobi_F(phi, m), 0), 8, (double)phi,
+                    (double)m);
+        check_error("Pi(m)", "closed form", "eps",
+                    ERROR_EPS((double)jacobi_Pi_incomplete(phi, m, m) * (1 - (double)m),
+                              (double)jacobi_E_incomplete(phi, m) - (double)m * s * c / D, 0,
+                              1 + fabs((double)phi)),
+                    16, (double)phi, (double)m);
+        check_error("Pi(n) + Pi(m/n)", "n < 0", "eps", /* DLMF 19.7.8 at pi/2 */
+                    ERROR_EPS(p + q, k + pi / 2 * sqrt(nn / ((1 - nn) * (nn - (double)m))), 0, p + q + k), 16, nn,
+                    (double)m);
+    }
+}
+
+/* F, E and Pi are odd to the last bit, and grow by twice the complete integral from phi to phi + pi */
+static void test_periods(void)
+{
+    int i;
+    for (i = 0; i < 4000; i++) {
+        const vm_real m = some_m(i), n = R(uniform(-3, 0.9)), phi = R(uniform(-1.5, 1.5));
+        const vm_real next = R((double)phi + pi);
+        const double moved = ULP((double)next), s = sin((double)phi), dn = sqrt(1 - (double)m * s * s);
+        const double P = (double)jacobi_Pi(n, m), slip = moved / (1 - (double)n * s * s);
+        CHECK(jacobi_F(-phi, m) == -jacobi_F(phi, m) &&
+              jacobi_E_incomplete(-phi, m) == -jacobi_E_incomplete(phi, m) &&
+              jacobi_Pi_incomplete(-phi, n, m) == -jacobi_Pi_incomplete(phi, n, m));
+        check_error("F(phi + pi)", "2 K", "",
+                    fabs((double)jacobi_F(next, m) - (double)jacobi_F(phi, m) - 2 * (double)jacobi_K(m)) /
+                        (moved / dn + 16 * eps * (double)jacobi_K(m)),
+                    1, (double)phi, (double)m);
+        check_error("E(phi + pi)", "2 E", "",
+                    fabs((double)jacobi_E_incomplete(next, m) - (double)jacobi_E_incomplete(phi, m) -
+                         2 * (double)jacobi_E(m)) /
+                        (moved * dn + 16 * eps * (double)jacobi_E(m)),
+                    1, (double)phi, (double)m);
+        check_error(
+            "Pi(phi + pi)", "2 Pi", "",
+            fabs((double)jacobi_Pi_incomplete(next, n, m) - (double)jacobi_Pi_incomplete(phi, n, m) - 2 * P) /
+                (slip / dn + 24 * eps * P),
+            1, (double)phi, (double)m);
+    }
+}
+
+/* Carlson's integrals are homogeneous and symmetric: two orders of the arguments may each have an error, so that
+   the bound between them is 12 ulp. A factor of 16 changes no digit, and neither do very large or very
+   small arguments. */
+static void test_symmetric(void)
+{
+    const vm_real huge = R(ldexp(1, is_float ? 120 : 1000));
+    int i;
+    for (i = 0; i < 4000; i++) {
+        const vm_real x = R(uniform(0, 3)), y = R(uniform(0, 3)), z = R(uniform(0.01, 3)), p = R(uniform(0.01, 3));
+        const vm_real rf = jacobi_RF(x, y, z), rd = jacobi_RD(x, y, z), rg = jacobi_RG(x, y, z);
+        CHECK(jacobi_RF(huge * x, huge * y, huge * z) == rf / VM_SQRT(huge));
+        CHECK(jacobi_RC(huge * x, huge * z) == jacobi_RC(x, z) / VM_SQRT(huge));
+        CHECK(jacobi_RD(16 * x, 16 * y, 16 * z) == rd / 64 &&
+              jacobi_RG(huge * x, huge * y, huge * z) == VM_SQRT(huge) * rg);
+        CHECK(jacobi_RJ(16 * x, 16 * y, 16 * z, 16 * p) == jacobi_RJ(x, y, z, p) / 64);
+        check_error("R_F", "any order", "ulp", ERROR_ULP(jacobi_RF(z, x, y), (double)rf, 0), 12, (double)x,
+                    (double)y);
+        check_error("R_D", "any order", "ulp", ERROR_ULP(jacobi_RD(y, x, z), (double)rd, 0), 12, (double)x,
+                    (double)y);
+        check_error("R_G", "any order", "ulp", ERROR_ULP(jacobi_RG(y, z, x), (double)rg, 0), 12, (double)x,
+                    (double)y);
+        check_error("R_J(z) = R_D", "random", "ulp", ERROR_ULP(jacobi_RJ(x, y, z, z), (double)rd, 0), 12, (double)x,
+                    (double)z);
+        check_error("R_F(y, y) = R_C", "random", "ulp", ERROR_ULP(jacobi_RF(x, z, z), (double)jacobi_RC(x, z), 0),
+                    8, (double)x, (double)z);
+    }
+}
+
+/* Next to phi = 0 the integrals are phi, and next to pi/2, for m near 1, F grows as a logarithm */
+static void test_zeros_and_seams(void)
+{
+    vm_real phi;
+    int i;
+    for (phi = R(1e-3); phi > 0; phi *= R(1e-3)) {
+        CHECK(VM_FABS(jacobi_F(phi, R(0.5)) / phi - 1) <= phi * phi + 4 * VM_EPSILON);
+        CHECK(VM_FABS(jacobi_E_incomplete(phi, R(-2)) / phi - 1) <= phi * phi + 4 * VM_EPSILON);
+        CHECK(VM_FABS(jacobi_Pi_incomplete(phi, R(-1), R(0.5)) / phi - 1) <= phi * phi + 4 * VM_EPSILON);
+    }
+    for (i = 1; i < 40; i++) { /* across pi/4, pi/2, ... the functions stay in order */
+        const vm_real seam = R(i * pi / 4), before = seam * (1 - 8 * VM_EPSILON),
+                      after = seam * (1 + 8 * VM_EPSILON);
+        CHECK(jacobi_F(before, R(0.9)) < jacobi_F(after, R(0.9)) * (1 + 4 * VM_EPSILON));
+        CHECK(jacobi_E_incomplete(before, R(-3)) < jacobi_E_incomplete(after, R(-3)) * (1 + 4 * VM_EPSILON));
+    }
+    check_error("F", "m = 1", "ulp", ERROR_ULP(jacobi_F(R(1.25), 1), asinh(tan(1.25)), 0), 8, 1.25, 1);
+    CHECK(jacobi_E_incomplete(R(1.25), 1) <= 1 && jacobi_F(R(1.6), 1) == VM_INFINITY &&
+          jacobi_F(-R(1.6), 1) == -VM_INFINITY);
+}
+
+/* ---- Limits at infinity, and what is outside the domain ---- */
+
+static int is_nan(vm_real x) { return x != x; }
+
+static void test_limits(void)
+{
+    const vm_real inf = VM_INFINITY, half = R(0.5);
+    CHECK(jacobi_F(inf, half) == inf && jacobi_F(-inf, half) == -inf && jacobi_F(1, -inf) == 0);
+    CHECK(is_nan(jacobi_F(inf, -inf)) && jacobi_F_m1(2, inf) == 0 && jacobi_F(inf, 1) == inf);
+    CHECK(jacobi_E_incomplete(inf, half) == inf && jacobi_E_incomplete(-1, -inf) == -inf);
+    CHECK(jacobi_E_incomplete(0, -inf) == 0 && jacobi_E_incomplete_m1(-inf, 2) == -inf);
+    CHECK(jacobi_Pi(-inf, half) == 0 && jacobi_Pi(half, -inf) == 0 && jacobi_Pi(1, half) == inf);
+    CHECK(jacobi_Pi(half, 1) == inf && jacobi_Pi(2, 1) == -inf && jacobi_Pi_m1(2, 0) == -inf);
+    CHECK(jacobi_Pi_incomplete(inf, half, half) == inf && jacobi_Pi_incomplete(-inf, half, half) == -inf);
+    CHECK(jacobi_Pi_incomplete(inf, 2, half) == -inf && jacobi_Pi_incomplete(1, -inf, half) == 0);
+    CHECK(jacobi_Pi_incomplete(1, half, -inf) == 0 && jacobi_Pi_incomplete_m1(2, 1, half) == inf);
+    CHECK(jacobi_inverse_sn(1, 1) == inf && jacobi_inverse_sn(-1, 1) == -inf && jacobi_inverse_cn(0, 1) == inf);
+    CHECK(jacobi_inverse_dn(0, 1) == inf && jacobi_inverse_dn_m1(0, 0) == inf && jacobi_inverse_dn(1, 0) == 0);
+    CHECK(jacobi_inverse_sn(half, -inf) == 0 && jacobi_inverse_cn_m1(half, inf) == 0);
+    CHECK(jacobi_RF(inf, 1, 2) == 0 && jacobi_RF(0, 0, 1) == inf && is_nan(jacobi_RF(0, 0, inf)));
+    CHECK(jacobi_RC(1, 0) == inf && jacobi_RC(1, inf) == 0 && jacobi_RC(inf, -1) == 0);
+    CHECK(jacobi_RD(0, 0, 1) == inf && jacobi_RD(1, 2, 0) == inf && jacobi_RD(1, 2, inf) == 0);
+    CHECK(jacobi_RJ(1, 2, 3, 0) == inf && jacobi_RJ(1, 2, 3, -inf) == 0 && jacobi_RG(inf, 0, 0) == inf);
+    CHECK(jacobi_RG(0, 0, 4) == 1 && jacobi_RG(0, 0, 0) == 0);
+}
+
+/* Arguments of Carlson's integrals whose quotients are larger than the largest number: of R_F(y, y, x) and R_C(x, y), two
+   elementary functions of one quotient, ln(4 x/y)/(2 sqrt(x)) is left. R_D and R_J refuse them. */
+static void test_quotients(void)
+{
+    const double size = by_precision(1e300, 1e30);
+    const vm_real x = R(size), y = R(1 / size);
+    const double exact = (log(4.) + log((double)x) - log((double)y)) / (2 * sqrt((double)x));
+    check_error("R_F", "quotients", "eps", fabs((double)jacobi_RF(y, x, y) / exact - 1) / eps, 8, 0, 0);
+    check_error("R_C", "quotients", "eps", fabs((double)jacobi_RC(x, y) / exact - 1) / eps, 8, 0, 0);
+    check_error("R_C", "quotients", "eps", fabs((double)jacobi_RC(x, -y) / exact - 1) / eps, 8, 0, 0);
+    check_error("R_G", "quotients", "eps", fabs((double)(jacobi_RG(y, y, x) / VM_SQRT(x)) - 0.5) / eps, 1, 0, 0);
+    CHECK(is_nan(jacobi_RD(y, y, x)) && is_nan(jacobi_RD(x, 1, y)));
+    CHECK(is_nan(jacobi_RJ(y, y, x, 1)) && is_nan(jacobi_RJ(1, 1, y, x)) && is_nan(jacobi_RJ(x, 1, 1, -y)));
+}
+
+static void test_domain(void)
+{
+    const vm_real half = R(0.5), bad[3] = {R(1.5), VM_NAN, VM_INFINITY};
+    vm_real sn, cn, dn;
+    int i;
+    for (i = 0; i < 3; i++) {
+        const vm_real m = bad[i], m1 = 1 - m; /* negative or NaN */
+        CHECK(is_nan(jacobi_F(1, m)) && is_nan(jacobi_F_m1(1, m1)) && is_nan(jacobi_E_incomplete(1, m)));
+        CHECK(is_nan(jacobi_E_incomplete_m1(1, m1)) && is_nan(jacobi_Pi(half, m)) &&
+              is_nan(jacobi_Pi_m1(half, m1)));
+        CHECK(is_nan(jacobi_Pi_incomplete(1, half, m)) && is_nan(jacobi_Pi_incomplete_m1(1, half, m1)));
+        CHECK(is_nan(jacobi_inverse_sn(half, m)) && is_nan(jacobi_inverse_sn(m, half)));
+        CHECK(is_nan(jacobi_inverse_cn(half, m)) && is_nan(jacobi_inverse_cn(m, half)));
+        CHECK(is_nan(jacobi_inverse_dn(half, m)) && is_nan(jacobi_inverse_dn(m, half)));
+        CHECK(is_nan(jacobi_inverse_sn_m1(half, m1)) && is_nan(jacobi_inverse_cn_m1(half, m1)));
+        CHECK(is_nan(jacobi_inverse_dn_m1(half, m1)) && is_nan(jacobi_RF(m1, 1, 2)) && is_nan(jacobi_RG(m1, 1, 2)));
+        CHECK(is_nan(jacobi_RC(m1, 1)) && is_nan(jacobi_RD(m1, 1, 2)) && is_nan(jacobi_RJ(1, 2, m1, 3)));
+    }
+    CHECK(is_nan(jacobi_F(VM_NAN, half)) && is_nan(jacobi_E_incomplete(VM_NAN, half)) &&
+          is_nan(jacobi_Pi(VM_NAN, half)));
+    CHECK(is_nan(jacobi_Pi_incomplete(VM_NAN, half, half)) && is_nan(jacobi_Pi_incomplete(1, VM_NAN, half)));
+    CHECK(is_nan(jacobi_RC(1, VM_NAN)) && is_nan(jacobi_RJ(1, 2, 3, VM_NAN)) &&
+          is_nan(jacobi_inverse_cn(-half, 1)));
+    jacobi_sncndn_any(1, VM_INFINITY, &sn, &cn, &dn);
+    CHECK(is_nan(sn) && is_nan(cn) && is_nan(dn));
+    jacobi_sncndn_any(VM_INFINITY, 2, &sn, &cn, &dn);
+    CHECK(is_nan(sn) && is_nan(cn) && is_nan(dn));
+}
+
+/* For m <= 1 jacobi_sncndn_any is jacobi_sncndn. For m > 1 its values satisfy the two algebraic equations. */
+static void test_any_parameter(void)
+{
+    int i;
+    for (i = 0; i < 4000; i++) {
+        const vm_real u = R(uniform(-50, 50)), m = some_m(i), large = R(1 + pow(10, uniform(-6, 3)));
+        vm_real sn, cn, dn, s, c, d;
+        jacobi_sncndn(u, m, &sn, &cn, &dn);
+        jacobi_sncndn_any(u, m, &s, &c, &d);
+        CHECK(s == sn && c == cn && d == dn);
+        jacobi_sncndn_any(u, large, &sn, &cn, &dn);
+        check_error("sn^2+cn^2-1", "m > 1", "eps", ERROR_EPS(sn * sn + cn * cn, 1, 0, 1), 12, (double)u,
+                    (double)large);
+        check_error("dn^2+m sn^2-1", "m > 1", "eps", ERROR_EPS(dn * dn + large * (sn * sn), 1, 0, 1), 12, (double)u,
+                    (double)large);
+        CHECK(VM_FABS(dn) <= 1 && cn >= 0 && cn <= 1);
+    }
+}
+
+int main(void)
+{
+    test_table();
+    test_amplitude();
+    test_round_trips();
+    test_relations();
+    test_periods();
+    test_symmetric();
+    test_zeros_and_seams();
+    test_limits();
+    test_quotients();
+    test_domain();
+    test_any_parameter();
+    return check_finish("integrals");
+}
