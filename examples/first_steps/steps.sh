@@ -7,7 +7,7 @@ mkdir -p "$build" || exit 1
 {
     echo '# First steps'
     echo
-    echo 'Eleven programs of less than 60 lines each, from a spring with a leaking mass to a satellite that throws off a'
+    echo 'Twelve programs of less than 60 lines each, from a spring with a leaking mass to a satellite that throws off a'
     echo 'panel. Written by `make first-steps`, which builds, runs and draws them; each is also one compiler line, which'
     echo 'stands in it.'
     echo 'Numbers in round brackets are equations of the dissertation.'

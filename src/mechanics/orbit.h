@@ -73,21 +73,21 @@ VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
 }
 
 /* Kepler's problem in the units of the text above */
-typedef struct VM_TAG(vmi_orbit) {
+typedef struct VM_TAG(vmi_kepler) {
     vm_real sigma; /* r0 v0 */
     vm_real beta;  /* 2 - v0^2; the energy is -beta/2 */
-} vmi_orbit;
+} vmi_kepler;
 
 /* What belongs to a value of the variable s */
-typedef struct VM_TAG(vmi_orbit_point) {
+typedef struct VM_TAG(vmi_kepler_point) {
     vmi_stumpff g;
     vm_real time, distance;
     vm_real noise; /* sum of the absolute values of the terms of `time`, times 4 VM_EPSILON */
-} vmi_orbit_point;
+} vmi_kepler_point;
 
-VM_API vmi_orbit_point vmi_orbit_at(const vmi_orbit *o, vm_real s)
+VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
 {
-    vmi_orbit_point p;
+    vmi_kepler_point p;
     vm_real first, second;
     p.g = vmi_stumpff_at(o->beta, s);
     first = o->sigma * p.g.g2;
@@ -102,11 +102,11 @@ VM_API vmi_orbit_point vmi_orbit_at(const vmi_orbit *o, vm_real s)
    steps are kept between bounds of s that close in. A step that leaves them, or that is longer than half the step
    before, is replaced by doubling or halving. On a fast hyperbola, where the time rises exponentially, Newton's steps
    alone would be too many. */
-VM_API vmi_orbit_point vmi_orbit_solve(const vmi_orbit *o, vm_real t)
+VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 {
     const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps, Newton's steps are fewer */
     vm_real low = 0, high = VM_INFINITY, s = vmi_smaller(t, 1), before = VM_INFINITY;
-    vmi_orbit_point p = vmi_orbit_at(o, s);
+    vmi_kepler_point p = vmi_kepler_at(o, s);
     int i;
     for (i = 0; i < most; i++) {
         const vm_real late = p.time - t, step = late / p.distance;
@@ -122,13 +122,13 @@ VM_API vmi_orbit_point vmi_orbit_solve(const vmi_orbit *o, vm_real t)
         if (next == s) break;
         before = VM_FABS(next - s);
         s = next;
-        p = vmi_orbit_at(o, s);
+        p = vmi_kepler_at(o, s);
     }
     return p;
 }
 
 /* Reduces the time t on an ellipse (beta > 0) by whole periods, to at most half a period on either side of 0 */
-VM_API vm_real vmi_orbit_reduce(vm_real beta, vm_real t)
+VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
 {
     vm_real period;
     if (!(beta > 0)) return t;
@@ -148,8 +148,8 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
 {
     vm_real distance0, speed, unit, time, sign = 1;
     vm_vec3 start, rate, position, velocity;
-    vmi_orbit o;
-    vmi_orbit_point p;
+    vmi_kepler o;
+    vmi_kepler_point p;
     if (!r || !v) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(mu)) return VM_NOT_FINITE;
     if (!vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
@@ -161,7 +161,7 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
     rate = vmi_over(v0, speed);
     o.sigma = vmi_dot(start, rate);
     o.beta = 2 - vmi_dot(rate, rate);
-    time = vmi_orbit_reduce(o.beta, t / unit);
+    time = vmi_kepler_reduce(o.beta, t / unit);
     if (!VM_IS_FINITE(time) || !VM_IS_FINITE(o.beta)) return VM_NOT_FINITE;
     if (time < 0) {
         sign = -1;
@@ -169,7 +169,7 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
         o.sigma = -o.sigma;
         rate = vmi_scale(-1, rate);
     }
-    p = vmi_orbit_solve(&o, time);
+    p = vmi_kepler_solve(&o, time);
     position = vmi_add(vmi_scale(1 - p.g.g2, start), vmi_scale(time - p.g.g3, rate));
     velocity = vmi_sub(vmi_scale(1 - p.g.g2 / p.distance, rate), vmi_scale(p.g.g1 / p.distance, start));
     position = vmi_scale(distance0, position);
