@@ -20,7 +20,7 @@
        }
 
    METHODS, and when to take which method
-     rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
+     rk4    the classical method of order 4 with fixed steps, for control loops, where every step must take the same
             time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
             and none for the solution between steps. Begin with this method. It is also the best one in float,
@@ -39,25 +39,25 @@
      the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
-     A step gives two results, by the two orders of the pair. Their difference is the estimate of the error; the run
+     A step gives two results, one by each order of the pair. Their difference is the estimate of the error; the run
      goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
-     the step|) for every component i. The size of the next step is chosen by PI control. It stays the same after an
-     error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
-     The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
+     the step|) for every component i. The size of the next step is chosen by PI control [2]. It stays the same after
+     an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
      A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
-     No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
+     No step is shorter than h_min, or than 2 eps |t|, the resolution of t. If even a step of this smallest size
      misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
      the jump. If another such step misses the tolerance before three steps have kept it, f is singular there, or too
      stiff for the resolution of t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other
      directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both steps.
 
    TIME
-     A step ends at a time that the type can hold, and its length is exactly the difference of the two times. So s.t
+     A step ends at a time that the type can hold, and its length is exactly the difference of its two times. So s.t
      does not drift away from the motion, however far from 0 the run began and however many steps it takes. There are
-     two exceptions: a step so short that this would change its length by more than 1/64, and a step that ends at an
-     event. Then y belongs to a time between two numbers of the type, s.t is the nearest of them, and the run keeps the
-     difference.
+     two exceptions: a step so short that this rounding would change its length by more than 1/64, and a step that ends
+     at an event. Then y belongs to a time between two numbers of the type, s.t is the nearer of them, and the run keeps
+     the difference.
 
    EVENTS
      An event happens when g(t, y) reaches zero or changes its sign. The run finds its time on the continuous extension,
@@ -139,7 +139,7 @@
        rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
        rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
        rk45_step                      One accepted step of rk45, or the part of it before an event that ends the step
-       rk45_solve_with                Steps of rk45 to t_end, with f and n named again so that f is inlined
+       rk45_solve_with                Steps of rk45 to t_end, with f and n given once more so that f is inlined
        rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event
        rk45_interpolate               State y(t) at a time t within the last step of rk45, accurate to order 4
 
@@ -147,7 +147,7 @@
        rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
        rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
        rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
-       rk87_solve_with                Steps of rk87 to t_end, with f and n named again so that f is inlined
+       rk87_solve_with                Steps of rk87 to t_end, with f and n given once more so that f is inlined
        rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event
        rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8 */
 #ifndef VARMASS_INTEGRATORS_H
@@ -526,10 +526,11 @@ VM_API const char *ode_strerror(int status)
 #ifndef VARMASS_INTEGRATORS_RK4_H
 #define VARMASS_INTEGRATORS_RK4_H
 
-#define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
+#define RK4_WORK(n) (3 * (n)) /* number of elements of the array work for n components */
 
-/* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
-   k_4; z receives the states at which f is evaluated. Returns 0, or the number with which f has stopped the run. */
+/* Computes the four stages of a step of size h from the state y at t; k_1 ... k_4 are the values of f in them. sum
+   becomes k_1 + 2 k_2 + 2 k_3, and k becomes k_4; z is the state at which f is evaluated. Returns 0, or the number with
+   which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -781,9 +782,10 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
-   and estimates the error by another sum of the k_i. For each pair there is a file with its public functions, its
-   coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a vmi_rk_pair, holds all that an adaptive run needs
-   to know of the pair. To add a pair, write such a file and include it in src/integrators.h.
+   where c_i, a_ij and b_i are the coefficients of the pair. Another sum of the k_i estimates the error. For each pair
+   there is a file with its public functions, its coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a
+   vmi_rk_pair, holds all that an adaptive run needs to know of the pair. To add a pair, write such a file and include
+   it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -791,12 +793,13 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
 struct VM_TAG(rk45);
 
-/* The parts of a run's work, of n numbers each: VMI_Y is the state y, VMI_Y_OLD the state at t_old, VMI_Z the state at
-   which a stage evaluates f (after the stages the new state). The derivatives k_1, k_2 ... begin at VMI_K. */
+/* Indices of the parts of a run's work array. Each part has n numbers: VMI_Y is the state y, VMI_Y_OLD the state at
+   t_old, VMI_Z the state at which a stage evaluates f, and after the last stage the new state. VMI_K is k_1; k_2, k_3
+   ... follow. */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
-/* The equations y' = f(t, y) that a step solves, n of them, and the arrays of the step: part p, such as VMI_Y, begins
-   at w + p m, where m >= n. ctx is the pointer that f receives. */
+/* The n equations y' = f(t, y) that a step solves, and w, the array of the step: its part number p, such as VMI_Y,
+   begins at w + p m, where m >= n. ctx is the pointer that f receives. */
 typedef struct VM_TAG(vmi_rk_system) {
     ode_rhs f;
     void *ctx;
@@ -810,7 +813,7 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage gives f at the new state, the next k_1; 0: the run evaluates it */
+    int last_is_first;    /* 1: the last stage is f at the new state, the next k_1; 0: the run evaluates f there */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
@@ -827,8 +830,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
 } vmi_rk_pair;
 
 /* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
-   inlines make_stages and step_error into the loop. The two functions are no part of vmi_rk_pair, which each run
-   stores, because the compiler would then compile them a second time. */
+   inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run stores a
+   vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more, outside the
+   loop. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -841,17 +845,17 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 
 #define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
 
-/* Linkage of descriptors and of the parts of vmi_advance. Inlining turns the descriptors into constants, and each part
-   is called in one place only, so that inlining makes the code smaller. These functions are therefore inlined even
-   where VM_INLINE does not inline, in order to keep the code small. */
+/* Linkage of descriptors and of the parts of vmi_advance. These functions are inlined even where VM_INLINE does not
+   inline. This makes the code smaller, since the descriptors become constants and each part is called in one place
+   only. */
 #if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
 #define VMI_FOLDED static inline __attribute__((always_inline))
 #else
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* Linkage of the loop over the steps of one pair. The loop is inlined, in order to be fast, but not if the compiler
-   optimises for size: then one copy for any n is enough. */
+/* Linkage of the loop over the steps of one pair. The loop is inlined, because this makes it fast. If the compiler
+   optimises for size, it is not inlined, so that one copy serves every n. */
 #ifdef __OPTIMIZE_SIZE__
 #define VMI_LOOP VMI_APART
 #else
@@ -865,9 +869,9 @@ VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
-   stops the run, it returns from the function that makes the stages. In every sum h
-   is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
-   between one evaluation of f and the next. */
+   stops the run, it returns from the function that makes the stages. In every sum h is multiplied into the
+   coefficients, and the k that was evaluated last is the last term, so that only one multiplication and one addition
+   lie between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
     do {                                 \
@@ -2099,8 +2103,9 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
 #endif
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
    Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4 takes no further evaluation. Begin with rk45. It is better than
-   rk87 in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
+   evaluations of f. The continuous extension of order 4, which gives the states inside a step, takes no further
+   evaluation. Try this method first. It is better than rk87 in float, for loose tolerances, for right-hand sides that
+   are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -2146,8 +2151,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of the results of orders
-   5 and 4. */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of the two new states, of
+   order 5 and of order 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2165,8 +2170,8 @@ VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the factor of k_{j+1} in the state of stage 7 minus its factor in the state of stage 6.
-   Both stages evaluate f at the end of the step. */
+/* Returns, for the test of stiffness, the factor of k_{j+1} in the state of stage 7 minus its factor in the state of
+   stage 6. Both stages evaluate f at the end of the step. */
 VM_API vm_real vmi_rk45_end_difference(int j)
 {
     VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
@@ -2228,7 +2233,7 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the array work for n components */
 
 /* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
    If options_or_NULL is NULL, all options have their defaults. */
@@ -2262,9 +2267,9 @@ VM_INLINE int rk45_step(rk45 *s)
     return vmi_rk45_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
-   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
-   all else is as in rk45_solve. */
+/* Steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n are
+   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all else
+   is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
@@ -2287,9 +2292,10 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_i
 
 #endif
 /* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
-   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
-   f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
-   larger than those of rk45. Use rk87 for a smooth f in double, where the errors must be small.
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8, which gives the states inside
+   a step, takes seven more evaluations of f in each step in which it is used. The coefficients of the pair are up to
+   123, so that its rounding errors are larger than those of rk45. Use rk87 for a smooth f in double, where the errors
+   must be small.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_H
@@ -2330,8 +2336,8 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
 
 /* Computes stages 8 to 13 of a step of Verner's pair [4], and the new state, whose derivative is evaluated only after
    the step is accepted. Large coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use
-   the differences of such k, which are exact, so that roundings remain small. Returns 0, or the number with which f has
-   stopped the run. */
+   the differences of such k. These differences have no rounding error, so that the rounding errors of the sums are
+   small. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2402,10 +2408,11 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 }
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
-   This error is up to a quarter of the jump. The result of order 8 minus that of order 7 hardly shows a jump in the
-   first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. In the sum
-   `seen`, of order 5, the weights of the k before the jump add up in magnitude to
-     0.11 for a jump before 0.155 of the step (k1), 0.17 before 0.465 (k1, k7), 0.25 before 0.9 (k1, k7, k6).
+   This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 hardly shows a jump in the
+   first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. `seen` is the
+   magnitude of another sum of the k, of order 5. In it the weights of the k before the jump add up in magnitude to
+     0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
+     k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
    If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The result
    seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
    loose. */
@@ -2418,8 +2425,8 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the larger of two: the difference of the
-   results of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
+/* The largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
+   difference of the new states of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2441,8 +2448,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the factor of k_{j+1} in the new state minus its factor in the state of stage 13. The run
-   evaluates f for both states at the end of the step. */
+/* Returns, for the test of stiffness, the factor of k_{j+1} in the new state minus its factor in the state of stage 13.
+   The run evaluates f for both states at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -2461,7 +2468,7 @@ VM_API vm_real vmi_rk87_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* Numbers of k_i: those that a step itself makes, and those that the continuous extension adds */
+/* How many k_i a step itself computes, and how many the continuous extension adds */
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
@@ -2524,8 +2531,8 @@ VM_API int vmi_rk87_extend(rk45 *s)
     return ODE_OK;
 }
 
-/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7; b_{j+1} is the weight of k_{j+1} in the
-   continuous extension. Coefficients of powers of x would be larger [4]. */
+/* Returns coefficient i of the polynomial b_{j+1}(x)/x, as a sum of Bernstein's polynomials of degree 7. b_{j+1}(x) is
+   the weight of k_{j+1} in the continuous extension. In powers of x the coefficients would be larger [4]. */
 VM_API vm_real vmi_rk87_bernstein(int i, int j)
 {
     VM_TABLE vm_real c[8][21] = {
@@ -2627,7 +2634,7 @@ VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the array work for n components */
 
 /* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
 typedef rk45_options rk87_options;
@@ -2653,7 +2660,7 @@ VM_INLINE int rk87_step(rk87 *s)
     return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk87 to t_end, with f and n named again so that f is inlined. All else is as in rk45_solve_with. */
+/* Steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);

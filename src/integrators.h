@@ -20,7 +20,7 @@
        }
 
    METHODS, and when to take which method
-     rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
+     rk4    the classical method of order 4 with fixed steps, for control loops, where every step must take the same
             time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
             and none for the solution between steps. Begin with this method. It is also the best one in float,
@@ -39,25 +39,25 @@
      the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
-     A step gives two results, by the two orders of the pair. Their difference is the estimate of the error; the run
+     A step gives two results, one by each order of the pair. Their difference is the estimate of the error; the run
      goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
-     the step|) for every component i. The size of the next step is chosen by PI control. It stays the same after an
-     error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
-     The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
+     the step|) for every component i. The size of the next step is chosen by PI control [2]. It stays the same after
+     an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
      A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
-     No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
+     No step is shorter than h_min, or than 2 eps |t|, the resolution of t. If even a step of this smallest size
      misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
      the jump. If another such step misses the tolerance before three steps have kept it, f is singular there, or too
      stiff for the resolution of t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other
      directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both steps.
 
    TIME
-     A step ends at a time that the type can hold, and its length is exactly the difference of the two times. So s.t
+     A step ends at a time that the type can hold, and its length is exactly the difference of its two times. So s.t
      does not drift away from the motion, however far from 0 the run began and however many steps it takes. There are
-     two exceptions: a step so short that this would change its length by more than 1/64, and a step that ends at an
-     event. Then y belongs to a time between two numbers of the type, s.t is the nearest of them, and the run keeps the
-     difference.
+     two exceptions: a step so short that this rounding would change its length by more than 1/64, and a step that ends
+     at an event. Then y belongs to a time between two numbers of the type, s.t is the nearer of them, and the run keeps
+     the difference.
 
    EVENTS
      An event happens when g(t, y) reaches zero or changes its sign. The run finds its time on the continuous extension,

@@ -28,8 +28,8 @@
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
                     Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
                     points
-     scenes/        bodies, the effects that act on them, the events that change them: only what is listed is
-                    simulated
+     scenes/        lists of bodies, of effects that act on them, and of events that change them; a scene simulates
+                    only what is listed
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
    Numbers in round brackets are the equations of [1]. Where [1] is misprinted or wrong, the corrected form stands
    here and the comment says so; docs/errata.md lists all of them.
@@ -37,10 +37,10 @@
    CONVENTIONS
      Units        SI units; angles are in radians.
      Axes         r, v and omega are in inertial axes. The inertia tensor is about the body's own mass centre, in body
-                  axes; its entries xy, xz, yz are those of the tensor, minus the integral of x y dm and so on. v is
-                  momentum/mass.
-     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1. A q of four zeros
-                  means that body axes and inertial axes coincide.
+                  axes; its entries xy, xz, yz are those of the tensor, so that xy is minus the integral of x y dm. v
+                  is momentum/mass.
+     Attitude     The quaternion q converts vectors from body axes to inertial axes. It need not have length 1. A q of
+                  four zeros means that body axes and inertial axes coincide.
      Arguments    Functions of numbers take the variable first, then the parameters, results last. Functions of an
                   object take the object first, then the variable. A parameter that may be NULL is called ..._or_NULL.
      Laws         A mass, stiffness or damping that depends on time is a vm_law.
@@ -78,11 +78,11 @@
      Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
                   sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
                   body does not change omega.
-     Rotation     torque-free: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs taken as
-                  exact.
-     Streams      closed forms within a few eps; a body and everything it has shed keep momentum, angular momentum and
-                  energy to the integrator's tolerance.
-     Lambert's W  within 1 ulp. The drum on a rigid shaft: within 4 ulp.
+     Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
+                  5 eps, if the inputs are taken as exact.
+     Streams      closed forms are right within a few eps; a body and everything it has shed keep momentum, angular
+                  momentum and energy to the integrator's tolerance.
+     Lambert's W  within 1 ulp; the drum on a rigid shaft within 4 ulp.
      Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
                   estimate is possible.
 
