@@ -28,8 +28,8 @@
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
                     Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
                     points
-     scenes/        bodies, the effects that act on them, the events that change them: only what is listed is
-                    simulated
+     scenes/        lists of bodies, of effects that act on them, and of events that change them; a scene simulates
+                    only what is listed
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
    Numbers in round brackets are the equations of [1]. Where [1] is misprinted or wrong, the corrected form stands
    here and the comment says so; docs/errata.md lists all of them.
@@ -37,10 +37,10 @@
    CONVENTIONS
      Units        SI units; angles are in radians.
      Axes         r, v and omega are in inertial axes. The inertia tensor is about the body's own mass centre, in body
-                  axes; its entries xy, xz, yz are those of the tensor, minus the integral of x y dm and so on. v is
-                  momentum/mass.
-     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1. A q of four zeros
-                  means that body axes and inertial axes coincide.
+                  axes; its entries xy, xz, yz are those of the tensor, so that xy is minus the integral of x y dm. v
+                  is momentum/mass.
+     Attitude     The quaternion q converts vectors from body axes to inertial axes. It need not have length 1. A q of
+                  four zeros means that body axes and inertial axes coincide.
      Arguments    Functions of numbers take the variable first, then the parameters, results last. Functions of an
                   object take the object first, then the variable. A parameter that may be NULL is called ..._or_NULL.
      Laws         A mass, stiffness or damping that depends on time is a vm_law.
@@ -78,11 +78,11 @@
      Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
                   sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
                   body does not change omega.
-     Rotation     torque-free: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs taken as
-                  exact.
-     Streams      closed forms within a few eps; a body and everything it has shed keep momentum, angular momentum and
-                  energy to the integrator's tolerance.
-     Lambert's W  within 1 ulp. The drum on a rigid shaft: within 4 ulp.
+     Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
+                  5 eps, if the inputs are taken as exact.
+     Streams      closed forms are right within a few eps; a body and everything it has shed keep momentum, angular
+                  momentum and energy to the integrator's tolerance.
+     Lambert's W  within 1 ulp; the drum on a rigid shaft within 4 ulp.
      Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
                   estimate is possible.
 
@@ -277,7 +277,7 @@
 
      oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
        vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
-       vm_osc_closed_at               Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared
+       vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), by the order of the law in *c
        vm_osc_closed_at_order2        As vm_osc_closed_at, but by order 2 for any order of *c
        vm_osc_closed_at_order3        As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT
 
@@ -315,13 +315,13 @@
 
      oscillators/odd_routes: routes to the motion of a vibration under an odd elastic force, and its integration
        vm_odd_rhs                     Equation of motion of a vibration under an odd elastic force, for rk45 or rk87
-       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_...
+       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_...
        vm_odd_plan_within             Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance
        vm_odd_within                  Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan
 
      oscillators/slow: laws that oscillators with slowly varying mass share
-       vm_osc_amplitude_law           Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly
-       vm_osc_velocity_law            Largest velocity over its first value, of an oscillator whose mass varies slowly
+       vm_osc_amplitude_law           Ratio A/A0 of the amplitude to its first value, of an oscillator whose mass varies slowly
+       vm_osc_velocity_law            Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly
 
      oscillators/van_der_pol: the Van der Pol oscillator with variable mass
        vm_vdp_init                    Prepare a Van der Pol oscillator
@@ -340,12 +340,12 @@
        vm_vdp_cycle_of                Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon
 
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
-       vm_jeffcott_power              Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
+       vm_jeffcott_power              Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
        vm_jeffcott_polar              Polar coordinates (448) of the disc's centre
        vm_jeffcott_momentum           Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s
        vm_jeffcott_rhs                Equation of motion (449), (450) of a rotor, for rk45 or rk87
-       vm_jeffcott_to_averaged        Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461)
-       vm_jeffcott_from_averaged      Motion (x, y, x', y') of a rotor from forward and backward whirl
+       vm_jeffcott_to_averaged        Converts the motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461)
+       vm_jeffcott_from_averaged      Converts forward and backward whirl of a rotor to the motion (x, y, x', y')
        vm_jeffcott_exact_rhs          Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87
        vm_jeffcott_averaged_rhs       Averaged equations of forward and backward whirl, for rk45 or rk87
        vm_jeffcott_frequency          Frequency W of circular whirl of radius A, rad/s
@@ -355,8 +355,8 @@
 
      oscillators/pair: two bodies with a nonlinear connection
        vm_pair_rhs                    Equations of motion (517), (518) of two bodies, for rk45 or rk87
-       vm_pair_to_averaged            Motion y = (x, y, x', y') of two bodies to modes (A, psi, q, q'), (520)-(522)
-       vm_pair_from_averaged          Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q')
+       vm_pair_to_averaged            Converts a motion y = (x, y, x', y') of two bodies to the modes (A, psi, q, q'), (520)-(522)
+       vm_pair_from_averaged          Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y')
        vm_pair_averaged_rhs           Averaged equations of the two modes of a pair, for rk45 or rk87
        vm_pair_at                     Motion of two bodies at time t, in closed form for a linear mass
 
@@ -365,8 +365,8 @@
        vm_forced_rhs                  Equation of motion of an excited oscillator, for rk45 or rk87
        vm_forced_exact_rhs            Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87
        vm_forced_averaged_rhs         Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87
-       vm_forced_to_averaged          Motion (x, x', theta) of an excited oscillator to the mean y = (A, delta, theta)
-       vm_forced_from_averaged        Motion (x, x', theta) of an excited oscillator from the mean y = (A, delta, theta)
+       vm_forced_to_averaged          Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta)
+       vm_forced_from_averaged        Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta)
 
      oscillators/resonance: steady vibrations, resonance curves, passage through resonance
        vm_forced_steady_states        Steady vibrations of an excited oscillator
@@ -7245,12 +7245,12 @@ VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
     return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
 }
 
-/* Van der Pol's term (404), feed - c x^2, N s/m: the force over the velocity at position x. feed > 0 (N s/m) feeds
-   the vibration, and c > 0 (N s/m^3) limits it. */
+/* Van der Pol's term (404), feed - c x^2, N s/m. It is the force divided by the velocity, at the position x. feed > 0
+   (N s/m) feeds energy into the vibration, and c > 0 (N s/m^3) limits it. */
 VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
 
-/* The gyroscopic coupling 2 gyro, kg/s: the gyroscopic force is this times the velocity, turned by +90 degrees. gyro
-   is g of the remark after (516), kg/s. */
+/* The gyroscopic coupling 2 gyro, kg/s. The gyroscopic force is this coupling times the velocity, turned by +90
+   degrees. The argument gyro is called g in the remark after (516), kg/s. */
 VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
 
 #endif
@@ -7258,12 +7258,13 @@ VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
 
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
    the phase psi (282), (283); A is the amplitude, vmax(A) the largest velocity. Two simpler waves with the same
-   amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave is one of the
-   three waves c of the position, with its wave s of the velocity and what averaged equations need for a force F on the
-   mass m:
+   amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave describes one of
+   these three waves: the wave c of the position, the wave s of the velocity, and the factors speed, gain_A and
+   gain_theta. If a small force F acts on the mass m, the averaged equations are
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
-   where <> is the mean over a period, q the rate at which stiffness, mass and damping change the motion, and theta the
-   slow part of the wave's own angle. A new wave needs a function that evaluates it and a constructor.
+   where <> is the mean over a period and q the rate at which stiffness, mass and damping change the motion. The wave's
+   own angle, which is the argument of ca, cos or cn, is theta plus the integral of turn psi' over time: theta is its
+   slow part. A new wave needs a function that evaluates it and a constructor.
        vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
        vm_real c, s;
        vmi_osc_wave_at(&w, VM_C(0.5), &c, &s); // at psi = 0.5: x = A c, x' = -w.speed vmax(A) s
@@ -7348,7 +7349,7 @@ VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 
 /* -- cn: exact for alpha = 1 and 3 -- */
 
-/* Writes c = cn and s = sn dn. */
+/* Writes c = cn and s = sn dn at the Ateb phase psi. The argument of cn, sn and dn is turn psi. */
 VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s)
 {
     vm_real sn, dn;
@@ -7368,7 +7369,7 @@ VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
-    vm_real C2, C4, C6, bracket; /* means of cn^2, cn^4, cn^6; twice the mean of sn^2 dn^2 */
+    vm_real C2, C4, C6, bracket; /* means of cn^2, cn^4, cn^6; and twice the mean of sn^2 dn^2 */
     w.at = vmi_osc_cn_at;
     w.error = vmi_osc_cn_error;
     w.m = jacobi_solve_kpK(pi / (alpha + 1));
@@ -7384,15 +7385,17 @@ VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 
 /* -- How good a wave is -- */
 
-/* Estimate of the larger of the wave's errors of x/A and of x'/vmax, at most 1 */
+/* Estimates the error of x/A or of x'/vmax by this wave, whichever is larger, at most 1. mean_ca2 is the mean of
+   ca^2. */
 VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     const vm_real error = w->error ? w->error(w, mean_ca2) : 0;
     return vmi_smaller(error, 1);
 }
 
-/* Writes to *x_error the largest difference of the wave c from ca, and to *v_error that of speed s from sa. They are
-   taken over a quarter of the period, at points that are densest near x = 0. pi is Pi_alpha. */
+/* Writes to *x_error the largest difference between the wave c and ca, and to *v_error the largest difference between
+   w->speed s and sa. Both are taken over a quarter of the period, at points that are densest near x = 0. pi is
+   Pi_alpha. */
 VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;
@@ -7414,14 +7417,15 @@ VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real 
 #endif
 /* oscillators/constant_mass.h - the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
 
-   A mass m on a spring of force -k x|x|^(alpha-1), omega0 = sqrt(k/m), with any real alpha >= 0: 1 is the linear
-   spring, 3 the cubic one. Here are its period (262), largest velocity (267) and energy (259); the exact motion by the
-   Ateb functions (282), (283) from rest or from any state; and the approximations by the cosine (291)-(296) and by
-   Jacobi's cn (297)-(307) with their errors (268). The shortest useful calls:
+   A spring with the force -k x|x|^(alpha-1) holds a mass m, and omega0 = sqrt(k/m). alpha is any real number >= 0: 1 is
+   the linear spring, 3 the cubic one. Here are the period of the motion (262), its largest velocity (267) and its
+   energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state; and the approximations
+   by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
    The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
-   where an output is null. The unit of omega0 is m^((1-alpha)/2)/s. Symbols: A amplitude, psi Ateb phase, Om its rate.
+   where an output is null. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A amplitude, psi Ateb
+   phase, Om the rate of psi.
    Tests: tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_CONSTANT_MASS_H
 #define VARMASS_OSCILLATORS_CONSTANT_MASS_H
@@ -7461,7 +7465,7 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
     return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha + 1) / 2);
 }
 
-/* x|x|^(alpha-1): the elastic force is this times -k */
+/* x|x|^(alpha-1). The elastic force is -k times this number. */
 VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
@@ -7495,7 +7499,7 @@ VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, v
     vmi_osc_at_phase(x0, vmi_osc_rate_from_rest(x0, omega0, alpha) * t, omega0, alpha, x, v);
 }
 
-/* (a^n + b^n)^(1/n) for a, b >= 0, scaled so that no power overflows unless the result does */
+/* (a^n + b^n)^(1/n) for a, b >= 0, computed so that no power overflows unless the result itself overflows */
 VM_API vm_real vmi_osc_power_norm(vm_real a, vm_real b, vm_real n)
 {
     const vm_real larger = vmi_larger(a, b), smaller = vmi_smaller(b, a);
@@ -7504,8 +7508,8 @@ VM_API vm_real vmi_osc_power_norm(vm_real a, vm_real b, vm_real n)
 }
 
 /* Amplitude A >= 0 (m) and Ateb phase psi in (-Pi, Pi] of the state x (m), v (m/s). They satisfy x = A ca(psi), v =
-   -vmax(A) sa(psi), where Pi = Pi_alpha and vmax is vm_osc_vmax. Method: from rest, the velocity v belongs to an
-   amplitude B with vmax(B) = |v|; by energy A^(alpha+1) = |x|^(alpha+1) + B^(alpha+1). */
+   -vmax(A) sa(psi), where Pi = Pi_alpha and vmax is vm_osc_vmax. Method: let B be the amplitude whose largest velocity
+   vmax(B) is |v|. Then conservation of energy gives A^(alpha+1) = |x|^(alpha+1) + B^(alpha+1). */
 VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A, vm_real *psi)
 {
     if (!A || !psi) return;
@@ -7529,9 +7533,9 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
     vmi_osc_at_phase(A, psi + rate * t, omega0, alpha, x, v);
 }
 
-/* The mean over a period of |ca|^power, which is B((power+1)/(alpha+1), 1/2)/Pi_alpha, where pi is Pi_alpha and B is
-   Euler's beta function. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the recurrence of
-   B. constants is the function that computes Pi. */
+/* The mean of |ca|^power over a period. It is B(q, 1/2)/Pi_alpha with q = (power+1)/(alpha+1) and Euler's beta function
+   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the
+   recurrence of B. `constants` is the function that computes Pi. */
 VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi, vmi_ateb_constants_of constants)
 {
     vm_real q = (power + 1) / (alpha + 1), factor = 1;
@@ -7587,13 +7591,14 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* The result of vm_osc_approximation_errors, pure numbers: ratios of velocities (268) and largest errors in a period */
+/* The result of vm_osc_approximation_errors: ratios of largest velocities (268), and largest errors in a period. All
+   are pure numbers. */
 typedef struct VM_TAG(vm_osc_errors) {
-    vm_real trig_vmax;          /* largest velocity of the cosine (296) over the exact one (267) */
-    vm_real jacobi_vmax;        /* largest velocity of cn over the exact one. At x = 0 cn has the velocity k' Omega_1
-                                   (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
+    vm_real trig_vmax;          /* largest velocity of the cosine (296) divided by the exact one (267) */
+    vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one. At x = 0 cn has the velocity k'
+                                   Omega_1 (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
-    vm_real jacobi_x, jacobi_v; /* largest errors of cn, relative to x0 and vmax */
+    vm_real jacobi_x, jacobi_v; /* largest errors of cn, of x relative to x0 and of v relative to vmax */
 } vm_osc_errors;
 
 /* Errors of the approximations by cos and cn, as the fields of vm_osc_errors. They depend on alpha alone. Errors in a
@@ -7683,7 +7688,7 @@ VM_API void vmi_legendre_fit(const vm_real *values_a, const vm_real *values_b, v
     }
 }
 
-/* The value of the series at x */
+/* The value of the series with these 20 coefficients at x */
 VM_API vm_real vmi_legendre_at(const vm_real *coefficient, vm_real x)
 {
     vm_real before = 0, now = 1, sum = 0;
@@ -7779,8 +7784,8 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. */
-    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null if this is no law */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: checking f(0), f(t) is enough */
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null: no law was made */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f(0) and f(t) decide */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
@@ -7793,11 +7798,11 @@ VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 /* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
-/* Writes the value of a law at t and its derivatives to f[0], f[1] ... A constructor must have made the law. Where a
-   derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only
-   f and f' are written. A positive length, s, asks for all six derivatives; those of a user's function are then found
-   from its rates between t and t + side length. if_not_positive is the status for f <= 0, for example VM_BAD_MASS for
-   a mass; it is VM_OK for numbers of any sign. */
+/* Writes the value of a law and its derivatives at t to f[0], f[1] ... A constructor must have made the law. Where a
+   derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only f
+   and f' are written. A positive length, s, asks for all six derivatives. For a user's function they are found from the
+   rates that the function returns between t and t + side length. if_not_positive is the status for f <= 0, for example
+   VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
     int i, status;
@@ -7813,9 +7818,9 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return VM_OK;
 }
 
-/* Checks that a constructor made the law, and that the law is finite and positive between 0 and t, as far as this can
-   be told without a walk from 0 to t. With if_not_positive = VM_OK the law may have any sign. A table is checked as a
-   whole. */
+/* Checks that a constructor made the law, and that the law is finite and positive between 0 and t. Of a user's function
+   only the values at 0 and t are checked; a table is checked as a whole. With if_not_positive = VM_OK the law may have
+   any sign. */
 VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS];
@@ -7828,8 +7833,8 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 }
 
 /* Returns 1 and writes base and rate if the law is f0 exp(rate u) with u = ln(1 + base t)/base (u = t for base = 0);
-   returns 0 otherwise. Integrals of products of such laws with the same base have closed forms. A constant has rate
-   0. */
+   returns 0 otherwise. The reason for this form: integrals over t of products of such laws have closed forms if the
+   laws share their base. A constant has rate 0. */
 VM_API int vmi_law_exponential_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = *rate = 0;
@@ -7860,11 +7865,11 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
     return VM_OK;
 }
 
-/* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps.
-   f may have any sign, since a law does not know whether it is the law of a mass. Returns VM_BAD_ARGUMENT for null
-   pointers and for a law that no constructor made, VM_NOT_FINITE where t or a result is infinite or NaN, and VM_DOMAIN
-   where the law has no value: for t outside a table, for a power law where 1 + f1 t <= 0, and where the user's function
-   fails. An error leaves *f and *rate untouched. */
+/* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
+   the value in the table, where eps is the machine epsilon. f may have any sign, since a law does not know whether it
+   is the law of a mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE
+   where t or a result is infinite or NaN, and VM_DOMAIN where the law has no value: for t outside a table, for a power
+   law where 1 + f1 t <= 0, and where the user's function fails. An error leaves *f and *rate untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
@@ -7899,7 +7904,7 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Linear laws -- */
 
-/* f and f' of a linear law; its higher derivatives are 0. */
+/* Writes f and f' of a linear law; its higher derivatives are 0. */
 VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -7917,7 +7922,7 @@ VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
     return 1;
 }
 
-/* The integral of dt/(f0 + f1 t) from 0 to t */
+/* The integral of dt/f from 0 to t for a linear law f = f0 + f1 t */
 VM_API vm_real vmi_law_linear_inverse_integral(const vm_law *law, vm_real t)
 {
     return t * vmi_log_ratio(law->f1 / law->f0 * t) / law->f0;
@@ -7936,7 +7941,7 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 
 /* -- Quadratic laws -- */
 
-/* f, f' and f'' of a quadratic law; its higher derivatives are 0. */
+/* Writes f, f' and f'' of a quadratic law; its higher derivatives are 0. */
 VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -7956,8 +7961,8 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
-/* The exponential form of a quadratic law that is a square within rounding errors: f0 (1 + base t)^2 = f0 exp(2 base u)
-   with u = ln(1 + base t)/base */
+/* The exponential form of a quadratic law. It exists only if the law is a square within rounding errors: f0 (1 + base
+   t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -7990,7 +7995,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* f and the derivatives of an exponential law; each derivative is f1 times the one before it */
+/* Writes f and the derivatives of an exponential law. Each derivative is f1 times the one before it. */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -8021,8 +8026,8 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers
-   than masses vmi_law_derivatives changes this status. */
+/* Writes f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive, whatever number the
+   law describes; vmi_law_derivatives replaces this status by the right one. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -8101,8 +8106,8 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
     return low;
 }
 
-/* Writes f and its derivatives, for the cubic on the interval of the table that contains t. The cubic has the values
-   and slopes of the interval's two points. */
+/* Writes f and its derivatives at t. f is the cubic on the interval of the table that contains t. The cubic has the
+   values and slopes of the two points at the ends of this interval. */
 VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     vm_real chord_time, u, chord, slope0, slope1, b, c;
@@ -8187,9 +8192,10 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
     return VM_OK;
 }
 
-/* Writes the series of the rate f' between t and t + *length. The length is halved until the last terms of the series
-   are rounding errors, that is, until they do not become much smaller any more. Terms of their size are set to 0. The
-   length is also halved where the user's function fails, because the function may be defined only close to t. */
+/* Writes the Legendre series of the rate f' between t and t + *length. The length is halved until the last terms of the
+   series are rounding errors, which shows in that a further halving hardly makes them smaller. Terms as small as these
+   are set to 0. The length is also halved where the user's function fails, because the function may be defined only
+   close to t. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -8246,11 +8252,11 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
 }
 
 /* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
-   VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law evaluate the function at 20 points in each
-   panel of time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump
-   exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time
-   to that time, s: then no panel and no step of an integrator is longer than change_time. A change_time that is
-   negative or less than |t|/2^20 is refused with VM_DOMAIN. */
+   VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law divide the time from 0 to t into panels and
+   evaluate the function at 20 points of each. A panel is at most |t|/32 long, and is halved where the function changes
+   fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set
+   law.change_time to that time, s: then no panel and no step of an integrator is longer than change_time. A change_time
+   that is negative or less than |t|/2^20 is refused with VM_DOMAIN. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);
@@ -8298,10 +8304,10 @@ enum {
     VM_ROUTE_RK87 = 9         /* integration of the equation of motion by rk87 */
 };
 
-/* The order, 2 to 5, of one of the routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 */
+/* The order, 2 to 5, of the law that one of the routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 uses */
 VM_API int vmi_osc_order_of(int route) { return route - VM_ROUTE_ORDER2 + 2; }
 
-/* The route VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 that has this order, 2 to 5 */
+/* The route, VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, that uses the law of this order, 2 to 5 */
 VM_API int vmi_osc_route_of_order(int order) { return VM_ROUTE_ORDER2 + order - 2; }
 
 /* A user's function for a further small force: returns F, N, at time t (s), position x (m) and velocity v (m/s) */
@@ -8323,15 +8329,16 @@ typedef struct VM_TAG(vm_osc_problem) {
 /* The motion at one time */
 typedef struct VM_TAG(vm_osc_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
-    vm_real amplitude; /* amplitude A, m. By rk45 and rk87 it is that of x and v. The other routes leave out the
-                          first-order ripple within a period that mass, stiffness and damping cause */
+    vm_real amplitude; /* amplitude A, m. The routes rk45 and rk87 give the amplitude that belongs to x and v. The other
+                          routes leave out the first-order ripple within a period, which slow changes of mass and
+                          stiffness, and damping, cause */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
                           velocity at the amplitude A; it includes all causes of errors */
     int route;         /* the route that was taken, VM_ROUTE_... */
     long evals;        /* evaluations of right-hand sides; 0 where nothing was integrated */
 } vm_osc_motion;
 
-/* Checks by vmi_law_check that mass and stiffness are finite and positive between 0 and t. */
+/* Checks mass and stiffness by vmi_law_check: both must be finite and positive between 0 and t. */
 VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
 {
     return vmi_first_error(vmi_law_check(&o->mass, VM_BAD_MASS, t),
@@ -8358,36 +8365,41 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
 /* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
 
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
-   = 0, where a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. `reactive` is 1 where mass that joins or leaves is at
-   rest, and 0 where it has the body's velocity; b is the damping. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
+   = 0. The functions mu(t) and kappa(t) follow from mu'/mu = a with a = (reactive m' + b)/m, and from kappa/mu = k/m.
+   `reactive` is 1 where mass that joins or leaves is at rest, and 0 where it has the body's velocity; b is the damping.
+   Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
    Then x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a phase psi with the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,   G_0 = p^2 - a p - p',
    where W is the rate of the phase for constant mass and stiffness. Only G_0 disturbs the slow motion A'/A = -p,
-   psi' = W, and G_0 is of second order in the rates of mass and stiffness. Its derivatives lead to G_1, G_2 ...
+   psi' = W, and G_0 is of second order in the rates of mass and stiffness. The numbers G_1, G_2 ... follow from the
+   derivatives of G_0 (vmi_osc_find_G).
    This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
-       int status = vmi_osc_slow_at(&problem, 0, 1, 10, 1, &now); // laws at t = 0, from values up to 10 s
+       int status = vmi_osc_slow_at(&problem, 0, 1, 10, 1, &now); // laws at t = 0, with their values up to 10 s
        if (!status) r = vmi_osc_reduce(&now, problem.alpha, problem.x, problem.v);
    Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
 #define VARMASS_OSCILLATORS_REDUCTION_H
 
-/* How many G_k are computed: the law of order five needs G_0 ... G_3, the estimate of its error G_4 */
+/* How many numbers G_k are computed. The law of order five needs G_0 ... G_3, and the estimate of its error needs
+   G_4. */
 enum { VMI_OSC_G = 5 };
 
-/* Mass, stiffness and the numbers that follow from their rates, at one time */
+/* Mass, stiffness and the numbers a, p and G_k that follow from their rates, at one time */
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p;         /* see above, 1/s */
-    vm_real unit;         /* the unit of time of G, s: rates of very fast or slow motions have powers out of range */
-    vm_real G[VMI_OSC_G]; /* unit^(i+2) G_i */
+    vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
+    vm_real unit;         /* time by which G_i are scaled, s, about 1/W: it keeps powers of very fast or slow rates from
+                             overflowing */
+    vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
 } vmi_osc_slow;
 
-/* Mass, stiffness and rates at one time, without the numbers G_k: values f and rates f' of the laws are enough */
+/* Mass, stiffness and the rates a and p at one time, without the numbers G_k. The laws' values and first derivatives
+   are enough for them. */
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p; /* the rates a = mu'/mu and p, 1/s */
+    vm_real a, p; /* the rates a and p of the top of this file, 1/s */
 } vmi_osc_rates;
 
 /* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
@@ -8407,7 +8419,8 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
 
 /* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
-/* Turns derivatives f, f', f'' ... into the coefficients of the series in time divided by the unit, s */
+/* Replaces the n derivatives f, f', f'' ... by the coefficients of the power series of f in the variable time/unit,
+   where unit is a time in s. */
 VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
 {
     int i, power;
@@ -8415,7 +8428,7 @@ VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
         for (i = power; i < n; i++) f[i] *= unit / (vm_real)power;
 }
 
-/* Writes the series of f'/f to ratio, from the n coefficients of f; ratio has n - 1 coefficients. */
+/* Writes the series of f'/f to ratio. f has n coefficients, ratio has n - 1. */
 VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
 {
     int i, j;
@@ -8449,8 +8462,8 @@ VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
 
 /* -- The numbers G_k -- */
 
-/* Fills now->G from the series of a and p, which have n coefficients, by G_0 = p^2 - a p - p' and
-   G_(k+1) = G_k' - (k+2) (2p - a) G_k. The array a is overwritten. */
+/* Fills now->G by G_0 = p^2 - a p - p' and G_(k+1) = G_k' - (k+2) (2p - a) G_k. The arrays a and p hold the first n
+   coefficients of the power series of a and p in time. The array a is overwritten. */
 VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
 {
     vm_real G[VMI_LAW_ORDERS], next[VMI_LAW_ORDERS];
@@ -8467,7 +8480,8 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* All of *now from m, k and their derivatives up to the sixth, which are destroyed; unit: see vmi_osc_slow */
+/* Fills *now. The arrays m and k hold mass and stiffness and their derivatives up to the sixth, and are overwritten.
+   The field `unit` of vmi_osc_slow explains the argument unit, s. */
 VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real unit, vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
@@ -8491,9 +8505,9 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
     vmi_osc_find_G(n, m, k, now);
 }
 
-/* *now at t; where derivatives jump, after t for side = 1, before it for side = -1. length, s: see
-   vmi_law_derivatives; unit, s: see vmi_osc_slow. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come
-   from the laws. */
+/* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 asks for those after t, side = -1 for
+   those before t. length, s, is explained at vmi_law_derivatives, and unit, s, at the field of vmi_osc_slow. Returns
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN or VM_NOT_FINITE where the laws do. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {
@@ -8506,14 +8520,14 @@ VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real
 
 /* -- Amplitude and phase -- */
 
-/* Amplitude and phase of the oscillator by the reduction, that is of x and V = x' + p x */
+/* The reduced state of the oscillator: the amplitude A and the phase psi of the position x and of V = x' + p x */
 typedef struct VM_TAG(vmi_osc_reduced) {
     vm_real A;   /* amplitude, m */
     vm_real psi; /* Ateb phase */
-    vm_real W;   /* rate of the phase at this amplitude for constant mass and stiffness, 1/s */
+    vm_real W;   /* rate of the phase that this amplitude has if mass and stiffness are constant, 1/s */
 } vmi_osc_reduced;
 
-/* The reduced state that belongs to position x and velocity v, at the time of *now */
+/* The reduced state that belongs to the position x and the velocity v, with the rates at the time of *now */
 VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
 {
     const vm_real omega = VM_SQRT(now->k / now->m);
@@ -8523,11 +8537,12 @@ VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm
     return r;
 }
 
-/* The reduced state of vmi_osc_reduce for alpha >= 0, by shorter and slower code, which vm_osc_closed_init shares with
-   vm_osc_plan_init. omega is sqrt(k/m), and V = v + p x. */
+/* The same state as vmi_osc_reduce finds, from omega = sqrt(k/m) and V = v + p x, for alpha >= 0. The code is shorter
+   and slower. Both vm_osc_closed_init and vm_osc_plan_init use it, so that their results agree. */
 VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm_real x, vm_real V)
 {
-    const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), as in vm_osc_amplitude_phase */
+    const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), where vmax(B) = |V|; see
+                                                                          vm_osc_amplitude_phase */
     const vm_real B = vmi_pow_checked(VM_FABS(s), 2 / n);
     vmi_osc_reduced r = {0, 0, 0};
     vmi_ateb c;
@@ -8541,8 +8556,8 @@ VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm
     return r;
 }
 
-/* Writes position x and velocity v of a reduced state: the inverse of vmi_osc_reduce. sa and ca are the Ateb functions
-   of its phase. */
+/* Writes the position x and the velocity v of a reduced state, as the inverse of vmi_osc_reduce. sa and ca are the Ateb
+   functions of the state's phase. */
 VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
                              vm_real *v)
 {
@@ -8550,7 +8565,7 @@ VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha,
     *v = -2 / (alpha + 1) * r->W * r->A * sa - p * *x;
 }
 
-/* The numbers E_k = G_k/W^(k+2) of a reduced state whose phase has the rate W */
+/* Writes the numbers E_k = G_k/W^(k+2), k = 0 ... 4, of a reduced state whose phase has the rate W. */
 VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 {
     const vm_real radian = 1 / (W * now->unit);
@@ -8566,11 +8581,11 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 /* oscillators/ripple.h - the ripple of ca^2 within a period, and its integrals over the Ateb phase
 
    Amplitude and phase of an oscillator whose mass or stiffness varies slowly swing a little about mean values. This
-   ripple is computed from five functions of the Ateb phase psi. With C = ca^2(psi) - <ca^2>, where < > is the mean over
-   a period, the other four functions are integrals over psi, each with the mean 0 and the period Pi_alpha:
+   ripple is computed from five functions of the Ateb phase psi. The first is C = ca^2(psi) - <ca^2>, where < > is the
+   mean over a period. The other four are integrals over psi, each with the mean 0 and the period Pi_alpha:
      S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
-   A vmi_ripple holds what is computed once for an alpha: two sets of four polynomials, and constants of the law of
-   order five (oscillators/expansion.h). It is plain data and may lie in flash.
+   A vmi_ripple holds what is computed once for an alpha: polynomials that approximate these integrals, and constants of
+   the law of order five (oscillators/expansion.h). It is plain data and may lie in flash memory.
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
@@ -8579,23 +8594,25 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
-   Method: the integrals from a zero of ca are |ca|^3, |ca|^4 or |ca|^5 times a power series in w = |ca|^(alpha+1). The
-   integrals from a zero of sa are power series in y = sa^2, times sa or not. The first set is used for w < 1/2, the
-   second for y <= 1/2. On [0, 1/2] each power series is replaced by the first terms of its Chebyshev series: 15 terms
-   give 1e-12, 8 terms 1e-7, for every alpha.
+   Method: let w = |ca|^(alpha+1) and y = sa^2, so that w + y = 1. An integral from a zero of ca is |ca|^3, |ca|^4 or
+   |ca|^5 times a power series in w. An integral from a zero of sa is a power series in y, times a power of sa. The
+   first set of series is used for w < 1/2, the second for y <= 1/2. On [0, 1/2] each power series is replaced by the
+   first terms of its Chebyshev series: 15 terms give an error of 1e-12, 8 terms 1e-7, for every alpha.
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H
 
-/* Numbers of terms: of each polynomial, of the Chebyshev series of a power w^i, and of the power series in w */
+/* Numbers of terms: TERMS in each polynomial, KEPT in the Chebyshev series of a power w^i, SERIES in the power series
+   in w or y */
 #if VM_MANT_DIG > 24
 enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
 #else
 enum { VMI_RIPPLE_TERMS = 8, VMI_RIPPLE_KEPT = 13, VMI_RIPPLE_SERIES = 28 };
 #endif
 
-/* The polynomials of a set: for the integrals of ca^2 and of ca^4, and for the first and the second integral of the
-   integral of ca^2. All integrals begin at the nearest zero of ca, or of sa for the other set. */
+/* The four polynomials of a set. CA2 and CA4 give the integrals of ca^2 and of ca^4; FIRST gives the integral of the
+   integral of ca^2, and SECOND gives the integral of that. In one set all integrals begin at the nearest zero of ca, in
+   the other at the nearest zero of sa. */
 enum { VMI_RIPPLE_CA2, VMI_RIPPLE_CA4, VMI_RIPPLE_FIRST, VMI_RIPPLE_SECOND, VMI_RIPPLE_FUNCTIONS };
 
 /* Constants and polynomials for one alpha, prepared by vmi_ripple_init and vmi_ripple_complete */
@@ -8607,7 +8624,7 @@ typedef struct VM_TAG(vmi_ripple) {
     vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
     vm_real variance;           /* the mean of C^2, where C = ca^2 - mean2 */
     int has_polynomials;        /* 1 where the fields below are set, else 0 */
-    vm_real at_sa_0, at_ca_0;   /* values of S2 (second integral of C) at the phases with sa = 0 and with ca = 0 */
+    vm_real at_sa_0, at_ca_0;   /* values of S2 at the phases with sa = 0 and with ca = 0 */
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
     vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
 } vmi_ripple;
@@ -8620,8 +8637,8 @@ typedef struct VM_TAG(vmi_ripple_values) {
 
 /* -- Making the polynomials -- */
 
-/* Coefficients i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3 times the sum of
-   near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
+/* Coefficients with the same index i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3
+   times the sum of near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
 typedef struct VM_TAG(vmi_ripple_series) {
     vm_real root;                 /* coefficient i of the power series of (1-w)^(-1/2) */
     vm_real power2, power3, power4; /* coefficients i of (1-y)^((j-alpha)/(alpha+1)) for j = 2, 3, 4 */
@@ -8630,16 +8647,16 @@ typedef struct VM_TAG(vmi_ripple_series) {
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS], near_sa_0[VMI_RIPPLE_FUNCTIONS];
 } vmi_ripple_series;
 
-/* Coefficient i of the power series of (1-y)^exponent, where `before` is coefficient i - 1 */
+/* Coefficient i of the power series of (1-y)^exponent in y. `before` is coefficient i - 1. */
 VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
 {
     if (i == 0) return 1;
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Let D be
-   the first and E the second integral of the integral of ca^2. The differential equations D'' = ca^2 and E'' = integral
-   of ca^2, with derivatives by the phase, give each coefficient of D and E from the one before. */
+/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Method:
+   let I be the integral of ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D.
+   The differential equations D'' = ca^2 and E'' = I give each coefficient of D and E from the one before. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -8663,7 +8680,8 @@ VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
 }
 
-/* Multiplies the Chebyshev series sum c_k T_k(z) by w = (1 + z)/4, with z T_k = (T_(k+1) + T_(k-1))/2 */
+/* Multiplies the Chebyshev series sum of c[k] T_k(z) by w = (1 + z)/4, where T_k is Chebyshev's polynomial and z T_k =
+   (T_(k+1) + T_(k-1))/2. */
 VM_API void vmi_chebyshev_times_w(vm_real *c)
 {
     const int last = VMI_RIPPLE_KEPT - 1;
@@ -8679,7 +8697,7 @@ VM_API void vmi_chebyshev_times_w(vm_real *c)
     c[0] = first / 4;
 }
 
-/* Turns a Chebyshev series into a polynomial in powers of z, by T_k = 2 z T_(k-1) - T_(k-2) */
+/* Turns a Chebyshev series into a polynomial in powers of z, by the recurrence T_k = 2 z T_(k-1) - T_(k-2). */
 VM_API void vmi_chebyshev_to_powers(vm_real *c)
 {
     int j, k;
@@ -8689,7 +8707,8 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes all eight polynomials: adds up the power series, with each power w^i replaced by its Chebyshev series. */
+/* Makes all eight polynomials, four in each set. It adds up the power series, with each power w^i or y^i replaced by
+   its Chebyshev series. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -8734,19 +8753,20 @@ VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
 
 /* Integrals over the phase from the nearest zero of ca (or of sa) to a given phase */
 typedef struct VM_TAG(vmi_ripple_integrals) {
-    vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; first and second integral of ca2 */
+    vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; the integral of ca2, and the integral of this */
 } vmi_ripple_integrals;
 
-/* A phase between a zero of ca or sa and the joint at sa^2 = 1/2, and what the integrals from this zero need there */
+/* A phase between a zero of ca or sa and the phase where sa^2 = 1/2, at which both sets of polynomials meet; and the
+   numbers from which the integrals from the zero to this phase follow */
 typedef struct VM_TAG(vmi_ripple_place) {
     const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
     vm_real z;        /* variable of the polynomials */
     vm_real x;        /* |ca| or |sa| */
-    vm_real power2;   /* factor of the integral of ca^2 */
-    vm_real power4;   /* factor of the integral of ca^4 */
+    vm_real power2;   /* the integral of ca^2 is this power of x times its polynomial */
+    vm_real power4;   /* the integral of ca^4 is this power of x times its polynomial */
 } vmi_ripple_place;
 
-/* The place where |ca| = x and sa^2 = y >= 1/2 */
+/* The place near a zero of ca where |ca| = x and sa^2 = y >= 1/2 */
 VM_API vmi_ripple_place vmi_ripple_near_ca_0(const vmi_ripple *r, vm_real x, vm_real y)
 {
     vmi_ripple_place at;
@@ -8758,7 +8778,7 @@ VM_API vmi_ripple_place vmi_ripple_near_ca_0(const vmi_ripple *r, vm_real x, vm_
     return at;
 }
 
-/* The place where |sa| = u and sa^2 = y <= 1/2 */
+/* The place near a zero of sa where |sa| = u and sa^2 = y <= 1/2 */
 VM_API vmi_ripple_place vmi_ripple_near_sa_0(const vmi_ripple *r, vm_real u, vm_real y)
 {
     vmi_ripple_place at;
@@ -8770,7 +8790,8 @@ VM_API vmi_ripple_place vmi_ripple_near_sa_0(const vmi_ripple *r, vm_real u, vm_
     return at;
 }
 
-/* The integrals from the zero to the place. Those that the law of this order, 2 to 5, does not need are 0. */
+/* The integrals from the zero to the place. Integrals that the law of this order, 2 to 5, does not need are set to
+   0. */
 VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, int order)
 {
     const vm_real once = at->power2 * at->x;
@@ -8787,8 +8808,8 @@ VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, 
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares alpha >= 0 without the polynomials: only C can be computed, not S, S2, S3 and Q. constants is the function
-   that computes Pi_alpha. */
+/* Prepares the ripple for an alpha >= 0, without the polynomials. Of the five functions only C can be computed from it.
+   `constants` is the function that computes Pi_alpha. */
 VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of constants)
 {
     vmi_ateb c;
@@ -8826,11 +8847,12 @@ VM_API void vmi_ripple_complete(vmi_ripple *r)
 }
 
 /* Writes the functions of the ripple at the phase psi, where sa and ca are the Ateb functions of psi. order, 2 to 5, is
-   that of the law that needs them; above 2 the polynomials must have been made. */
+   the order of the law that needs them; above 2 vmi_ripple_complete must have made the polynomials. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
-    vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: from the zero */
+    vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: phase since the
+                                                                                                 zero */
     vmi_ripple_place place;
     vmi_ripple_integrals d;
     f->sa = sa;
@@ -8856,15 +8878,17 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
 
    With slow mass and stiffness, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
-   where W is the rate of the phase at the amplitude A. The slow motion A'/A = -p, psi' = W is disturbed by G_0/W^2
-   only. This number is of second order in epsilon, the relative change of mass and stiffness within a radian.
+   where W is the rate of the phase at the amplitude A. Only the number G_0/W^2 disturbs the slow motion A'/A = -p,
+   psi' = W. It is of second order in epsilon, the relative change of mass and stiffness within a radian.
 
    A canonical transformation leads from A and psi to mean values without ripple: a mean action, which is constant, and
-   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa). The transformation is a
-   series in powers of the numbers E_k of order epsilon^(k+2), k = 0, 1 ...
+   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa), with mu and kappa of
+   oscillators/reduction.h. The transformation is a series in powers of the numbers E_k, k = 0, 1 ..., which are of
+   order epsilon^(k+2):
      E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
-   This file has the transformation in both directions, and the mean rate of the phase. Cut off after order N, it gives
-   the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md derives it.
+   This file has the transformation in both directions, and the mean rate of the phase. If the series is cut off after
+   the order N, it gives the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md
+   derives it.
 
    C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
@@ -8873,7 +8897,7 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
        vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_J;
        vmi_ripple_init(&r, 1, vmi_ateb_constants); // a linear spring
        vmi_ripple_at(&r, 2, 0, 0, 1, &f);          // phase 0: sa = 0, ca = 1
-       ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action over the action
+       ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action divided by the action
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H
@@ -8918,7 +8942,7 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 /* -- From the mean motion to the motion -- */
 
 /* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
-   phase. This is minus vmi_expansion_psi at the mean phase, and a product of first-order terms. */
+   phase. The result is -vmi_expansion_psi, evaluated at the mean phase, plus a product of first-order terms. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real product = r->scale * r->scale / 4 * (1 - 2 * r->gamma) * E[0] * E[0] * f->C * f->S;
@@ -8927,7 +8951,7 @@ VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_
 }
 
 /* Returns ln(action/mean action) with all terms up to weight order - 1, for an order from 3 to 5. f holds C, S ... at
-   the mean phase. This is minus vmi_expansion_J at the mean phase, and a product of first-order terms. */
+   the mean phase. The result is -vmi_expansion_J, evaluated at the mean phase, plus a product of first-order terms. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, square = r->scale * r->scale / 2 * E[0] * E[0];
@@ -8950,8 +8974,8 @@ VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 
 /* -- From state to mean state and back -- */
 
-/* The state with the same constants whose ln J, where J is the action, is larger by ln_J, and whose phase is larger by
-   shift */
+/* A copy of the state in which ln J, where J is the action, is larger by ln_J and the phase is larger by shift. Mass
+   and stiffness are those of *state. */
 VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_reduced *state, vm_real ln_J,
                                              vm_real shift)
 {
@@ -8963,7 +8987,7 @@ VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_
 }
 
 /* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. sa and ca are the Ateb functions
-   of its phase, and E holds its numbers E_k. Above order 2 the ripple must have its polynomials. */
+   of the state's phase, and E holds the state's numbers E_k. Above order 2 the ripple must have its polynomials. */
 VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *state, vm_real sa,
                                              vm_real ca, const vm_real *E)
 {
@@ -8985,8 +9009,8 @@ VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, c
 
 /* -- What the law of order five leaves out -- */
 
-/* How large the terms of weight w are in vmi_expansion_J (J[w]) and in vmi_expansion_psi (psi[w]), for w = 2 to 6; psi[6]
-   is only the part with E_4. They are of order epsilon^w, where epsilon is the relative change of mass and stiffness
+/* The sizes of the terms of weight w, for w = 2 to 6: J[w] in vmi_expansion_J, psi[w] in vmi_expansion_psi. psi[6]
+   holds only the term with E_4. All are of order epsilon^w, where epsilon is the relative change of mass and stiffness
    within a radian. */
 typedef struct VM_TAG(vmi_expansion_sizes) {
     vm_real J[7], psi[7];
@@ -9011,21 +9035,21 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
 }
 
 /* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
-   6; product is |E_0 E_2|, cube is |E_0|^3. If product and cube are integrals of these numbers over the phase, the
-   result is a bound of the error of the phase. */
+   6. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of these numbers over the
+   phase, the result is a bound of the error of the phase. */
 VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
     return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
 }
 
-/* How large the terms are that an order leaves out: relative in J, and of the phase */
+/* Sizes of the terms that the law of some order leaves out: relative to J, and in the phase psi */
 typedef struct VM_TAG(vmi_left_out) {
     vm_real J, psi;
 } vmi_left_out;
 
-/* How large the first terms are that the transformation of this order leaves out at t, where e[k] = |E_k|. Since the
-   terms of the next weight may vanish, those of the weight after it count, too. */
+/* The sizes of the first terms that the transformation of this order leaves out at t, where e[k] = |E_k|. The terms of
+   the next weight may vanish at t; therefore the terms of the weight after the next count, too. */
 VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -9037,7 +9061,7 @@ VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, co
     return now;
 }
 
-/* How large the first terms are that the mean motion of this order leaves out at the start, where e[k] = |E_k| */
+/* The sizes of the first terms that the mean motion of this order leaves out at the start, where e[k] = |E_k| */
 VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -9048,10 +9072,10 @@ VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int ord
     return start;
 }
 
-/* The estimate of the larger of |error of x|/A and |error of v|/vmax that follows from what is left out: `now` at t,
-   `start` at the start and on the way, `third` of the mean rate of the phase (vmi_expansion_third_rate). turns is the
-   phase from 0 to t; errors of ln J at the start grow with it. A factor of 2 fits the errors that
-   tests/test_slow_motion.c finds. */
+/* The estimate of the larger of |error of x|/A and |error of v|/vmax, from the terms that the law leaves out. `now` are
+   those at t, `start` those at the start and on the way, and `third` is the bound for the mean rate of the phase
+   (vmi_expansion_third_rate). turns is how far the phase advances from 0 to t; errors of ln J at the start grow with
+   it. The estimate includes a factor of 2, which fits the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_left_out start, vm_real turns,
                                    vm_real third)
 {
@@ -9068,8 +9092,8 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
    (examples/print_plan.c prints it). Mass and stiffness must be
      m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
    with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
-   must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and
-   shorter. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
+   must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and needs
+   less code. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
        vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
                                VM_C(0.005), 0,                       NULL,                        NULL};
        vm_osc_closed motion;
@@ -9080,20 +9104,21 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
    Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
      G_0 = p (p - a + base),   delta = p + (p - a + base),   el = 1 + base t,   p(t) = p/el,   A = A(0) exp(-p u),
      W = W(0) exp(delta u)/el,   E_k = (k+1)! E_0(0) (-delta/W(0))^k exp(-(k+2) delta u),
-   where A and W are the mean amplitude and the mean rate of the phase. Integrals of W, W E_0 and W E_0^2 over t are
-   differences of exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
+   where A is the mean amplitude and W the rate of the mean phase without the terms of E_0. Integrals of W, W E_0 and W
+   E_0^2 over t are differences of exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
 #ifndef VARMASS_OSCILLATORS_CLOSED_H
 #define VARMASS_OSCILLATORS_CLOSED_H
 
 /* -- The laws -- */
 
-/* Mass and stiffness as exponentials of the same u; see the top of this file. All are in 1/s. */
+/* The rates base, rate_m and rate_k in the closed forms of mass and stiffness at the top of this file, 1/s */
 typedef struct VM_TAG(vmi_osc_rates_of_u) {
     vm_real base, rate_m, rate_k;
 } vmi_osc_rates_of_u;
 
 /* Finds the exponential form of both laws. Returns 0 if there is none in a common u, or if the integral of b/m is not
-   proportional to u. It is so for m = m0 (1 + base t), which includes a constant mass with base = 0. */
+   proportional to u. With damping it is proportional only for m = m0 (1 + base t), which includes a constant mass with
+   base = 0. */
 VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u *u)
 {
     vm_real base_m, base_k;
@@ -9107,13 +9132,14 @@ VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u 
     return o->damping == 0 || u->rate_m == u->base;
 }
 
-/* What the disturbances at t = 0 depend on, in 1/s: p, and delta and rest = p - a + base, so that G_0 = p rest */
+/* The rates on which the disturbances E_k at t = 0 depend, in 1/s: p; rest = p - a + base, so that G_0 = p rest; and
+   delta = p + rest */
 typedef struct VM_TAG(vmi_osc_closed_rates) {
     vm_real p, rest, delta;
 } vmi_osc_closed_rates;
 
-/* The rates at t = 0, where m0 is the mass, kg. Differences that vanish in exact arithmetic, such as base - a for a
-   linear mass with the full reactive force, vanish here, too. */
+/* The rates at t = 0, where m0 is the mass, kg. Differences that vanish in exact arithmetic vanish here, too. An
+   example is base - a for a linear mass with the full reactive force. */
 VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, const vmi_osc_rates_of_u *u, vm_real m0)
 {
     const vm_real decay = o->damping / m0;
@@ -9137,16 +9163,16 @@ VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W,
 
 /* The mean motion at t = 0, and what is needed to follow it to any t */
 typedef struct VM_TAG(vmi_osc_closed_mean) {
-    vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and W, the rate that the action gives it, 1/s */
-    vm_real base;               /* 1/s; see the top of this file */
+    vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
+    vm_real base;               /* base of the laws, 1/s; see the top of this file */
     vmi_osc_closed_rates rates; /* rates at t = 0 */
     vm_real first, second;      /* what E_0 and E_0^2 add to the rate of the mean phase at t = 0, 1/s */
 } vmi_osc_closed_mean;
 
 /* The mean motion at t; u, el and delta are explained at the top of this file. */
 typedef struct VM_TAG(vmi_osc_closed_now) {
-    vmi_osc_reduced state; /* mean amplitude, m, mean phase, and the rate W that the action gives it, 1/s */
-    vm_real u, el;         /* u is in s */
+    vmi_osc_reduced state; /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
+    vm_real u, el;         /* u, s, and el, a pure number */
     vm_real ln_A;          /* ln(A/A(0)) of the mean amplitude A */
     vm_real ratio;         /* W/W(0) */
     vm_real decay;         /* exp(-delta u) */
@@ -9175,7 +9201,7 @@ VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduc
    |p| < 0.42, e^x - 1 is 2^k p + (2^k - 1). */
 VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
 {
-    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* beyond it e^x is infinite or 0 */
+    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for |x| beyond it e^x is infinite or 0 */
     const vm_real inside = vmi_smaller(vmi_larger(x, -largest), largest);
     vm_real p_lo, p, scale;
     int k;
@@ -9186,8 +9212,8 @@ VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
     return scale + scale * p;
 }
 
-/* The mean motion at t, where 1 + base t must be positive. The integral of exp(-3 delta u) is that of exp(-delta u)
-   times (1 + decay + decay^2)/3. */
+/* The mean motion at t, where 1 + base t must be positive. It uses that the integral of exp(-3 delta u) over u is the
+   integral of exp(-delta u) times (1 + decay + decay^2)/3, with decay = exp(-delta u). */
 VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_osc_closed_now *now)
 {
     const vm_real u = t * vmi_log_ratio(c->base * t);
@@ -9218,7 +9244,8 @@ VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vm
 /* A bound of what order five leaves out of the mean phase between 0 and the time of *now (vmi_expansion_third_rate) */
 VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
 {
-    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* as in vmi_osc_closed_mean_at */
+    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* the integral of q^5 is sum/5 times that
+                                                                                of q */
     vm_real E[3], e;
     vmi_osc_closed_disturbance(&c->rates, c->start.W, 3, E);
     e = VM_FABS(E[0]);
@@ -9241,12 +9268,12 @@ typedef struct VM_TAG(vm_osc_closed) {
 
 /* -- Preparing it -- */
 
-/* What vm_osc_closed_init computes before it writes anything */
+/* What vm_osc_closed_init computes before it writes to its result */
 typedef struct VM_TAG(vmi_osc_closed_start) {
     vmi_osc_rates_of_u laws;
     vmi_osc_closed_rates rates;
     vmi_osc_reduced state; /* the reduced state at t = 0 */
-    vm_real E[VMI_OSC_G];  /* its numbers E_k */
+    vm_real E[VMI_OSC_G];  /* the numbers E_k of this state */
 } vmi_osc_closed_start;
 
 /* Checks that the terms of the law of order five are small at the start: (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2
@@ -9272,8 +9299,8 @@ VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_o
     return vmi_osc_closed_is_slow(s->E, o->alpha) ? VM_OK : VM_NO_LAW;
 }
 
-/* The estimate of the error at all times from 0 to t_end, where E holds the numbers E_k of the state at t = 0. All of
-   the estimate's terms rise or fall steadily with t, so that the larger values at both ends are bounds. */
+/* The estimate of the error at all times from 0 to t_end, where E holds the numbers E_k of the state at t = 0. Each
+   term of the estimate rises or falls steadily with t. Therefore the larger of its values at both ends is a bound. */
 VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_real *E, vm_real t_end)
 {
     const vmi_ripple *r = &c->ripple;
@@ -9320,7 +9347,7 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
      VM_DOMAIN for alpha < 0,
      VM_NO_LAW for laws without the closed form at the top of this file, for a force F, and where mass, stiffness or
        damping changes the motion so fast that the law of order five does not hold; use vm_osc_plan_init then.
-   The time is that of some 100 values; order 2 needs less than half of it. */
+   The call takes as long as some 100 calls of vm_osc_closed_at; with order 2 it takes less than half as long. */
 VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, int order, vm_real t_end)
 {
     vmi_osc_closed_start s;
@@ -9339,7 +9366,7 @@ VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, i
 
 /* -- Using it -- */
 
-/* Checks the arguments of a value by the law of this order. */
+/* Checks the arguments of a call that computes the motion at t by the law of this order. */
 VM_API int vmi_osc_closed_check_call(const vm_osc_closed *c, int order, vm_real t, const vm_real *x, const vm_real *v)
 {
     if (!c || !x || !v || order > c->order) return VM_BAD_ARGUMENT;
@@ -9372,10 +9399,10 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
     return VM_OK;
 }
 
-/* Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared.
-   c->error estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT
-   for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law
-   is not positive at t. The results have the bits of vm_osc_plan_by_route if *c has order 5. */
+/* Position x (m) and velocity v (m/s) at time t (s, either sign), by the order of the law in *c. c->error
+   estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT for null
+   pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law is not
+   positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
 VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     int order = 0;
@@ -9383,13 +9410,13 @@ VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_re
     return vmi_osc_closed_motion(c, order, t, x, v);
 }
 
-/* As vm_osc_closed_at, but by order 2 for any order of *c. Alone it links the shortest code: no ripple. */
+/* As vm_osc_closed_at, but by order 2 for any order of *c. It links the shortest code, since it needs no ripple. */
 VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 2, t, x, v);
 }
 
-/* As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT. It links shorter code. */
+/* As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT. It links less code. */
 VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 3, t, x, v);
@@ -9418,8 +9445,8 @@ typedef struct VM_TAG(vm_osc_plan) {
     int start_order;         /* order by which `mean` was found: 5, or 2 without the polynomials of the ripple;
                                 0 where x and v are 0, so that there is no mean motion */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
-    vmi_osc_rates_of_u laws; /* where closed is 1, the rates of mass and stiffness (oscillators/closed.h) */
-    vmi_osc_closed_mean closed_mean; /* where closed is 1, what the mean motion at any t needs */
+    vmi_osc_rates_of_u laws; /* where closed is 1, the rates in the exponents of the laws (oscillators/closed.h) */
+    vmi_osc_closed_mean closed_mean; /* where closed is 1, the mean motion at t = 0 and its rates */
     int has_ateb;            /* 1 where the field ateb is set, else 0 */
     vmi_ripple ripple;       /* functions of the ripple, prepared for alpha */
     ateb_plan ateb;          /* Ateb functions, prepared for alpha */
@@ -9434,7 +9461,8 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
     return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
 }
 
-/* The time, s, of 16 radians of the phase. From rates within such a time the derivatives of a user's law are found. */
+/* The time, s, in which the phase advances by 16 radians. The derivatives of a user's law are found from its rates
+   within such a time. */
 VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
 {
     if (!(p->Om > 0)) return 0;
@@ -9451,8 +9479,8 @@ VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vm
     return vmi_expansion_to_mean(&p->ripple, order, state, sa, ca, E);
 }
 
-/* The function that computes constants of the Ateb functions: accurate for many values, as a vm_osc_closed does, and fast
-   for a single value */
+/* The function that computes the constants of the Ateb functions: an accurate one if for_many is 1, for objects that
+   serve many values, such as a vm_osc_closed; otherwise a fast one for a single value */
 VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
 {
     if (for_many) return vmi_ateb_fine_constants;
@@ -9486,9 +9514,9 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
-/* Fills the plan up to the mean motion, which vmi_osc_start adds. It leaves out two parts that are worth their time
-   only for many values: the plan of the Ateb functions and the polynomials of the ripple. for_many is 1 if they are
-   added. */
+/* Fills the plan except for three parts: the mean motion, which vmi_osc_start adds; and the plan of the Ateb functions
+   and the polynomials of the ripple, which are worth their time only for many values. for_many is 1 if the caller adds
+   these two. */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int for_many)
 {
     const vm_osc_problem *o = &p->problem;
@@ -9507,12 +9535,11 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int fo
     return VM_OK;
 }
 
-/* Plan for many values of one problem's motion.
-   vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged use the
-   plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the plan untouched. Returns
-   VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE, VM_BAD_MASS and
-   VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order
-   or without t = 0, or a user's function of a law that fails. */
+/* Plan for many values of one problem's motion. The functions vm_osc_plan_by_route, vm_osc_plan_within and
+   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the
+   plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for a
+   number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
+   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;
@@ -9544,7 +9571,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 
 /* The panels from t to end, one after the other. The loop over them is
      while (vmi_panels_next(&p)) {
-         ... from p.t over p.side * p.step ...
+         ... compute the series on the panel from p.t to p.t + p.side * p.step ...
          if (too long && vmi_panels_halve(&p)) continue;
          ... use the panel ...
          vmi_panels_advance(&p);
@@ -9555,7 +9582,7 @@ typedef struct VM_TAG(vmi_panels) {
     vm_real longest, least; /* bounds of a panel's length, s */
     vm_real size;           /* intended length of the present panel, s */
     vm_real left, step;     /* time left to the end, and length of the present panel, which is at most `left`, s */
-    int halved;             /* how often panels were halved */
+    int halved;             /* number of halvings so far */
 } vmi_panels;
 
 /* Panels from start to end, each at most `longest` long; `whole` is the length of the whole integral, s */
@@ -9566,7 +9593,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     p.end = end;
     p.side = VM_COPYSIGN(1, end - start);
     p.longest = vmi_smaller(longest, VM_FABS(end - start));
-    p.least = whole / VM_C(1099511627776.); /* 2^40; what a shorter panel adds does not matter */
+    p.least = whole / VM_C(1099511627776.); /* 2^40; an error on a shorter panel does not matter */
     p.size = p.longest;
     p.left = 0;
     p.step = 0;
@@ -9574,8 +9601,8 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     return p;
 }
 
-/* Returns whether there is a panel at p->t, and sets its length p->step. If the time left is hardly longer than a
-   panel, all of it becomes one panel. */
+/* Returns whether the end is not reached yet, and sets the length p->step of the panel that starts at p->t. If the time
+   left is hardly longer than a panel, all of it becomes one panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -9588,14 +9615,14 @@ VM_API int vmi_panels_next(vmi_panels *p)
 /* Halves the intended length of the present panel, and returns whether that was possible */
 VM_API int vmi_panels_halve(vmi_panels *p)
 {
-    const int most = 4096; /* a bound for laws with noise, for which no length is short enough */
+    const int most = 4096; /* a bound that ends the search for laws with noise, for which no length is short enough */
     if (!(p->step > p->least) || p->halved >= most || p->t + p->side * (p->step / 2) == p->t) return 0;
     p->size = p->step / 2;
     p->halved++;
     return 1;
 }
 
-/* Goes on to the next panel, which is to be twice as long */
+/* Goes on to the next panel. Its intended length is twice that of the present one. */
 VM_API void vmi_panels_advance(vmi_panels *p)
 {
     if (p->step == p->left) p->t = p->end;
@@ -9606,8 +9633,8 @@ VM_API void vmi_panels_advance(vmi_panels *p)
 /* -- Whether a series is good enough -- */
 
 /* The relative size below which the last terms of a series do not matter. Gauss' rule integrates twice as many terms
-   exactly, so that the error of an integral is about the square of the last terms. A panel that is a small part of
-   the whole integral may be less accurate. */
+   exactly, so that the error of an integral is about the square of the last terms. The limit is larger for a panel that
+   is only a small part of the whole integral. */
 VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
@@ -9615,26 +9642,27 @@ VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
     return vmi_larger(enough, matters);
 }
 
-/* Whether the last terms of a series are within limit, relative to its mean */
+/* Whether the last terms of a series are at most `limit` times its mean */
 VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
 {
     return vmi_legendre_tail(series) <= limit * series[0];
 }
 
-/* Bound of the difference between a law and its series at the ends of a panel, where all terms that are left out add
-   up */
+/* The largest relative difference that is allowed between a law and its series at the ends of a panel. It is larger
+   than `limit`, because all terms that the series leaves out add up there. */
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
 
-/* Raises *edge to the relative difference between f and `by_series`, its value by a series. With `reciprocal` the
-   series is that of 1/f. */
+/* Raises *edge to the relative difference between f and its value by a series, if this difference is larger than *edge.
+   by_series is the value of the series, which is the series of 1/f with `reciprocal`, and of f without. */
 VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
 {
     const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
     if (!(miss <= *edge)) *edge = miss;
 }
 
-/* Raises *edge to the relative difference between a law and its series at the ends of the panel. With `reciprocal`
-   the series is that of 1/f. Only this test notices a kink between an end and the nearest point of Gauss' rule. */
+/* Raises *edge to the larger of the relative differences between a law and its series at both ends of the panel. With
+   `reciprocal` the series is that of 1/f. Only this test notices a kink between an end and the nearest point of Gauss'
+   rule. */
 VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
                           const vm_real *series, vm_real *edge)
 {
@@ -9656,7 +9684,8 @@ VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal
 
 /* -- The integral of 1/f -- */
 
-/* Computes the series of 1/f on a panel. Sets *edge to its largest relative difference from 1/f at the panel's ends. */
+/* Computes the series of 1/f on a panel. Sets *edge to the largest relative difference between this series and 1/f at
+   the ends of the panel. */
 VM_API int vmi_law_inverse_series(const vm_law *law, vm_real start, vm_real length, vm_real *series, vm_real *edge)
 {
     const int side = vmi_time_side(length);
@@ -9731,19 +9760,21 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
    these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
    the second derivatives of the laws jump, so that the mean motion jumps, too. The walk also gathers what the estimates
-   of the error need: how large E_0 = G_0/W^2 and its derivatives are. E_0 measures how much changes of mass and
-   stiffness, and the damping, disturb the motion (oscillators/expansion.h).
+   of the error need: how large E_0 = G_0/W^2 and its derivatives are. E_0 measures how strongly the damping and the
+   changes of mass and stiffness disturb the motion (oscillators/expansion.h).
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_WALK_H
 #define VARMASS_OSCILLATORS_WALK_H
 
-/* The number of derivatives of E_0 by the phase whose sizes are gathered: from the zeroth to the sixth */
+/* The walk measures how large E_0 and its first six derivatives with respect to the phase are: 7 numbers, in the field
+   `change` */
 enum { VMI_WALK_ORDERS = 7 };
 
-/* The mean motion at one time t, and what its errors depend on. By the adiabatic law, which keeps the action constant,
-   A/A0 = exp(ln_A), and the rate of the phase is `ratio` times its value at t = 0. */
+/* The mean motion at one time t, and what its errors depend on. The adiabatic law, which keeps the action constant,
+   gives the amplitude A = A0 exp(ln_A) and the rate of the phase, `ratio` times the rate at t = 0. A0 is the amplitude
+   at t = 0. */
 typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
     vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
@@ -9751,22 +9782,24 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
     vm_real phase;         /* the integral of ratio dt from 0 to t, s */
     vm_real psi;           /* the mean phase */
-    vm_real ln_J;          /* ln of the mean action over its value at t = 0; it changes only at points of tables */
-    vm_real first;         /* the part of psi that is proportional to E_0, see `largest` */
-    vm_real second, third; /* the part of psi proportional to E_0^2; a bound of what order five leaves out of psi */
-    vm_real knots_J[4];    /* for orders 2 to 5: sum of the squares of the errors of ln J at points of tables */
-    vm_real knots_psi[4];  /* for orders 2 to 5: sum of the squares of the errors of psi at points of tables */
+    vm_real ln_J;          /* ln of the mean action divided by its value at t = 0; it changes only at points of
+                              tables */
+    vm_real first;         /* the part of psi that is proportional to E_0 */
+    vm_real second, third; /* the part of psi that is proportional to E_0^2; a bound of what order five leaves out of
+                              psi */
+    vm_real knots_J[4];    /* element i, for order i + 2: sum of squares of errors of ln J at points of tables */
+    vm_real knots_psi[4];  /* element i, for order i + 2: sum of squares of errors of psi at points of tables */
     vm_real largest;       /* largest |E_0| between 0 and t; E_0 = G_0/W^2 measures how much the motion is disturbed */
-    /* Element i, from 0 to 6, is the integral of |d^i E_0/dpsi^i| dpsi from time 0 to t, where d^i/dpsi^i is the ith
-       derivative by the phase. All elements are 0 where closed forms of the laws are used. */
+    /* Element i, from 0 to 6, is the integral of |d^i E_0/dpsi^i| over psi from time 0 to t, where d^i/dpsi^i is the
+       ith derivative with respect to the phase. All elements are 0 where closed forms of the laws are used. */
     vm_real change[VMI_WALK_ORDERS];
     vm_real dropped;       /* integral over psi of the part of |E_0| that is not in `change` */
     vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
     vm_real error;         /* estimated error of `phase`, s */
 } vmi_osc_mean;
 
-/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase. ln_m = ln(m/m0),
-   ln_k = ln(k/k0), and decay is the integral of b/m over time, where b is the damping. */
+/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase and A0, Om0, m0, k0 are values
+   at t = 0. ln_m = ln(m/m0), ln_k = ln(k/k0), and decay is the integral of b/m over time, where b is the damping. */
 VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
                               vm_real *ln_Om)
 {
@@ -9816,26 +9849,27 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
 
 /* -- A panel -- */
 
-/* A panel of the walk: Legendre series of the laws on it, and what it adds to integrals along the laws */
+/* A panel of the walk: the Legendre series of the laws on the panel, and what the panel adds to the integrals */
 typedef struct VM_TAG(vmi_osc_panel) {
     vm_real edge;               /* largest relative difference between 1/m or k and its series at the panel's ends */
     vm_real inverse[VMI_GAUSS]; /* series of 1/m */
     vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the phase rate divided by its value at t = 0 */
     vm_real E[VMI_GAUSS];       /* series of E_0 = G_0/W^2 */
-    vm_real noise;              /* size of the coefficients of E that rounding errors of p' cause */
+    vm_real noise;              /* size of those coefficients of E that come from rounding errors of p' alone
+                                   (vmi_osc_rate_noise) */
     vm_real first, second;      /* integrals of E_0 and of E_0^2 over the phase */
     vm_real cube;               /* integral of |E_0|^3 over the phase */
     vm_real largest;            /* largest |E_0| on the panel */
 } vmi_osc_panel;
 
-/* Mass, stiffness and rates at the points of Gauss' rule of a panel */
+/* Mass, stiffness, and the rates a and p, at the points of Gauss' rule of a panel */
 typedef struct VM_TAG(vmi_osc_panel_laws) {
     vmi_osc_rates rates[VMI_GAUSS];
-    vm_real p_rate[VMI_GAUSS]; /* time derivatives of the field p of `rates`, 1/s^2 */
+    vm_real p_rate[VMI_GAUSS]; /* time derivatives p' of the rate p of `rates`, 1/s^2 */
 } vmi_osc_panel_laws;
 
-/* Reads the laws at the points of Gauss' rule. Writes the series of 1/m and of k, and how far they are from the laws at
-   the ends of the panel. */
+/* Reads the laws at the points of Gauss' rule. Writes the series of 1/m to panel->inverse and that of k to
+   panel->ratio, and to panel->edge how far they are from the laws at the ends of the panel. */
 VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
                              vmi_osc_panel *panel)
 {
@@ -9859,8 +9893,8 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The factor by which rounding errors of the rates a and p become errors of p', on a panel of 1 s. In float the factor
-   is 0: there such errors cannot be told from fast changes, and count as fast changes. */
+/* The size of the errors of p' that rounding errors of the rates a and p cause on a panel of 1 s, divided by |a| + |p|.
+   In float the factor is 0: there such errors cannot be told from fast changes, and count as fast changes. */
 VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
 
 /* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
@@ -9901,8 +9935,8 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
 }
 
 /* Whether the panel is short enough for its series. A panel on which a law has a kink never is; therefore a panel also
-   counts as short enough if the terms that its series leaves out do not matter. `whole` is the
-   length of the walk, s. */
+   counts as short enough if the terms that its series leaves out do not matter. `whole` is the length of the walk,
+   s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
@@ -9916,14 +9950,14 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + phase_matters * (1 + 1 / phase) / phase;
 }
 
-/* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, with the root mean square in place of the
-   absolute value, and to mean->third the panel's part. Coefficients of E_0 that are as small as rounding errors are set
-   to 0 first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
+/* Adds the panel's part to mean->change, the integrals of |d^i E_0/dpsi^i|, where the root mean square takes the place
+   of the absolute value, and to mean->third. Coefficients of E_0 that are as small as rounding errors are set to 0
+   first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], phase_length = W * VM_FABS(length);
     const vm_real least = vmi_larger(noise * VM_SQRT(vmi_legendre_square(panel->E)), panel->noise);
-    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i, where x goes from -1 to 1 on the panel */
+    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i; x, the variable of the series, goes from -1 to 1 */
     vm_real dropped[VMI_GAUSS];
     int i;
     for (i = 0; i < VMI_GAUSS; i++) {
@@ -9995,8 +10029,8 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 
 /* -- Points of tables -- */
 
-/* Adds to knots_J and knots_psi what orders 2 to 5 leave out at a point of a table, where the numbers E_k jump from
-   `before` to `after` */
+/* Adds to knots_J and knots_psi the squares of the terms that orders 2 to 5 leave out at a point of a table. The
+   numbers E_k jump there from `before` to `after`. */
 VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
                                    vmi_osc_mean *mean)
 {
@@ -10011,10 +10045,10 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* Takes the mean motion past t, a point of a table. The derivatives of m' and k' jump there, but the motion does not,
-   so that the mean motion does. From the mean motion before t follows the motion at t, and from this the mean motion
-   after t. vmi_expansion_J_back would give the action at t with one order less; iteration with vmi_expansion_J has the
-   full order. */
+/* Takes the mean motion past t, a point of a table. The derivatives of m' and k' jump there. The motion does not jump,
+   so the mean motion does. The motion at t follows from the mean motion before t, and the mean motion after t follows
+   from the motion. vmi_expansion_J_back would give the action at t with one order less; iteration with vmi_expansion_J
+   has the full order. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -10173,15 +10207,16 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* A bound of the change of ln J, where J is the action, that fast changes of mass and stiffness cause. The exact change
-   of ln J is the integral of E_0 times a periodic function of the phase whose mean is 0. i integrations by parts turn
+   of ln J is the integral over the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn
    it into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
-   both ends, which the solutions contain. Each i gives a bound, and the function returns the smallest. It comes from a
-   large i where the laws change slowly, and from i = 0 where they change within less than a period. */
+   both ends, which the solutions already contain. Each i gives a bound, and the function returns the smallest. The
+   smallest belongs to a large i where the laws change slowly, and to i = 0 where they change within less than a
+   period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real turn = r->pi / (2 * VM_PI);
-    const vm_real first = (r->alpha + 3) / 4; /* bound of (alpha+3)/2 |sa ca|; its integrals have others */
+    const vm_real first = (r->alpha + 3) / 4; /* bound of the periodic function (alpha+3)/2 |sa ca| */
     vm_real size = first, least = VM_INFINITY;
     int i;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
@@ -10194,16 +10229,18 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* The error that fast changes of the laws between 0 and t cause in every averaged solution. An error of ln J makes an
-   error of the phase that is larger by the factor gamma Om t. */
+   error of the phase that is larger by the factor gamma Om t, where gamma is a field of the ripple and Om the rate of
+   the phase. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
 /* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution takes the amplitude and
-   the phase at the start for their mean values, and leaves out the ripple within a period and the term E_0 of the mean
-   phase. An error of ln J makes an error of the phase that is larger by the factor gamma Om t. The phase of x and x' is
-   that of x and V plus (alpha+1)/2 p/Om ca^2; the mean of this difference is the same at the start and at t. */
+   the phase at the start for their mean values, and leaves out the ripple within a period and the part of the mean
+   phase that is proportional to E_0. An error of ln J makes an error of the phase that is larger by the factor gamma Om
+   t. The phase of x and x' is the phase of x and V = x' + p x plus (alpha+1)/2 p/Om ca^2; the mean of this difference
+   is the same at the start and at t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -10214,17 +10251,17 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     const vm_real phase = VM_FABS(r->gamma) * (n + 2) / 2 * ln_A * turns + VM_FABS(shift) + ripple +
                           VM_FABS(mean->first);
     const vm_real error = phase + ln_A + e / (2 * (n + 2)) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
-    if (!(error >= 0)) return VM_INFINITY; /* the laws are so far from slow that the mean motion has no numbers */
+    if (!(error >= 0)) return VM_INFINITY; /* the laws change so fast that the mean motion is not finite */
     return error;
 }
 
-/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that
-   are left out: by the transformation of this order at t; and by the mean motion, which is of the order of the
-   start, at the start, at points of tables, and in the mean rate of the phase. */
+/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up the sizes of the first terms that are
+   left out: by the transformation of this order at t; and by the mean motion, whose order is p->start_order, at the
+   start, at points of tables, and in the mean rate of the phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
-    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real largest_known = VM_C(0.25); /* an estimate larger than this says nothing about the error */
     vm_real e0[VMI_OSC_G], e[VMI_OSC_G], error;
     vmi_left_out start;
     int i;
@@ -10243,8 +10280,9 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
 
 /* -- The solutions -- */
 
-/* Writes the motion of amplitude A. Om is the rate of the Ateb phase, so that the largest velocity is 2 A Om/(alpha+1);
-   c and s are the values of the wave w. evals is set to 0. VM_NOT_FINITE leaves *motion untouched. */
+/* Writes the motion of amplitude A, whose waves of position and velocity have the values c and s. Om is the rate of the
+   Ateb phase, so that the largest velocity is 2 A Om/(alpha+1); w is the wave. evals is set to 0. VM_NOT_FINITE leaves
+   *motion untouched. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {
@@ -10302,8 +10340,8 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 /* oscillators/averaging.h - averaged equations of an oscillator with a force, and what averaging leaves out
 
    With a force F(t, x, x') the amplitude A and the phase obey averaged equations, whose right-hand sides are means
-   over a period: vm_osc_averaged computes them for each of the three waves of oscillators/waves.h, (314), (315),
-   (337)-(339), (380)-(382).
+   over a period. vm_osc_averaged computes these right-hand sides for each of the three waves of oscillators/waves.h:
+   (314), (315) for ca, (337)-(339) for cos, (380)-(382) for cn.
        vm_osc_plan plan;
        vm_real A_rate, theta_rate, psi_rate;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem; t = 10 s, A = 0.1 m
@@ -10316,10 +10354,10 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period, with the force F and a motion x = A c, x' = -V s by the wave w. Each
-   quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large alpha the
-   velocity varies like tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the distance of
-   psi from its value at x = 0, because F may contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period, where F is the force on a motion x = A c, x' = -V s by the wave w.
+   Each quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large
+   alpha the velocity varies like tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the
+   distance between psi and its value at x = 0, because F may contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -10357,22 +10395,23 @@ VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, 
     *theta_rate = -w->gain_theta * Fc / (now->m * V);
 }
 
-/* Om/Om0, the rate of the Ateb phase over its value at t = 0, where A/A0 = e^a, for the mass and stiffness in `now` */
+/* The rate of the Ateb phase divided by its value at t = 0, where A/A0 = exp(a) and `now` holds the mass and stiffness.
+   A0 is the amplitude at t = 0. */
 VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, vm_real a)
 {
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
 }
 
-/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force.
-   They are taken at time t (s) and amplitude A (m), in m/s and 1/s. psi is the angle of the route's wave, theta its
-   slow part. For VM_ROUTE_ATEB psi is the Ateb phase: (314), (315) averaged, with the term of omega' that they lack.
-   For VM_ROUTE_TRIG it is in radians: (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339). For
-   VM_ROUTE_JACOBI it is the argument of cn: (380)-(382) with theta' in the second equation of (382). Gauss' rule
-   takes the means on each quarter of the period, so F may jump where x or x' is 0. For alpha up to 30, and F linear
-   or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float 2e-6). Returns VM_BAD_ARGUMENT for
-   a null pointer or another route, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, t outside a table, or a user's
-   function of a law that fails. An error leaves the results untouched. */
+/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, and belong
+   to the time t (s) and the amplitude A (m). psi is the angle of the route's wave, theta its slow part. For
+   VM_ROUTE_ATEB psi is the Ateb phase; the equations are (314), (315) averaged, with the term of omega' that they lack.
+   For VM_ROUTE_TRIG psi is in radians; the equations are (337)-(339) with alpha + 3 for 5 - alpha, and with 4 for the 2
+   of (338), (339). For VM_ROUTE_JACOBI psi is the argument of cn; the equations are (380)-(382) with theta' in the
+   second equation of (382). Gauss' rule takes the means on each quarter of the period, so F may jump where x or x' is
+   0. For alpha up to 30, and F linear or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float
+   2e-6). Returns VM_BAD_ARGUMENT for a null pointer or another route, VM_NOT_FINITE for a number that is infinite or
+   NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, t outside a
+   table, or a user's function of a law that fails. An error leaves the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -10412,15 +10451,15 @@ typedef struct VM_TAG(vmi_osc_moment) {
 /* What averaging leaves out at one moment, as errors of ln A and of the Ateb phase psi */
 typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real Om;                 /* rate of the Ateb phase at this moment, 1/s */
-    vm_real start_A, start_psi; /* ripples of ln A and psi at the phase of this moment */
+    vm_real start_A, start_psi; /* sizes of the ripples of ln A and psi at the phase of this moment */
     vm_real ripple;             /* the largest ripple of ln A plus the largest ripple of psi */
     vm_real rate_A, rate_psi;   /* errors of the mean rates of ln A and psi, 1/s */
     vm_real growth;             /* rate, 1/s, at which a small change of ln A grows */
 } vmi_osc_averaging;
 
-/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first
-   period if less than a period has passed. If `frozen` is 1 the force is that at the time t, otherwise the force
-   varies with time. */
+/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first period
+   if less than a period has passed. If `frozen` is 1, the force is taken at the time t for all phases, otherwise at the
+   time of each phase. */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
@@ -10451,7 +10490,8 @@ VM_API vm_real vmi_osc_take_mean(vm_real *values)
     return mean;
 }
 
-/* Integrates values whose mean is 0 over a period, in steps of `width`, and subtracts the mean of the integral */
+/* Integrates values over a period, whose mean is 0, and subtracts the mean of the integral. `width` is the distance
+   between two values. */
 VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_real *ripple)
 {
     int i;
@@ -10470,8 +10510,8 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
     return largest;
 }
 
-/* Adds the error of a wave that is not ca to the errors of the rates, and finds the rate at which a small change of
-   ln A grows */
+/* Adds to the errors of the mean rates the difference between the rates by the wave w and those by ca. It also finds
+   the rate at which a small change of ln A grows. */
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
@@ -10487,8 +10527,8 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
     a->growth = (more_A - own_A) / change;
 }
 
-/* Integrates the rates of ln A and psi, without their means, to the ripples of ln A and psi within a period. The ripple
-   of ln A changes Om, which adds to the rate of psi. */
+/* Integrates the rates of ln A and psi, from which their means are subtracted, over a period: the integrals are the
+   ripples of ln A and psi. The ripple of ln A changes Om, and so adds to the rate of psi. */
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
@@ -10510,7 +10550,8 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* error over rate times ripple; for Duffing's equation it is 0.156 */
+    const vm_real second_order = VM_C(0.25); /* error of a mean rate over (rate times ripple); 0.156 for Duffing's
+                                                equation */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -10550,11 +10591,11 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
     return t * (vm_real)(4 + i) / (vm_real)(3 + VMI_OSC_CHECKS);
 }
 
-/* Estimates the error at t of the averaged equations with a force, from the motions at the times of
-   vmi_osc_check_time. Errors arise from the ripple at the start, which the equations take for a part of the mean, and
-   from errors of the mean rates. These errors grow as small changes of the motion do, and an error of the
-   amplitude adds an error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not
-   ca, and the effect of fast changes of mass and stiffness. */
+/* Estimates the error at t of the averaged equations with a force, from the motions at the times of vmi_osc_check_time.
+   Errors arise from the ripple at the start, which the equations take for a part of the mean, and from errors of the
+   mean rates. These errors grow as small changes of the motion grow, and an error of the amplitude adds an error of the
+   phase. At the end the estimate adds the ripple at t, the error of a wave that is not ca, and the effect of fast
+   changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
                                    const vm_osc_motion *motion, vm_real *error)
 {
@@ -10605,15 +10646,16 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
 /* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
     vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
-    vm_real ratio;     /* tolerance of the loose run over that of the strict run */
-    vm_real factor;    /* estimated error of the strict run over the difference of the two runs */
+    vm_real ratio;     /* tolerance of the loose run divided by that of the strict run */
+    vm_real factor;    /* estimated error of the strict run, divided by the difference of the two runs */
     vm_real by_chance; /* the estimated error is at least this times the tolerance of the steps */
 } vmi_osc_tuning;
 
-/* How a route, which is a method of solution, integrates */
+/* A method of integration: a system of equations, a Runge-Kutta pair, and numbers that suit the pair */
 typedef struct VM_TAG(vmi_osc_method) {
     ode_rhs rhs;  /* the right-hand side: vmi_osc_averaged_rhs or vmi_osc_direct_rhs */
-    int averaged; /* 1 where rhs has averaged equations, whose error of averaging is added; else 0 */
+    int averaged; /* 1 where rhs belongs to the averaged equations, so that the error of averaging must be added; else
+                     0 */
     int direct;   /* 1 where the state of rhs is position and velocity, 0 where it is amplitude and phase */
     int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                 const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
@@ -10621,10 +10663,10 @@ typedef struct VM_TAG(vmi_osc_method) {
     vmi_osc_tuning tuning;                                           /* numbers for this pair */
 } vmi_osc_method;
 
-/* A method of integration with the pair rk45. rk45 does not change the length of its steps while their error stays
-   within a factor of 3. `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves
-   room for errors that are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps,
-   so two runs may agree well by chance; by_chance allows for this. */
+/* A method of integration with the Runge-Kutta pair rk45. The pair does not change the length of its steps while their
+   error stays within a factor of 3. `ratio` is larger than this factor, so that the two runs take different steps.
+   `factor` leaves room for errors that are not proportional to the tolerance. Errors are mostly far below the tolerance
+   of the steps, so two runs may agree well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -10640,8 +10682,8 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
     return method;
 }
 
-/* A method of integration with the pair rk87, which does not change the length of its steps while their error stays
-   within a factor of 7.5 */
+/* A method of integration with the Runge-Kutta pair rk87, which does not change the length of its steps while their
+   error stays within a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -10654,7 +10696,7 @@ VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
     return method;
 }
 
-/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the averaged
+/* Indices of the state: position and velocity for the equation of motion, ln A and Ateb phase for the averaged
    equations */
 enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_STATES = 2 };
 
@@ -10670,8 +10712,8 @@ typedef struct VM_TAG(vmi_osc_run) {
     int side;         /* 1 forward, -1 backward in time */
     int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
-    vm_real share;    /* longest step, as a part of the interval up to the next stop */
-    vm_real law_step; /* longest step, s, that skips no change of a user's law; a run shrinks it like `longest` */
+    vm_real share;    /* longest step, divided by the interval up to the next stop */
+    vm_real law_step; /* longest step, s, in the first loose run that skips no change of a user's law */
     long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
@@ -10696,7 +10738,8 @@ VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return 0;
 }
 
-/* (m/m0)^reactive: a body on which only the reactive force acts has a velocity proportional to the inverse of this. */
+/* (m/m0)^reactive. A body on which only the reactive force acts has a velocity proportional to the inverse of this
+   power. */
 VM_API vm_real vmi_osc_reactive_weight(const vm_osc_problem *o, vm_real mass_ratio)
 {
     if (o->reactive == 1) return mass_ratio;
@@ -10755,8 +10798,9 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
 }
 
 /* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than a
-   part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods; then no step is longer
-   than a part of this short time, because the Runge-Kutta pair does not notice the error of a step across it. */
+   fixed part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods. Then no step is
+   longer than a fixed part of this short time, because the Runge-Kutta pair would not notice the error of a step across
+   it. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */
@@ -10852,9 +10896,9 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
 
 /* -- Two runs -- */
 
-/* The largest difference of two runs, of x relative to the amplitude and of v relative to vmax, over all times of
-   vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity where the difference is
-   unknown. */
+/* The largest difference of two runs: of x relative to the amplitude, and of v relative to vmax. It is taken over all
+   times of vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity where the
+   difference is unknown. */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
     vm_real largest = 0;
@@ -10871,9 +10915,9 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
     return largest;
 }
 
-/* Computes the longest step, s, that skips no change of a law by a user's function: a quarter of the shortest panel
-   in the walk along the laws. Because a jump of a law would make it 0, it is at least |t|/8192, or the law's
-   change_time if that is shorter. */
+/* Computes the longest step, s, that skips no change of a law by a user's function: a quarter of the shortest panel in
+   the walk along the laws. A jump of a law would make it 0; therefore it is at least |t|/8192, or the law's change_time
+   if that is shorter. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -10927,8 +10971,8 @@ VM_API vm_real vmi_osc_first_tolerance(vm_real tolerance)
     return vmi_smaller(tolerance / part, largest);
 }
 
-/* The next tolerance of the steps, after an error that was too large. It shrinks by the ratio of tolerance to error
-   and by a further factor of 4, but to no less than 2e-5 of its last value. */
+/* The tolerance of the steps in the next pair of runs, after an error that was too large. It is the last one times the
+   ratio of tolerance to error, divided by 4, but not less than 2e-5 of the last one. */
 VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance, vm_real error)
 {
     const vm_real ratio = tolerance / error, reserve = 4;
@@ -10936,9 +10980,9 @@ VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance,
     return step_tolerance * VM_C(2e-5);
 }
 
-/* Makes pairs of runs until the error is within the tolerance. strict[] receives the last strict run, with the error
-   in its last element. The loop ends early where stricter runs are not better. Then rounding errors, chance or the
-   longest step dominate the error; therefore each pair that is not better halves the longest step. */
+/* Makes pairs of runs until the error is within the tolerance. strict[] receives the motions of the last strict run;
+   its last element holds the error. The loop ends early if stricter runs are not better. In that case rounding errors,
+   chance or the longest step dominate the error; therefore each pair that is not better halves the longest step. */
 VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *strict)
 {
     const int most_attempts = 6, most_stalled = 3;
@@ -11001,9 +11045,10 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 #endif
 /* oscillators/gauss_rule.h - Gauss' rule of n points on [0, 1], and polynomials through values at these points
 
-   The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to it: they give, from the values of a
-   polynomial of degree n - 1 at the n points, its integrals from 0 to each point and its derivatives there. The method
-   of collocation (oscillators/collocation.h) solves differential equations with them.
+   The points are called nodes. The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to it.
+   They turn the values of a polynomial of degree n - 1 at the nodes into its integrals from 0 to each node, and into
+   its derivatives at the nodes. The method of collocation (oscillators/collocation.h) solves differential equations
+   with them.
        vmi_gauss_rule rule;
        vmi_gauss_rule_init(&rule, 8);
    Tests: tests/test_collocation.c. */
@@ -11013,7 +11058,8 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 /* The largest n */
 enum { VMI_NODES = VMI_GAUSS };
 
-/* Gauss' rule, and two matrices for polynomials of degree n - 1: polynomial j is 1 at node j, 0 at all other nodes */
+/* Gauss' rule, and two matrices. Polynomial j in their comments has degree n - 1; it is 1 at node j and 0 at all other
+   nodes. */
 typedef struct VM_TAG(vmi_gauss_rule) {
     int n; /* number of nodes */
     vm_real node[VMI_NODES], weight[VMI_NODES];
@@ -11035,7 +11081,8 @@ VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
     return now;
 }
 
-/* Computes nodes and weights: zeros of Legendre's polynomial by Newton's method, from an approximation by cosines. */
+/* Computes nodes and weights. Newton's method finds the nodes, which are zeros of Legendre's polynomial, from an
+   approximation by cosines. */
 VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
 {
     const int rounds = 6;
@@ -11053,8 +11100,8 @@ VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
     }
 }
 
-/* Adds the part of Legendre's polynomial P_k to both matrices. values, integrals and derivatives are those of P_k at
-   the nodes, with integrals from 0 and derivatives by the variable of the nodes. */
+/* Adds the part of Legendre's polynomial P_k to both matrices. The arrays hold P_k at the nodes, its integrals from 0
+   to the nodes, and its derivatives there, with respect to the variable that goes from 0 to 1. */
 VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
                                const vm_real *derivatives)
 {
@@ -11086,14 +11133,14 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
             rule->derivative[i][j] = 0;
         }
     }
-    for (k = 0; k < n; k++) { /* with x = 2 node - 1: node integrals are half of those over x, derivatives double */
+    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives double */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
             derivatives[i] = 2 * slope[i];
         }
         vmi_gauss_rule_add(rule, k, now, integrals, derivatives);
-        for (i = 0; i < n; i++) { /* P'_(k+1) = P'_(k-1) + (2k+1) P_k */
+        for (i = 0; i < n; i++) { /* derivatives: P'_(k+1) = P'_(k-1) + (2k+1) P_k */
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             const vm_real next_slope = slope_before[i] + (vm_real)(2 * k + 1) * now[i];
             slope_before[i] = slope[i];
@@ -11114,8 +11161,9 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
    At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
 
    A step uses Gauss' collocation of n points. Its equations are solved by iteration, which starts from values that are
-   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points,
-   so that laws have to give only f and f'. Two runs with different n go side by side; their difference gives the error.
+   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points;
+   therefore the laws have to give only their values and rates. Two runs with different n go side by side; their
+   difference gives the error.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
@@ -11123,7 +11171,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
 #ifndef VARMASS_OSCILLATORS_COLLOCATION_H
 #define VARMASS_OSCILLATORS_COLLOCATION_H
 
-/* From how many earlier steps a step is extrapolated */
+/* The largest number of earlier steps from which a step is extrapolated */
 enum { VMI_HISTORY = 6 };
 
 /* -- A run -- */
@@ -11133,7 +11181,7 @@ typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
 } vmi_step_waves;
 
-/* Rates: derivatives of ln A and t by the phase psi, at the nodes of a step */
+/* Rates: derivatives of ln A and t with respect to the phase psi, at the nodes of a step */
 typedef struct VM_TAG(vmi_step_rates) {
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
 } vmi_step_rates;
@@ -11200,8 +11248,8 @@ VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_os
     return sum;
 }
 
-/* Writes the rates of ln A and t by the phase at node i, where ln(A/A0) is ln_A and the time is t. *now holds mass,
-   stiffness and their rates at t, and p_rate is the derivative of now->p by time. */
+/* Writes the derivatives of ln A and t with respect to the phase at node i, where ln(A/A0) is ln_A and the time is t.
+   *now holds mass, stiffness and their rates at t, and p_rate is the time derivative of now->p. */
 VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_osc_rates *now,
                                 vm_real p_rate, vm_real ln_A, vm_real t, vm_real *ln_A_by_psi, vm_real *t_by_psi)
 {
@@ -11224,7 +11272,7 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
     return VM_OK;
 }
 
-/* The changes of ln A and t from the start of the step to node i, by integration of these rates */
+/* The changes of ln A and t from the start of the step to node i, by integration of *rates */
 VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_step_rates *rates,
                                         int i)
 {
@@ -11242,14 +11290,14 @@ VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_s
     return sum;
 }
 
-/* Adds to the rates of a step what a round found to be missing, and an estimate of what this changes in turn: `missing`
-   shifts ln A and t at the nodes, and these shift the rates, mostly because W depends on both. *now holds mass,
-   stiffness and rates at about the middle of the step. */
+/* Adds to the rates of a step the corrections `missing` that a round found, and estimates of the further corrections
+   that follow: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
+   both. *now holds mass, stiffness and rates at about the middle of the step. */
 VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_osc_rates *now,
                             const vmi_step_rates *missing, vmi_step_rates *rates)
 {
     const vm_real alpha = c->plan->problem.alpha;
-    /* derivatives of ln(dt/dpsi) by t and by ln A */
+    /* derivatives of ln(dt/dpsi) with respect to t and to ln A */
     const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2;
     int i;
     for (i = 0; i < c->rule.n; i++) {
@@ -11295,12 +11343,14 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Makes rounds of the iteration, from the rates in s->rates, until the change of phase that they leave out is below the
-   limit of the course. A round leaves out the part `contraction` of the change that it makes. */
+/* Makes rounds of the iteration, which starts from the rates in s->rates, until the phase is in error by less than the
+   limit of the course. The error after a round is estimated as the change of phase that the round made, times
+   `contraction`. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.02); /* in case the next steps are harder than this one */
-    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has such errors, which no round mends */
+    const vm_real least_contraction = VM_C(0.02); /* a lower bound, since the next steps may converge more slowly */
+    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has errors of this size, which no round
+                                                          removes */
     const int most_rounds = 40;
     vm_real change, before = 0;
     int sweeps, status;
@@ -11317,8 +11367,8 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
     return VM_OK;
 }
 
-/* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps of the same
-   part of a half period; if there are none, all are the rates at the start of the step. These leave out the
+/* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps over the
+   same part of a half period. If there are none, the rates at all nodes are those at the start of the step, without the
    disturbance E = (p^2 - a p - p')/W^2 and the further force F. */
 VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 {
@@ -11339,7 +11389,8 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
         s->rates.ln_A[i] = 0;
         s->rates.t[i] = 0;
     }
-    for (k = 0; k < c->known[part]; k++) { /* extrapolation of n values: factors n, -n (n-1)/2, ... */
+    for (k = 0; k < c->known[part]; k++) { /* extrapolation from n earlier steps: the latest times n, the one before
+                                              times -n (n-1)/2 ... */
         const vmi_step_rates *last = &c->history[part][(c->latest[part] + k) % VMI_HISTORY];
         factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
         for (i = 0; i < c->rule.n; i++) {
@@ -11374,8 +11425,8 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
 
 /* -- Landing on a time -- */
 
-/* Returns at which fraction of the step the time t is reached, by Newton's method for the polynomial of the step.
-   Writes the Legendre series of dt/dpsi to series. */
+/* Returns the fraction of the step at which the time t is reached, by Newton's method. Writes the Legendre series of
+   dt/dpsi on the step to series. */
 VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
 {
     const int rounds = 8;
@@ -11401,9 +11452,9 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return part;
 }
 
-/* Makes a step that ends at c->stop, in place of `beyond`, the longer step that would go past this time. certain: 0
-   where `beyond` is only predicted. If it turns out that it does not reach c->stop, the course stays where it is,
-   since no step may cross a zero of x. */
+/* Makes a step that ends at c->stop, in place of the longer step `beyond`, which would go past this time. certain is 0
+   if `beyond` is only predicted. If `beyond` then turns out not to reach c->stop, the course stays where it is, since
+   no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
@@ -11448,7 +11499,7 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
 {
     const vm_real half = c->plan->ripple.pi, close = 64 * VM_EPSILON * (1 + VM_FABS(c->psi) / half);
     const vm_real per_step = (vm_real)c->parts / half, side = (vm_real)c->side;
-    const vm_real at = (c->psi + half / 2) * per_step; /* the phase, counted in steps; `next` is the end of the step */
+    const vm_real at = (c->psi + half / 2) * per_step; /* the phase, counted in steps; the step ends at `next` */
     const vm_real nearest = VM_FLOOR(at + VM_C(0.5)), next = VM_FLOOR(side * at + close) + 1;
     const vm_real cell = side > 0 ? side * next - 1 : side * next; /* the step lies between cell and cell + 1 */
     const vm_real turn = VM_FLOOR(cell / (vm_real)c->parts);
@@ -11463,8 +11514,8 @@ VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
 }
 
-/* Makes a step of the part `most`, 0 to 1, of its usual length. If it would go beyond c->stop, it is shortened to end
-   there. */
+/* Makes a step whose length is `most`, between 0 and 1, times the usual length. If it would go beyond c->stop, it is
+   shortened to end there. */
 VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
@@ -11500,7 +11551,7 @@ VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 /* Makes one step. Where its iteration does not converge, it tries shorter and shorter steps. */
 VM_API int vmi_osc_course_step(vmi_osc_course *c)
 {
-    const vm_real shortest = VM_C(0.01); /* part of the usual length */
+    const vm_real shortest = VM_C(0.01); /* the shortest step, as a part of the usual length */
     vm_real most = 1;
     int status = vmi_osc_course_step_of(c, most);
     while (status == VM_NOT_INTEGRATED && most > shortest) {
@@ -11511,7 +11562,7 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     return status;
 }
 
-/* Starts a course at t = 0 from the amplitude and phase in *start, with n points a step and `parts` parts a half
+/* Starts a course at t = 0 from the amplitude and phase in *start, with n points per step and `parts` parts per half
    period. */
 VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
                                  int n, int parts, vm_real sweep_limit)
@@ -11579,7 +11630,7 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
     return status;
 }
 
-/* Numbers of points a step of the loose and of the strict run, and parts of a half period in both runs */
+/* Numbers of points per step in the loose and in the strict run, and of parts per half period in both runs */
 typedef struct VM_TAG(vmi_osc_points) {
     signed char loose, strict, parts;
 } vmi_osc_points;
@@ -11588,8 +11639,8 @@ typedef struct VM_TAG(vmi_osc_points) {
 enum { VMI_OSC_PAIRS = 6 };
 
 /* Whether the rates are smooth inside a half period, so that one step over it is good. With a force they may have kinks
-   in the middle, where x' = 0, and where alpha > 3 they change quickly there. Then two steps are better that meet in
-   the middle. */
+   in the middle, where x' = 0; for alpha > 3 they change quickly there. In these cases two steps that meet in the
+   middle are better. */
 VM_API int vmi_osc_has_smooth_halves(const vm_osc_problem *o) { return o->alpha <= 3 && !o->force; }
 
 /* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. */
@@ -11613,8 +11664,8 @@ VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
     return tolerance >= VM_C(1e-10) ? 3 : 4;
 }
 
-/* The number of the pair that is tried after pair i, whose error is estimated as `error`, larger than the tolerance.
-   Pairs are left out whose error would be too large even if it fell as the tenth power of the number of points. */
+/* The number of the pair that is tried after pair i, whose estimated error is `error`, larger than the tolerance. A
+   pair is skipped if its error would be too large even if errors fell as 1/(number of points)^10. */
 VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_real tolerance)
 {
     const vmi_osc_points last = vmi_osc_pair(o, i);
@@ -11629,9 +11680,10 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
 }
 
 /* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
-   the loose run. Where alpha < 1, the rates have terms of the power alpha + 2 in the distance from a zero of x. For them
-   the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it falls as n^-8 at least.
-   Kinks from a force or from a law by a function, and the sharp turns of a large alpha, make it fall more slowly. */
+   the loose run. Where alpha < 1, the rates have terms proportional to d^(alpha+2), where d is the distance from a zero
+   of x. For these terms the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it
+   falls as n^-8 at least. Kinks from a force or from a law by a function, and the sharp turns of a large alpha, make it
+   fall more slowly. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
@@ -11644,7 +11696,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
                                   vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
 {
     const int side = vmi_time_side(t);
-    const vm_real looser = 16;         /* ratio of their sweep_limits, so that errors of the iteration differ, too */
+    const vm_real looser = 16;         /* ratio of the sweep_limits of both runs: errors of the iteration differ, too */
     vmi_osc_rates now;
     vmi_osc_slow start;
     vmi_osc_reduced state;
@@ -11691,7 +11743,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
         status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(&plan->problem, i), 2 * longest, sweep_limit, &c, &error);
         if (status) return status;
         evals += c.evals;
-        sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* perhaps the iterations left too much */
+        sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* the iterations may have caused most of the error */
         i = vmi_osc_next_pair(&plan->problem, i, error, tolerance);
     }
     status = vmi_osc_rates_at(&plan->problem, t, -c.side, &now);
@@ -11732,8 +11784,8 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
    difference of the two runs gives the error. With F the averaged equations of the first three routes are integrated,
    too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
 
-   Choice. vm_osc_within takes the first of these seven solutions that is within the tolerance. Where none is, or where
-   F is given, it integrates by collocation, and where amplitude and phase do not describe the motion by rk87.
+   Choice. vm_osc_within takes the first of these seven solutions whose estimate is within the tolerance. Where none is,
+   or where F is given, it integrates: by collocation if amplitude and phase describe the motion, otherwise by rk87.
 
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
@@ -11743,12 +11795,12 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
        shortest panel, so that no step skips the change.
    What the estimate of averaged equations with F covers:
      - the error of their integration, and the error of cos and cn in place of ca;
-     - what averaging leaves out: the ripple within a period, its effect at the start, and terms of second order in it;
+     - what averaging leaves out: the ripple within a period, its effect at the start, and second-order terms of it;
      - a force that changes within a period, as in a resonance. For this the estimate calls F over a period at the start
        and over periods at eight later times, so it misses a force that acts only for a short time between them.
 
    How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
-   1/8 to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. In double its bounds are, for
+   1/8 to 8, a rate q of the laws from 2e-3 to 0.1, and t from 1/q to 3/q. In double the test demands as bounds, for
      the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
      the largest ratio of true error to estimate: 30 by rk87, 40 by rk45, else 10,
      the median ratio of estimate to true error: 45 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
@@ -11798,7 +11850,7 @@ typedef struct VM_TAG(vmi_osc_route) {
     vmi_osc_integration integrate; /* the integration, or null if there is none */
 } vmi_osc_route;
 
-/* Makes the table entry of a route from its name, closed form and integration. */
+/* Makes the entry of a route in the table of routes. solution or integrate may be null. */
 VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solution, vmi_osc_integration integrate)
 {
     vmi_osc_route route;
@@ -12008,10 +12060,10 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
    At an amplitude A one quadrature gives the period, the action and x(t):
        vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
        vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
-   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g), where g is the mean of F(x)/x over
-   the squares between x^2 and A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit is the
-   motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of v dx
-   over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
+   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g). Here g is the mean of F(x)/x over
+   the variable x^2, from the present x^2 to A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit
+   is the motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of
+   v dx over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -12058,9 +12110,9 @@ struct VM_TAG(vmi_orbit) {
     int place;                 /* VMI_ORBIT_... */
     vm_real span;              /* the phase between theta = 0 and theta = pi/2: pi/2 around 0, else pi */
     vm_real w, j;              /* rate of the phase, 1/s, and action */
-    vm_real energy_slope;      /* derivative of the energy by `size` */
+    vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
-    vm_real lambda, m1;        /* of Duffing's force: rate of the argument of Jacobi's functions, and their 1 - k^2 */
+    vm_real lambda, m1;        /* rate of the argument of Jacobi's functions, and 1 - k^2 with their modulus k */
     int pieces;                /* of other forces: equal pieces of 0 ... `size`, on each of which F is a series */
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* of other forces: Legendre series of F on the pieces */
     vm_real above[VMI_ORBIT_PARTS];             /* of other forces: integral of F from the end of a piece to `size` */
@@ -12070,15 +12122,16 @@ struct VM_TAG(vmi_orbit) {
 struct VM_TAG(vmi_orbit_point) {
     vm_real x, v;          /* position and velocity */
     vm_real slowness;      /* dt/dtheta */
-    vm_real x_size;        /* derivative of x by the orbit's size, at fixed theta */
-    vm_real slowness_size; /* derivative of the slowness by the orbit's size, at fixed theta */
+    vm_real x_size;        /* derivative of x with respect to the orbit's size, at fixed theta */
+    vm_real slowness_size; /* derivative of the slowness with respect to the orbit's size, at fixed theta */
 };
 
 /* The largest |x| on a complete orbit, m */
 VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
 {
     if (orbit->place == VMI_ORBIT_AROUND_0) return orbit->size;
-    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2, as size = (A^2 - B^2)/2 */
+    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2 = A, with the smallest |x| B; size
+                                                               = (A^2 - B^2)/2 */
 }
 
 /* -- Integrals over theta -- */
@@ -12145,7 +12198,7 @@ VM_API vm_real vmi_orbit_value(const vmi_orbit_sum *sum, vm_real theta)
     return vmi_legendre_at(sum->series[part], place);
 }
 
-/* The size of the terms that the series leave out, relative to the mean of the function */
+/* The size of the terms that the series on the parts leave out, divided by the mean of the function */
 VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
 {
     vm_real largest = 0;
@@ -12201,8 +12254,8 @@ VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
     return f;
 }
 
-/* The derivative dt/dtheta at all nodes, and its derivative by the orbit's size. Doubles the number of parts until the
-   series leave out no more than `enough`, as far as VMI_ORBIT_PARTS allows. */
+/* Computes dt/dtheta at all nodes, and its derivative with respect to the orbit's size. Doubles the number of parts
+   until the series leave out no more than `enough`, as far as VMI_ORBIT_PARTS allows. */
 VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_sum *time, vmi_orbit_sum *time_size)
 {
     vm_real slowness[VMI_ORBIT_NODES], by_size[VMI_ORBIT_NODES];
@@ -12232,15 +12285,16 @@ VM_API int vmi_odd_user_at(const vm_odd_force *force, vm_real x, vm_real *f)
     return VM_OK;
 }
 
-/* F at one point of an orbit, and two means up to the amplitude A, or up to the end of a piece */
+/* F at one point x, and its mean and mean slope from x to an end, which is the amplitude A or the end of a piece */
 typedef struct VM_TAG(vmi_odd_forces) {
     vm_real f;     /* F(x) */
     vm_real mean;  /* mean of F between x and the end */
     vm_real slope; /* (F(end) - F(x))/(end - x) */
 } vmi_odd_forces;
 
-/* Sums of the Legendre series of F on a piece of the length 2 half, at y between -1 and 1, where 1 is the piece's end.
-   With D_k = (1 - P_k(y))/(1 - y) no difference of close numbers occurs near the end. */
+/* Evaluates the Legendre series of F on a piece at y between -1 and 1, where y = 1 is the end of the piece. `half` is
+   half the length of the piece. The sums use D_k = (1 - P_k(y))/(1 - y) with Legendre's polynomials P_k, so that no
+   close numbers are subtracted near the end. */
 VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_real half)
 {
     vm_real before = 0, now = 1, D_before = 0, D = 0;
@@ -12261,7 +12315,7 @@ VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_rea
     return r;
 }
 
-/* F and its means between x = share A and the amplitude A, 0 <= share <= 1 */
+/* F at x = share A, and its mean and slope between x and the amplitude A, where 0 <= share <= 1 */
 VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
 {
     const vm_real A = orbit->size, half = A / (2 * (vm_real)orbit->pieces);
@@ -12295,8 +12349,8 @@ VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_
     point->slowness_size = -point->slowness * (g_size / (2 * g));
 }
 
-/* Fits the series of F on this number of pieces of 0 ... A. Writes the size of the terms that they leave out, relative
-   to the root mean square of F. */
+/* Fits series of F on this number of equal pieces of 0 ... A. Writes the size of the terms that the series leave out,
+   relative to the root mean square of F. */
 VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
 {
     const vm_real length = orbit->size / (vm_real)pieces;
@@ -12370,8 +12424,8 @@ typedef struct VM_TAG(vmi_odd_state) {
     int status;   /* of the user's function */
 } vmi_odd_state;
 
-/* The potential energy between x and x + more, less the kinetic energy of the state: 0 where x + more is the
-   amplitude */
+/* The potential energy at x + more, minus that at x, minus the kinetic energy of the state. It is 0 where x + more is
+   the amplitude. */
 VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
 {
     vmi_odd_state *s = (vmi_odd_state *)state;
@@ -12389,8 +12443,8 @@ VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
     return sum * length - s->v * s->v / 2;
 }
 
-/* The orbit through a state. A trial of the amplitude is doubled or halved until the amplitude lies between two of
-   them. Returns VM_NO_LAW where there is no amplitude. */
+/* Finds the orbit through a state. A trial value of the amplitude is doubled or halved until the amplitude lies between
+   two trial values. Returns VM_NO_LAW where there is no amplitude. */
 VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const int most = 200;
@@ -12423,7 +12477,8 @@ VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v,
     return s.status;
 }
 
-/* The phase of a state on a complete orbit. It puts x = A cos(theta) and v = -A sin(theta)/(dt/dtheta). */
+/* The phase of a state on a complete orbit. The state gives theta by x = A cos(theta) and v = -A
+   sin(theta)/(dt/dtheta). */
 VM_API int vmi_odd_user_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
 {
     const vm_real above = vmi_larger(orbit->size - VM_FABS(x), 0) * (orbit->size + VM_FABS(x));
@@ -12452,11 +12507,10 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
     return VM_OK;
 }
 
-/* Odd elastic force F(x) by a user's function.
-   The function is called for x >= 0 only. ctx is handed to it. F must be
-   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must
-   be so smooth that polynomials of degree 19 represent it on 8 pieces; otherwise all functions refuse it with
-   VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
+/* Odd elastic force F(x) by a user's function. The function is called for x >= 0 only. ctx is handed to it. F must be
+   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must be
+   so smooth that polynomials of degree 19 represent it on at most 8 equal pieces; otherwise all functions refuse it
+   with VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
     vm_odd_force force;
@@ -12562,7 +12616,7 @@ VM_API int vmi_duffing_at(const vm_odd_force *force, vm_real x, vm_real *f)
     return VM_IS_FINITE(*f) ? VM_OK : VM_NOT_FINITE;
 }
 
-/* By how much the square of the amplitude is larger than x^2. The number d solves c3 d^2/2 + slope d = v^2, where
+/* Returns d = A^2 - x^2, the square of the amplitude A minus x^2. The number d solves c3 d^2/2 + slope d = v^2, where
    slope = c1 + c3 x^2. Returns NaN for a motion that runs away. */
 VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
 {
@@ -12573,8 +12627,8 @@ VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
     return VM_NAN;
 }
 
-/* The size and place of the orbit through (x, v). In two wells the orbit is an inner one if its energy is below that
-   of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
+/* Writes the size and place of the orbit through (x, v). With two wells the orbit is an inner one if its energy is
+   below the energy of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
@@ -12637,9 +12691,9 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
     orbit->lambda = A * VM_SQRT(k3 / 2);
     orbit->m1 = m1;
     orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
-    orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, over w */
+    orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, divided by w */
     orbit->energy_slope = k3 * size / 2;
-    orbit->swing = size / (A + B); /* (A - B)/2 */
+    orbit->swing = size / (A + B); /* (A - B)/2 with the largest |x| A and the smallest |x| B */
     orbit->vmax = size * VM_SQRT(k3 / 2);
     return VM_OK;
 }
@@ -12677,7 +12731,8 @@ VM_API void vmi_duffing_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_p
     }
 }
 
-/* The incomplete integral F = u of the first kind, from s2 = sn^2(u), c2 = cn^2(u) and d2 = dn^2(u), 0 <= u <= K */
+/* Returns u, the incomplete elliptic integral of the first kind, from s2 = sn^2(u), c2 = cn^2(u) and d2 = dn^2(u),
+   where 0 <= u <= K. */
 VM_API vm_real vmi_duffing_argument(vm_real s2, vm_real c2, vm_real d2)
 {
     return VM_SQRT(s2) * vmi_carlson_rf(vmi_two(c2, 0), vmi_two(d2, 0), vmi_two(1, 0)).hi;
@@ -12839,26 +12894,30 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
 #endif
 /* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
 
-   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping and reactive force all act as one damping h:
+   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping b and reactive force (of the share r) all act as
+   one damping h:
        x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
    so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
-   canonical, and their Hamiltonian is that of constant mass plus 2 h a, times mu sqrt(k/m), with the function
+   canonical. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a the
+   function
        a(phi) = (integral of v dx from phase 0) - j phi
    of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
    in h the mean action and the mean phase are
        j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
        phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
-   where M is the mean of a^2, an index j means the derivative by j at fixed phase, and h' = dh/ds.
+   where w is the rate of the phase, M the mean of a^2, _j the derivative with respect to j at fixed phase, and h' =
+   dh/ds.
        vmi_orbit_ripple ripple;
        vmi_orbit_ripple_values now;
        vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit
-       vmi_orbit_ripple_at(&ripple, &orbit, phi, &now);
+       vmi_orbit_ripple_at(&ripple, &orbit, 1, &now); // at the phase 1
    Source: the averaging of canonical equations by Lie series, to second order; docs/duffing.md.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
 #define VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
 
-/* The functions of the ripple on one orbit. "By size" means the derivative by orbit.size at fixed phase. */
+/* The functions of the ripple on one orbit. "By size" stands for the derivative with respect to orbit.size at fixed
+   phase. */
 typedef struct VM_TAG(vmi_orbit_ripple) {
     vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
     vmi_orbit_sum squares;         /* integral of v^2 over time */
@@ -12872,7 +12931,7 @@ typedef struct VM_TAG(vmi_orbit_ripple) {
 
 /* The ripple at one phase */
 typedef struct VM_TAG(vmi_orbit_ripple_values) {
-    vm_real a, B; /* see above */
+    vm_real a, B; /* the functions a and B of the top of this file */
     vm_real B_j;  /* (B/w)_j */
 } vmi_orbit_ripple_values;
 
@@ -12884,7 +12943,7 @@ typedef struct VM_TAG(vmi_orbit_nodes) {
     vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
 } vmi_orbit_nodes;
 
-/* Computes a and its derivative at the nodes. At fixed phase a changes by v times the change of x. */
+/* Computes a and its derivative by size at the nodes. At fixed phase the change of a is v times the change of x. */
 VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
 {
     vm_real squares[VMI_ORBIT_NODES];
@@ -12916,7 +12975,7 @@ VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nod
     return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
 }
 
-/* The derivative by j of B/w, from B and its derivative by size */
+/* The derivative of B/w with respect to j, from B and its derivative by size */
 VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
 {
     return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
@@ -12979,7 +13038,7 @@ VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbi
     now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
 }
 
-/* The relative change of w over the relative change of j */
+/* The relative change of w divided by the relative change of j that causes it */
 VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     return orbit->j * r->w_size / (r->j_size * orbit->w);
@@ -12991,7 +13050,8 @@ VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
     return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
 }
 
-/* The mean action that belongs to the action j of an orbit at a phase. h is the damping above and h_rate = dh/ds. */
+/* The mean action that belongs to the action j of an orbit at a phase. h is the damping that the top of this file
+   defines, and h_rate = dh/ds. */
 VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
                                      const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
 {
@@ -13063,7 +13123,7 @@ typedef struct VM_TAG(vmi_odd_rates) {
     vm_real m, k, b;   /* mass, stiffness and damping */
     vm_real m_rate;    /* dm/dt, kg/s */
     vm_real speed;     /* ds/dt = sqrt(k/m) */
-    vm_real turn;      /* relative rate of `speed`, 1/s */
+    vm_real turn;      /* relative rate of change of `speed`, 1/s */
     vm_real h;         /* damping h of orbit_ripple.h, times `speed`, 1/s */
 } vmi_odd_rates;
 
@@ -13085,12 +13145,13 @@ VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_od
     return VM_OK;
 }
 
-/* The damping h of orbit_ripple.h and its derivatives by s, where ds/dt = sqrt(k/m) */
+/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to s, where ds/dt =
+   sqrt(k/m) */
 typedef struct VM_TAG(vmi_odd_slow) {
     vm_real h, h1, h2;
 } vmi_odd_slow;
 
-/* Computes h and its derivatives at t; length, s, is for the derivatives of users' laws (see vmi_law_derivatives). */
+/* Computes h, h1 and h2 at t. length, s, is needed for the derivatives of users' laws (see vmi_law_derivatives). */
 VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
 {
     enum { TERMS = 4 };
@@ -13129,14 +13190,15 @@ typedef struct VM_TAG(vmi_odd_panel) {
     vm_real t, length;          /* its start and its length, s, negative backward in time */
     vm_real phase;              /* mean phase at its start */
     vm_real decay;              /* integral of b/m from 0 to its start */
-    vm_real ln_J;               /* ln of the mean action J over its value at t = 0; it changes at points of tables */
+    vm_real ln_J;               /* ln of the mean action J divided by its value at t = 0; it changes at points of
+                                   tables */
     vm_real rate[VMI_GAUSS];    /* series of the rate of the mean phase, 1/s */
     vm_real size[VMI_GAUSS];    /* series of the size of the mean orbit (see vmi_orbit) */
     /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */
     vm_real change[VMI_ODD_ORDERS];
     vm_real knots;              /* what order two leaves out of ln J at points of tables, from 0 to the end */
     vm_real largest_a, largest_B; /* largest values of these fields of the ripple on the panel */
-    vm_real gamma;              /* largest relative change of w over that of j on the panel */
+    vm_real gamma;              /* largest ratio on the panel of a relative change of w to the relative change of j */
 } vmi_odd_panel;
 
 /* The mean motion of a problem from t = 0 to a given time. Fill it by vm_odd_plan_init; read its fields, but do not
@@ -13151,15 +13213,15 @@ typedef struct VM_TAG(vm_odd_plan) {
     vm_real phi;            /* phase of this state */
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
     vmi_odd_slow slow;      /* damping h at t = 0 */
-    vm_real gamma;          /* the relative change of w over that of j, at t = 0 */
+    vm_real gamma;          /* ratio of a relative change of w to that of j, at t = 0 */
     vm_real first_a;        /* field largest_a of the ripple at t = 0 */
     vm_real first_B;        /* field largest_B of the ripple at t = 0 */
     int n;                  /* number of panels */
     vmi_odd_panel panel[VMI_ODD_PANELS];
 } vm_odd_plan;
 
-/* Finds the orbit with this ln j by Newton's method, from the size that the orbit has as a guess. A step that leads
-   out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
+/* Finds the orbit whose action j has this logarithm by Newton's method. The size that *orbit has is the first guess. A
+   step that leads out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
 VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 {
     const vm_real enough = 4 * VM_EPSILON, longest = 2;
@@ -13183,7 +13245,8 @@ VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
     return VM_NO_LAW;
 }
 
-/* The change of ln j by the adiabatic law, from t = 0 to a time with these laws and this integral of b/m */
+/* The change of ln j by the adiabatic law since t = 0. *now holds the laws at the end, and decay is the integral of
+   b/m. */
 VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
 {
     const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
@@ -13235,8 +13298,8 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
 }
 
-/* Adds to panel->change what this panel adds, from the series of h/w: root mean squares in place of absolute values.
-   Coefficients that are as small as rounding errors are left out. The series is overwritten. */
+/* Adds to panel->change the integrals over this panel, from the series of h/w, with root mean squares in place of
+   absolute values. Coefficients that are as small as rounding errors are left out. The series is overwritten. */
 VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 {
     const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
@@ -13256,8 +13319,8 @@ VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 /* The number of the kth node in the order of time, 0 <= k < 20: 0, 2 ... 18, 19, 17 ... 1 */
 VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
 
-/* Computes the series of a panel. Its fields for the start and its length are set. orbit is a guess of the mean orbit
-   at the start; it becomes the orbit at the last node. */
+/* Computes the series of a panel. The fields for its start and its length must be set. orbit is a guess of the mean
+   orbit at the start; it becomes the orbit at the last node. */
 VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
 {
     vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS];
@@ -13462,10 +13525,10 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
 /* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
    vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
    plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
-   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
-   null pointers and for a law or force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for
-   laws that are not positive, VM_DOMAIN for a table out of order or one that does not hold 0 and t_end, and where a
-   user's function fails. */
+   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
+   pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order or one that does
+   not hold 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -13546,8 +13609,7 @@ VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
     return least;
 }
 
-/* How large terms of second and of third order are at a time with this damping h, on an orbit whose phase has the rate
-   w */
+/* The sizes of terms of second and of third order, for the damping in *slow and an orbit whose phase has the rate w */
 VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, vm_real *third)
 {
     const vm_real h = VM_FABS(slow->h / w), h1 = VM_FABS(slow->h1 / w / w), h2 = VM_FABS(slow->h2 / w / w / w);
@@ -13555,7 +13617,7 @@ VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, 
     *third = h2 + 4 * h * h1 + 4 * h * h * h;
 }
 
-/* By how much an error of the phase is larger as an error of x/swing or of v/vmax */
+/* The factor by which a small error of the phase becomes an error of x/swing or of v/vmax */
 VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 {
     const vm_real of_x = orbit->vmax / (orbit->w * orbit->swing);
@@ -13563,9 +13625,10 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
     return vmi_larger(of_x, orbit->energy_slope / (orbit->w * orbit->vmax));
 }
 
-/* Estimates the error of an averaged solution at t. It adds up how large the terms are that are left out: of the
-   transformation at the start and at t, and of the action at the start and at points of tables, which changes the
-   phase by gamma times the phase. The factors fit the errors of random problems in tests/test_odd_force.c. */
+/* Estimates the error of an averaged solution at t. It adds up the sizes of the terms that are left out: in the
+   transformation at the start and at t, and in the action at the start and at points of tables. An error of the action
+   changes the phase by gamma times the phase. The factors fit the errors of random problems in
+   tests/test_odd_force.c. */
 VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
 {
     const vmi_orbit *orbit = &mean->orbit;
@@ -13612,13 +13675,13 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 #endif
 /* oscillators/odd_routes.h - routes to the motion of a vibration under an odd elastic force, and its integration
 
-   vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose
-   error is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
+   vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose error
+   is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
    solutions are those of oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the
-   equation of motion. Estimates: tests/test_odd_force.c compares them with the true errors of random problems. The
-   true error is below three estimates in 99 % of them, and never above ten. The integration of a force with a kink,
-   as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and then says so. Tests:
-   tests/test_odd_force.c. */
+   equation of motion. How good the estimates are: tests/test_odd_force.c compares them with the true errors of random
+   problems. The true error is below three estimates in 99 % of them, and never above ten. The integration of a force
+   with a kink, as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and then returns
+   VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
 #define VARMASS_OSCILLATORS_ODD_ROUTES_H
 
@@ -13638,10 +13701,11 @@ VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm
     return VM_OK;
 }
 
-/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87.
-   y = (x, x') is in m and m/s; problem points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT
-   for null pointers and for a law or a force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
-   and VM_DOMAIN for t outside a table and where a user's function fails. These statuses stop the run. */
+/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87. y = (x, x') is in m and m/s; problem
+   points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT for null pointers and for a law or a
+   force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS
+   for a law that is not positive, and VM_DOMAIN for t outside a table and where a user's function fails. These statuses
+   stop the run. */
 VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
 {
     const vm_odd_problem *o = (const vm_odd_problem *)problem;
@@ -13653,7 +13717,7 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
     if (!VM_IS_FINITE(o->reactive)) return VM_NOT_FINITE;
     status = vmi_odd_acceleration(o, t, 1, y[0], y[1], &a);
     if (!status && !VM_IS_FINITE(a)) status = VM_NOT_FINITE;
-    if (status) { /* of several mistakes the first by the table of errors */
+    if (status) { /* return the status that comes first in the table of errors */
         vm_real f, rate;
         status = vmi_first_error(status, vmi_law_at(&o->mass, VM_BAD_MASS, t, &f, &rate));
         status = vmi_first_error(status, vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &f, &rate));
@@ -13691,7 +13755,7 @@ VM_API int vmi_odd_run_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run
     return VM_OK;
 }
 
-/* Chooses the units of the state, and the longest step for a way of `whole` seconds. */
+/* Chooses the units of the state, and the longest step for an integration over `whole` seconds. */
 VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
 {
     const vm_odd_plan *p = c->plan;
@@ -13735,8 +13799,8 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
     return VM_OK;
 }
 
-/* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. The amplitude is
-   NaN where there is no vibration; then the units of the run take their places. */
+/* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. Where there is no
+   vibration the amplitude is NaN, and the units of the run take the places of the other two. */
 VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -13788,8 +13852,8 @@ VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd
     return VM_OK;
 }
 
-/* Makes a loose and a strict run, and writes the strict run's motion at t with its error by the largest difference of
-   the two runs. */
+/* Makes a loose and a strict run. Writes the strict run's motion at t; its error is the largest difference of the two
+   runs. */
 VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_odd_motion *motion)
 {
     const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
@@ -13861,7 +13925,7 @@ VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_rea
     return VM_OK;
 }
 
-/* Writes the motion at t = 0, or that of a body at rest, if it is one of them; returns whether it is. */
+/* If t is 0 or the body is at rest, writes the motion, which needs no computation, and returns 1; else returns 0. */
 VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
 {
     if (t != 0 && !p->at_rest) return 0;
@@ -13876,7 +13940,7 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     return 1;
 }
 
-/* Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_....
+/* Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_....
    motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
    solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
    VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it
@@ -13902,7 +13966,7 @@ VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_r
 /* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance.
    It takes the cheapest route whose error is estimated to be within the tolerance; motion->route says which. The
    tolerance is relative, for the larger of |error of x|/swing and |error of v|/vmax; 0 means 1e-6 (float 1e-3). Beyond
-   the plan's reach it integrates. The statuses are those of vm_odd_plan_by_route, but VM_NO_LAW. */
+   the plan's reach it integrates. The statuses are those of vm_odd_plan_by_route except VM_NO_LAW. */
 VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_motion r;
@@ -13943,9 +14007,9 @@ VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real toler
 
        vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
 
-   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, m mass, k stiffness, b damping,
-   r = reactive, q the rate at which mass, damping and stiffness change the vibration (vmi_slow_q). Averaging needs q
-   much smaller than Om.
+   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, m mass, k stiffness, b damping, r the
+   argument `reactive`, q the rate at which mass, damping and stiffness change the vibration (vmi_slow_q). Averaging
+   needs q much smaller than Om.
    Tests: tests/test_averaging.c, tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_SLOW_H
 #define VARMASS_OSCILLATORS_SLOW_H
@@ -13957,7 +14021,7 @@ VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real r
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
 }
 
-/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
+/* Ratio A/A0 of the amplitude to its first value, of an oscillator whose mass varies slowly.
    The law, (325), (344), (367), (389) corrected, is
      A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)).
    Averaging with ca, with cos and with cn gives this law, if the sign in (335) is corrected. It holds to first order in
@@ -13971,17 +14035,17 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real r
     return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * decay / (alpha + 3), 0);
 }
 
-/* Largest velocity over its first value, of an oscillator whose mass varies slowly. It follows from the amplitude A
-   by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and the results
-   outside the domain are those of vm_osc_amplitude_law. */
+/* Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly. It follows from the
+   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and the
+   results outside the domain are those of vm_osc_amplitude_law. */
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the power of A, times 2/(alpha+3) */
+    const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the exponent of A in x'_max, times 2/(alpha+3) */
     if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
     return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * decay, 0);
 }
 
-/* A linear mass m0 + rate t, from the time 0 to t */
+/* The linear mass m0 + rate time, between the times 0 and t */
 typedef struct VM_TAG(vmi_linear_mass) {
     vm_real m0, m, rate; /* mass at 0 and mass at t, kg; rate of the mass, kg/s */
     vm_real ln_ratio;    /* ln(m/m0) */
@@ -13989,9 +14053,9 @@ typedef struct VM_TAG(vmi_linear_mass) {
 } vmi_linear_mass;
 
 /* Writes the linear mass that a law describes between 0 and t, which closed forms need. Returns VM_NO_LAW where the law
-   is neither linear nor constant (vmi_law_exponential_form does not give rate = base), VM_BAD_MASS where the mass is
-   not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a number that is
-   infinite or NaN. */
+   is neither linear nor constant; vmi_law_exponential_form then fails or gives a rate that differs from the base.
+   Returns VM_BAD_MASS where the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law,
+   and VM_NOT_FINITE for a number that is infinite or NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;
@@ -14015,8 +14079,8 @@ VM_API vm_real vmi_slow_drag(vm_real reactive, vm_real mass_rate, vm_real dampin
     return (2 * reactive - 1) * mass_rate + 2 * damping;
 }
 
-/* q = drag/m + k'/k, 1/s: the rate at which mass, damping and stiffness change the vibration, where drag = (2r - 1)
-   m' + 2 b. The mean amplitude follows A' = -q A/(alpha + 3). */
+/* q = drag/m + k'/k, 1/s, the rate at which mass, damping and stiffness change the vibration. drag is the result of
+   vmi_slow_drag. The mean amplitude follows A' = -q A/(alpha + 3). */
 VM_API vm_real vmi_slow_q(vm_real drag, vm_real mass, vm_real k, vm_real k_rate) { return drag / mass + k_rate / k; }
 
 /* Om, the rate of the Ateb phase at the amplitude A, 1/s; 0 at rest, where the formula may give infinity */
@@ -14043,8 +14107,8 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 
    The equation is (404), with the mass m(t) and a spring of any exponent alpha:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
-   feed > 0 feeds the vibration and c > 0 limits it, so that it tends to a limit cycle. r (`reactive`) is 1 where mass
-   that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
+   If feed > 0 feeds the vibration and c > 0 limits it, the vibration tends to a limit cycle. r (`reactive`) is 1 where
+   mass that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
    averaged equations (410), the amplitude in closed form for a linear mass, and the amplitude of the limit cycle: (403)
    to (440), as corrected in docs/errata.md.
 
@@ -14081,8 +14145,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 for the oscillator's method. For VM_VDP_JACOBI, a1 of (411) is simplified
-   by (1 - m) + m C4 = 2 a2, where m is the parameter of cn and C4 the mean of cn^4. */
+/* Writes the mean values a1, a2, a3 of (410) for the oscillator's method. For VM_VDP_JACOBI the expression for a1 in
+   (411) is simplified by (1 - m) + m C4 = 2 a2, where m is the parameter of cn and C4 the mean of cn^4. */
 VM_API void vmi_vdp_means(vm_vdp *v)
 {
     v->a1 = 1;
@@ -14131,8 +14195,9 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* The growth a1 m A'/A at the amplitude A, N s/m: the averages of Van der Pol's term and of the reactive force (410),
-   with the mass m. The growth is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
+/* The growth a1 m A'/A at the amplitude A, N s/m, where m is the mass. It is the sum of the averages of Van der Pol's
+   term and of the reactive force (410), and is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A
+   growth(A)/(a1 m). */
 VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 {
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
@@ -14146,8 +14211,8 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
    (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
    `method`) and that of rounding, which tests bound by 12 eps. Returns NaN for a null pointer, an oscillator that is
    not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a mass that is neither linear nor
-   constant (integrate vm_vdp_averaged_rhs instead); with c < 0 also from the time on at which the amplitude becomes
-   infinite. Method: the solution of (416) is
+   constant (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude
+   becomes infinite. Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
    of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
@@ -14217,12 +14282,11 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
-   The mass M may follow any slow law. y = (A, psi) holds the mean amplitude A in metres and the Ateb phase psi:
-   x = A ca(psi), and |x| = A at the turning points. vdp points to a prepared vm_vdp with the fields feed and c. For the
-   method VM_VDP_ATEB and a start from rest, let e be the largest of feed, c A^2 and M', divided by M psi'. Then, up to
-   the time M/feed, the relative error of A is of the order of e^2, and the error of psi of the order of e. The statuses
-   are those of vm_vdp_rhs. */
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. The mass m may follow any slow law. y = (A,
+   psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the turning points.
+   vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start from rest, let e
+   be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative error of A is of
+   the order of e^2, and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -14245,15 +14309,15 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
    with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass. Let epsilon be the relative
    change of the vibration within a radian. The disturbances are the numbers
      e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
-   e is of the order epsilon, the other three are of the order epsilon^2. With feed and m' alone, only E0 is left.
+   e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. With feed and m' alone, only E0 is left.
 
    A transformation leads from A and psi to mean values, whose rates have no ripple within a period. Let J be
    A^((alpha+3)/2) times a slow factor, so that a constant J means that only -p changes A. Then the mean values obey
      (ln J)' = W [F e + K_3 e^3 + K_1 e e1 + K_Q e Q0 + K_E e E0],
      psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
-   where < > is the mean over a period. This file has the constants of these equations, and the transformation in both
-   directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The law is new;
-   docs/van-der-pol.md has what it was measured at.
+   where < > is the mean over a period. F and the K are constants for each alpha. This file has these constants, and the
+   transformation in both directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The
+   law is new; docs/van-der-pol.md has what it was measured at.
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
@@ -14263,12 +14327,13 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 
-/* The polynomials that this law needs beyond those of oscillators/ripple.h. From a zero of sa: the integrals over the
-   phase of ca^6, and of the square of S, the integral of C = ca^2 - <ca^2>. */
+/* The polynomials that this law needs beyond those of oscillators/ripple.h, for phases near a zero of sa. CA6 gives the
+   integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 - <ca^2>. */
 enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
 
-/* From a zero of ca: the integral of ca^6, and three parts of the integral of the square of S. The first is the square
-   of the phase itself, the last the square of the integral of ca^2, the middle one their product. */
+/* The polynomials for phases near a zero of ca. CA6 gives the integral of ca^6. The others give three parts of the
+   integral of S^2: S is I - <ca^2> d with the integral I of ca^2 and the phase d since the zero, so S^2 has terms in
+   d^2 (PHASE2), I d (PRODUCT) and I^2 (INTEGRAL2). */
 enum { VMI_VDP_PHASE2 = 1, VMI_VDP_PRODUCT, VMI_VDP_INTEGRAL2, VMI_VDP_ZERO_FUNCTIONS };
 
 /* Constants and polynomials of the law for one alpha, prepared by vmi_vdp_ripple_init. The names of the constants are
@@ -14278,7 +14343,8 @@ typedef struct VM_TAG(vmi_vdp_ripple) {
     vm_real mean6, mean8;    /* <ca^6>, <ca^8> */
     vm_real mean_square;     /* the mean of S^2, where S is the integral of ca^2 - <ca^2> */
     vm_real F, K2, K3, K1, KQ, KE;
-    vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, over e^2 */
+    vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, divided by
+                                e^2 */
     vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
     vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
 } vmi_vdp_ripple;
@@ -14311,7 +14377,7 @@ VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
     }
 }
 
-/* Turns a power series on [0, 1/2] into a polynomial in 4 w - 1 that differs from it by about rounding errors. */
+/* Turns a power series in w on [0, 1/2] into a polynomial in 4 w - 1 that differs from it by about rounding errors. */
 VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -14346,8 +14412,9 @@ VM_API void vmi_vdp_make_near_sa_0(vmi_vdp_ripple *v, const vmi_ripple *r)
     vmi_vdp_economise(power, v->near_sa_0[VMI_VDP_SQUARE]);
 }
 
-/* Makes one of the polynomials of the integral of S^2 close to a zero of ca, from the power series of the two factors
-   of which the product is integrated, and of dpsi/dx. x_power is the power of x = |ca| before the polynomial. */
+/* Makes one of the polynomials for the integral of S^2 close to a zero of ca. The integrand is a product: f, g and
+   slope are the power series of its two factors and of dpsi/dx. x_power is the power of x = |ca| that multiplies the
+   polynomial. */
 VM_API void vmi_vdp_make_part(const vm_real *f, const vm_real *g, const vm_real *slope, vm_real x_power, vm_real n,
                               vm_real *polynomial)
 {
@@ -14455,12 +14522,12 @@ VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 
 /* -- The functions of the transformation -- */
 
-/* Functions of the phase in the transformation. U belongs to e, U1 to e1; P1 is the shift of the phase over e. */
+/* Functions of the phase in the transformation. Each is the factor of a disturbance that is named beside it. */
 typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
     vm_real C4;         /* ca^4 - <ca^4> */
-    vm_real U, U1, P1;  /* terms of ln J that belong to e and e1, and the term of the phase that belongs to e */
-    vm_real X;          /* a term of ln J that belongs to e^2 */
+    vm_real U, U1, P1;  /* factors in ln J of e and of e1, and factor in the phase of e */
+    vm_real X;          /* part of the factor in ln J of e^2 */
 } vmi_vdp_values;
 
 /* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
@@ -14479,7 +14546,7 @@ VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_r
 /* -- From the motion to the mean motion -- */
 
 /* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
-   belongs to the phase, *now to the amplitude. */
+   holds the functions at the phase, *now the disturbances at the amplitude. */
 VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                          const vmi_vdp_disturbance *now)
 {
@@ -14494,7 +14561,7 @@ VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *n
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the part of order epsilon^2 of ln(J/mean J). *f belongs to the mean phase. */
+/* Returns the part of order epsilon^2 of ln(J/mean J). *f holds the functions at the mean phase. */
 VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                                      const vmi_vdp_disturbance *now)
 {
@@ -14504,7 +14571,8 @@ VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *
     return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
 }
 
-/* Returns the part of order epsilon^2 of the phase minus the mean phase psi, to which *f belongs. */
+/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f holds the functions at the mean phase
+   psi. */
 VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
                                        const vmi_vdp_values *f, const vmi_vdp_disturbance *now)
 {
@@ -14526,13 +14594,14 @@ VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple
 
 /* -- The mean motion -- */
 
-/* The rate of ln J over W e, without its first term F: the terms of order epsilon^2 in the brackets of (ln J)' */
+/* The rate of ln J divided by W e, without its first term F. These are the terms of order epsilon^2 in the equation of
+   (ln J)' at the top of this file. */
 VM_API vm_real vmi_vdp_mean_second(const vmi_vdp_ripple *v, const vmi_vdp_disturbance *now)
 {
     return v->K3 * now->e * now->e + v->K1 * now->e1 + v->KQ * now->Q0 + v->KE * now->E0;
 }
 
-/* The mean rate of the phase over W, up to order epsilon^3 */
+/* The mean rate of the phase divided by W, up to order epsilon^3 */
 VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_disturbance *now)
 {
     const vm_real n = r->alpha + 1;
@@ -14541,12 +14610,12 @@ VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, c
 
 /* -- Sizes of the terms, for estimates of errors -- */
 
-/* Bounds of what order two leaves out, for one time: of the phase and of ln J by the transformation back from the mean
-   motion, and of ln J by the transformation to the mean motion. */
+/* Bounds of what order two leaves out at one time: of the phase and of ln J by the transformation back from the mean
+   motion, and of ln J by the transformation to the mean motion */
 typedef struct VM_TAG(vmi_vdp_sizes) {
-    vm_real psi, J; /* terms of order epsilon^2 of the way back */
-    vm_real start;  /* terms of order epsilon^3 of ln J on the way to the mean motion */
-    vm_real ratio;  /* about the ratio of terms of one order to those of the order before */
+    vm_real psi, J; /* terms of order epsilon^2 of the transformation back */
+    vm_real start;  /* terms of order epsilon^3 of ln J in the transformation to the mean motion */
+    vm_real ratio;  /* about the ratio of the terms of one order to the terms of the order before */
 } vmi_vdp_sizes;
 
 /* The sizes where the disturbances are *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors are
@@ -14570,13 +14639,15 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
 
    The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
    therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
-   there. The mean amplitude and phase at any other time are integrals along the law of the mass, cost does not depend
-   on the number of vibrations. With B = c/m and r = exp(-2 integral of p dt) from the start of a panel of time
-   (oscillators/panels.h), the mean amplitude A and phase psi on the panel are
+   there. The mean amplitude and phase at any other time are integrals along the law of the mass, so the cost does not
+   depend on the number of vibrations. On a panel of time (oscillators/panels.h) that starts with the mean amplitude A_0
+   and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start). Then the mean amplitude A and
+   the mean phase psi are
      A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
-     psi = psi_0 + integral of W (1 + second order terms) dt.
-   At the points of a table p' jumps, so that the mean motion jumps, too: there the exact equations take over, from the
-   last phase before the point at which sa or ca is 0 to the first one after it.
+     psi = psi_0 + integral of W (1 + second order terms) dt,
+   where the constant F and the terms of second order are those of oscillators/van_der_pol_expansion.h. At the points of
+   a table p' jumps, so that the mean motion jumps, too. There the exact equations take over, from the last phase before
+   the point at which sa or ca is 0 to the first such phase after it.
        vm_vdp_plan plan;
        vmi_vdp_mean mean;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -14589,13 +14660,16 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
 typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real t;                    /* the time, s */
     vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
-    vm_real first_ln_A, first_psi; /* both by the first order of the same equations */
-    vm_real segment;              /* time, s, of the last point of a table, or 0: the laws are smooth since then */
+    vm_real first_ln_A, first_psi; /* the same two by the equations of first order */
+    vm_real segment;              /* time, s, of the last point of a table before t, or 0; the mass is smooth since
+                                     then */
     vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
-    vm_real J_error;              /* what order two leaves out of ln J at starts, as far as it is left at t */
+    vm_real J_error;              /* what order two leaves out of ln J at starts of the mean motion, as far as it has
+                                     not died out at t */
     vm_real psi_error;            /* what order two leaves out of psi */
-    vm_real J_third, psi_third;   /* the same for order three, of terms that depend on feed and mass alone */
-    vm_real ratio;                /* largest ratio of terms of one order to those of the order before, at all starts */
+    vm_real J_third, psi_third;   /* what order three leaves out: only those terms that depend on feed and mass alone */
+    vm_real ratio;                /* largest ratio at a start of the terms of one order to the terms of the order
+                                     before */
     vmi_osc_mean fast;            /* only change, dropped, shortest and error: what fast changes of the mass cause */
 } vmi_vdp_mean;
 
@@ -14626,14 +14700,14 @@ VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real ln_A)
     return VM_SQRT((alpha + 1) / 2 * p->vdp.k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
 }
 
-/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. From p = (2 a - m'/m)/(alpha+3) follows m'/m. */
+/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. The code finds m'/m from p = (2 a - m'/m)/(alpha+3). */
 VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p)
 {
     return (p->vdp.alpha - 1) * rate_p - rate_a;
 }
 
-/* The disturbances where the mass has the rates a and p, G0 is p^2 - a p - p', and the amplitude exp(ln_A) has the rate
-   of phase W */
+/* The disturbances for a mass with the rates a and p, for G0 = p^2 - a p - p', and for the amplitude exp(ln_A), whose
+   phase has the rate W */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real rate_a, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
@@ -14645,7 +14719,7 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real 
     return d;
 }
 
-/* The same where *now holds mass and rates */
+/* The disturbances for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has the rate W */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
                                                   vm_real W)
 {
@@ -14653,8 +14727,8 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vm
     return vmi_vdp_disturbance_of(p, now->m, now->a, now->p, G0, ln_A, W);
 }
 
-/* The sizes of terms for estimates, where *now holds mass and rates, and the amplitude exp(ln_A) has the rate of phase
-   W */
+/* The sizes of terms for estimates, for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has
+   the rate W */
 VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
 {
     const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
@@ -14673,7 +14747,7 @@ VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
 /* -- The start -- */
 
 /* Starts the mean motion at the state r->A, r->psi, r->W of the reduction, where sa or ca is 0. mean->t and mean->now
-   belong to this time. The errors that the start causes are added to those in *mean. */
+   must already belong to the time of this state. The errors that the start causes are added to those in *mean. */
 VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi_vdp_mean *mean)
 {
     const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
@@ -14698,10 +14772,10 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
     mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
 }
 
-/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, but past the
-   next point of a table if `knots` is 1. Then starts the mean motion there. side is 1 forward, -1 backward in time.
-   VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has more points on
-   the way. */
+/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts the
+   mean motion there. If `knots` is 1, the phase must lie beyond the next point of a table. side is 1 forward, -1
+   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has
+   more points on the way. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -14804,12 +14878,13 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
 
 /* Series and integrals of the mean motion on a panel of time */
 typedef struct VM_TAG(vmi_vdp_panel) {
-    vmi_osc_panel laws;                   /* the law of mass; its fields E and noise for fast changes */
+    vmi_osc_panel laws;                   /* the law of the mass; E and noise serve to find its fast changes */
     vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
     vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
     vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
     vm_real loss;                         /* factor by which an error of ln J changes over the panel */
-    vm_real kept;                         /* integral over the phase of this factor from the start */
+    vm_real kept;                         /* integral of this factor over the phase, where the factor is taken from the
+                                             start to each phase */
 } vmi_vdp_panel;
 
 /* Mean values at the points of Gauss' rule of a panel */
@@ -14817,7 +14892,7 @@ typedef struct VM_TAG(vmi_vdp_nodes) {
     vm_real r[VMI_GAUSS], ln_r[VMI_GAUSS];      /* r/m, see vmi_vdp_panel, and ln r */
     vm_real first_ln_A[VMI_GAUSS], first_rate[VMI_GAUSS];
     vm_real G0[VMI_GAUSS], E[VMI_GAUSS];        /* p^2 - a p - p', and E_0 */
-    vm_real second[VMI_GAUSS];                  /* r/m times the terms of second order of (ln J)'/(W e) */
+    vm_real second[VMI_GAUSS];                  /* r/m times the result of vmi_vdp_mean_second */
     vm_real rate[VMI_GAUSS];
 } vmi_vdp_nodes;
 
@@ -15004,8 +15079,8 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
     return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
 }
 
-/* Takes the mean motion past its time, a point of a table: from the last phase before it where sa or ca is 0 by the
-   exact equations to the first one after it. */
+/* Takes the mean motion past its time, a point of a table. It goes back to the last phase before the point where sa or
+   ca is 0, and from there by the exact equations to the first such phase after the point. */
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
@@ -15014,7 +15089,7 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the table's points are dense */
+    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the points are too close */
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);
         if (status) return status;
@@ -15060,7 +15135,7 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 
    Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
    after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
-     VM_ROUTE_ATEB           first order, from the start that the law of order three has; errors are O(epsilon)
+     VM_ROUTE_ATEB           order one, but with the start of order three; errors are O(epsilon)
      VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
      VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
      VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
@@ -15092,10 +15167,10 @@ VM_API int vmi_vdp_order_of(int route)
     }
 }
 
-/* Estimates the error of order three, and writes that of order two. Both are sums of the terms that the order leaves
-   out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the start grow
-   with the phase. Fast changes of the mass and rounding errors are added. The factor 2 fits the errors that
-   tests/test_van_der_pol_law.c finds. */
+/* Estimates the error of order three, and writes that of order two to *second. Each is the sum of the terms that the
+   order leaves out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the
+   start grow with the phase. Fast changes of the mass and rounding errors are added. A factor of 2 is included, which
+   fits the errors that tests/test_van_der_pol_law.c finds. */
 VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -15203,7 +15278,7 @@ VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_r
    VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* as for the oscillator without feed, see vmi_osc_averaged_within */
+    const vm_real reserve = VM_C(1.5); /* the same reserve as in vmi_osc_averaged_within */
     vmi_vdp_mean mean;
     vm_osc_motion result;
     int route;
@@ -15217,10 +15292,10 @@ VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
     return VM_TOLERANCE_MISSED;
 }
 
-/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan.
-   t is in seconds, of either sign. It takes the first of order one, two and three whose error is estimated to be within
-   the tolerance, and else integrates; motion->route says which. The tolerance is relative, for the larger of |error of
-   x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
+/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan. t is in seconds, of either sign. The
+   call takes the first of the orders one, two and three whose error is estimated to be within the tolerance, and
+   integrates if there is none; motion->route says which route it took. The tolerance is relative, for the larger of
+   |error of x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
 VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_vdp_check_call(p, t, &tolerance, motion);
@@ -15250,13 +15325,14 @@ VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, 
 typedef struct VM_TAG(vm_vdp_cycle) {
     vm_real largest_x; /* the largest position, m */
     vm_real period;    /* s */
-    vm_real epsilon;   /* the small number of which largest_x and period are power series */
+    vm_real epsilon;   /* the small number feed/(m W) in whose powers largest_x and period are expanded */
     int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
 } vm_vdp_cycle;
 
-/* Writes the coefficients of epsilon^2 in the series of the largest x, *kx, and of the rate of the phase, *kw, where
-   epsilon = feed/(m W). The amplitude is constant on the cycle, which gives the disturbances for epsilon = 1. The
-   largest x is reached where x' = 0, that is V = p x: by `late` epsilon later than the phase 0, where V = 0. */
+/* Writes the coefficients of epsilon^2 in two series in epsilon = feed/(m W): *kx in that of the largest x, *kw in that
+   of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the code has them for
+   epsilon = 1. The largest x is reached where x' = 0, that is V = p x. The phase there is `late` times epsilon; the
+   phase 0 has V = 0. */
 VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
 {
     const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
@@ -15267,7 +15343,7 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
     d.e1 = (2 * s - 1) * d.e;
     d.Q0 = -s / 2 * d.e;
     d.E0 = -s * (2 - s) / 4;
-    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* changes of A^2 over A^2, from F + second = 0 */
+    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* relative change of A^2 */
     *kw = (r->alpha - 1) / 4 * kA + vmi_vdp_mean_rate(v, r, &d) - 1;
     vmi_vdp_values_at(v, r, 0, 0, 1, &f);
     late = n * s / 4;
@@ -15315,11 +15391,12 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 #endif
 /* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
 
-   A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), F_e(rho) the
-   shaft's elastic force at the deflection rho = |z|, and F_e'(rho) is short for F_e(rho)/rho, as in the dissertation
-   [1]. g is the gyroscopic constant of the remark after (516). r is the share of the reactive force of mass that joins
-   or leaves with the velocity u, and F_z an external force:
-       m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
+   A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), and F_e(rho)
+   the shaft's elastic force at the deflection rho = |z|. The stiffness K_e(rho) is the quotient F_e(rho)/rho; the
+   dissertation [1] writes F_e'(rho) for it, although it is no derivative. g is the gyroscopic constant of the remark
+   after (516). r is the share of the reactive force of mass that joins or leaves with the velocity u, and F_z is an
+   external force. The equation of motion is
+       m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
    Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
    nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
 
@@ -15336,8 +15413,9 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 #ifndef VARMASS_OSCILLATORS_JEFFCOTT_H
 #define VARMASS_OSCILLATORS_JEFFCOTT_H
 
-/* Stiffness of the shaft, a user's function: returns F_e' = F_e(rho)/rho, N/m, at the deflection rho >= 0, m, and
-   writes its derivative by rho, N/m^2, to *slope. ctx is the user's pointer. vm_jeffcott_power is such a function. */
+/* Stiffness of the shaft, a user's function: returns K_e(rho) = F_e(rho)/rho, N/m, at the deflection rho >= 0, m, and
+   writes its derivative with respect to rho, N/m^2, to *slope. ctx is the user's pointer. vm_jeffcott_power is such a
+   function. */
 typedef vm_real (*vm_jeffcott_stiffness)(vm_real rho, vm_real *slope, void *ctx);
 
 /* External force, a user's function: returns F_z = F_x + i F_y, N, at time t, position z and velocity v of the disc.
@@ -15359,7 +15437,7 @@ typedef struct VM_TAG(vm_jeffcott) {
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
     vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
-    int nodes;               /* number of phases in a mean over a period; 0 means 32 */
+    int nodes;               /* number of phases at which forces are computed for a mean over a period; 0 means 32 */
 } vm_jeffcott;
 
 /* Indices of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
@@ -15370,8 +15448,8 @@ enum {
     VMI_JEFFCOTT_SIZE = 5
 };
 
-/* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to a
-   vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
+/* Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to
+   a vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
    pointers, for rho < 0, and for an alpha that is negative or infinite. k may have any sign; the functions of the rotor
    check the stiffness. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
@@ -15394,16 +15472,16 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s.
-   It is m Im(conj(z) z') - g |z|^2, and stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns
-   NaN for a null pointer. */
+/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s. It is m Im(conj(z) z') - g |z|^2,
+   where conj(z) = x - i y. It stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns NaN for a
+   null pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
     return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
 }
 
-/* F_e(rho)/rho and its derivative; both are NaN where the rotor has no stiffness */
+/* Returns the stiffness K_e(rho) and writes its derivative. Both are NaN where the rotor has no stiffness function. */
 VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real *slope)
 {
     *slope = VM_NAN;
@@ -15419,8 +15497,8 @@ VM_API int vmi_jeffcott_mass_at(const vm_jeffcott *r, vm_real t, vm_real *mass, 
     return vmi_law_at(&r->mass, VM_BAD_MASS, t, mass, rate);
 }
 
-/* F_z + r m' u: the external force and the reactive force r m' (u - z') without its part that depends on z'. `rate` is
-   m'. */
+/* F_z + r m' u, N: the external force plus the part of the reactive force r m' (u - z') that does not depend on z'.
+   `rate` is m'. */
 VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     const vm_complex thrust = vmi_c_scale(r->reactive * rate, r->u);
@@ -15428,7 +15506,8 @@ VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real ra
     return vmi_c_add(r->force(t, z, v, r->force_ctx), thrust);
 }
 
-/* F_z + r m' u + 2 i g z': the load of vmi_jeffcott_drive and the gyroscopic force, where `rate` is m' and v is z' */
+/* F_z + r m' u + 2 i g z', N: the result of vmi_jeffcott_drive plus the gyroscopic force, where `rate` is m' and v is
+   z'. */
 VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
@@ -15458,8 +15537,8 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
 
 /* -- Weak nonlinearity: forward and backward whirl together -- */
 
-/* A rotor at one time: mass m, kg, its rate m', kg/s, and the frequency of small vibrations omega = sqrt(F_e'(0)/m),
-   rad/s */
+/* A rotor at one time: its mass m, kg, the rate m' of the mass, kg/s, and the frequency of small vibrations omega =
+   sqrt(K_e(0)/m), rad/s */
 typedef struct VM_TAG(vmi_jeffcott_state) {
     vm_real mass, rate, omega;
 } vmi_jeffcott_state;
@@ -15481,14 +15560,14 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
     return VM_OK;
 }
 
-/* Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461). The complex numbers P and N are
-   circular motions, forward and backward, of the frequency omega = sqrt(F_e'(0)/m):
+/* Converts the motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461). The complex numbers P and
+   N describe circular motions, P forward and N backward, of the frequency omega = sqrt(K_e(0)/m):
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase at the start, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
    vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1
    or A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for
-   a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS where F_e'(0)
+   a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS where K_e(0)
    is not positive. y and motion may be the same array. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
@@ -15520,8 +15599,8 @@ VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Motion (x, y, x', y') of a rotor from forward and backward whirl. The inverse of vm_jeffcott_to_averaged, with its
-   statuses; y = (Re P, Im P, Re N, Im N, phi). motion and y may be the same array. */
+/* Converts forward and backward whirl of a rotor to the motion (x, y, x', y'). This is the inverse of
+   vm_jeffcott_to_averaged, with its statuses; y = (Re P, Im P, Re N, Im N, phi). motion and y may be the same array. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!r || !y || !motion) return VM_BAD_ARGUMENT;
@@ -15540,9 +15619,9 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
 }
 
 /* Writes the exact rates P' and N' (470)-(473) of the whirls to *dP and *dN. At the fast phase phi the disc is at z = P
-   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N. The rates are
+   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N in y. With the force per mass f, they are
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
-     m f = F_z + r m' u + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
+     m f = F_z + r m' u + 2 i g z' - (K_e(|z|) - K_e(0)) z - (r - 1/2) m' z'
    The last term has r - 1/2 in place of r, because the change of omega contributes m' z'/2. */
 VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffcott_state *now, const vm_real *y,
                                vm_real phi, vm_complex *dP, vm_complex *dN)
@@ -15591,22 +15670,22 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
-   the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change F_e'(rho) - F_e'(0)
-   of the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
+   the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change K_e(rho) - K_e(0) of
+   the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
    VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS
-   where F_e'(0) is not positive. */
+   where K_e(0) is not positive. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_mean(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs, averaged
-   over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and psi2 of
-   the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since forward and backward whirl
-   are in 1:1 resonance. The error is of the order of the largest perturbation (F_z, u, g, F_e'(rho) - F_e'(0) or m'),
-   up to times of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at
-   `nodes` phases. */
+/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are the equations of vm_jeffcott_exact_rhs,
+   averaged over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and
+   psi2 of the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since both whirls have
+   the same frequency. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho) - K_e(0) or m'), up to
+   times of the order of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the
+   forces at `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -15617,8 +15696,8 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
-/* The frequency of circular whirl W = (g +- S)/m with S^2 = g^2 + m F_e', where + is for forward whirl (sense >= 0). g
-   is gyro, m the mass, F_e' the stiffness. The code subtracts no nearly equal numbers. */
+/* The frequency of circular whirl W = (g +- S)/m, where S = sqrt(g^2 + m K_e) and + is for forward whirl (sense >= 0).
+   The arguments are g (gyro), m (mass) and K_e (stiffness). The code subtracts no nearly equal numbers. */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);
@@ -15630,11 +15709,10 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
     return direction * speed;
 }
 
-/* Frequency W of circular whirl of radius A, rad/s.
-   By the corrected remark after (516), W solves m W^2 - 2 g W = F_e(A)/A. Forward whirl has W > 0; sense >= 0 asks
-   for it. Backward whirl has W < 0; sense < 0 asks for it. A >= 0 is in m, mass > 0 in kg. The result is within 8 eps
-   and the error of the stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments
-   outside the domain. */
+/* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
+   K_e(A). Forward whirl has W > 0; sense >= 0 asks for it. Backward whirl has W < 0; sense < 0 asks for it. A >= 0 is
+   in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
+   stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments outside the domain. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -15643,9 +15721,10 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
     return vmi_jeffcott_root(r->gyro, mass, vmi_jeffcott_stiffness(r, A, &slope), sense);
 }
 
-/* The mean load, N, on a disc that moves on a circle of radius A at the frequency W. The load D = F_z + r m' u is taken
-   as D e^(-i angle), where `angle` is the disc's place on the circle, and averaged over one turn that begins at the
-   angle psi. The real part is the mean radial load, the imaginary part the mean tangential load. `rate` is m'. */
+/* The mean load, N, on a disc that moves on a circle of radius A at the frequency W. The load D = F_z + r m' u is
+   multiplied by e^(-i angle), where `angle` is the disc's place on the circle, and averaged over one turn that begins
+   at the angle psi. The real part of the mean is the radial load, the imaginary part the tangential load. `rate` is
+   m'. */
 VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
                                          vm_real W)
 {
@@ -15662,8 +15741,8 @@ VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_rea
 }
 
 /* Writes the averaged rates (504), (505) of the state y = (A, psi), the radius and the angle of a circular whirl. W is
-   the whirl's frequency, L the result of vmi_jeffcott_mean_load, and S = m W - g = +-sqrt(g^2 + m F_e'), where + is for
-   forward whirl. The equations are
+   the whirl's frequency, L the result of vmi_jeffcott_mean_load, and S = m W - g = +-sqrt(g^2 + m K_e(A)), where + is
+   for forward whirl. The equations are
      along the circle: (A^2 S)' = (1 - r) m' A^2 W + A Im L,
      across the circle: psi' = W - Re L/(2 A S) */
 VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
@@ -15686,16 +15765,16 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
     return VM_OK;
 }
 
-/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87.
-   The nonlinearity may be strong. The motion is nearly circular: z = A e^(i psi), z' = i W z with the frequency W of
-   vm_jeffcott_frequency. y = (A, psi) is in m and rad; rotor points to a vm_jeffcott. The error of A is of the order of
-   the largest load (by the force F_z, the velocity u or the mass rate m'), up to times of its inverse. Where F_e' is
-   not constant, the phase accumulates this error: up to these times tests bound the error of psi by 0.015 for loads
-   that turn with z (their angle to z is fixed), but for other loads it is of order 1. The equations do not hold for a
-   linear F_e with loads that do not turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT
-   for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS if g^2 + m F_e' is not positive. Each call
-   evaluates the force at `nodes` phases. */
+/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
+   nearly circular: z = A e^(i psi), z' = i W z with the frequency W of vm_jeffcott_frequency. y = (A, psi) is in m and
+   rad; rotor points to a vm_jeffcott. The error of A is of the order of the largest load (by the force F_z, the
+   velocity u or the mass rate m'), up to times of the order of its inverse. Where K_e is not constant, the phase
+   accumulates this error: up to these times tests bound the error of psi by 0.015 for loads that turn with z (their
+   angle to z is fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads
+   that do not turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and
+   for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass
+   that is not positive, and VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive. Each call evaluates the force at
+   `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -15710,17 +15789,17 @@ VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m F_e'(A)) is an invariant: it
+/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m K_e(A)) is an invariant: it
    keeps its value during the change. */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
     vm_real mass;    /* mass after the change, kg */
-    vm_real first;   /* the factor g^2 + m F_e'(A) of the invariant before the change */
+    vm_real first;   /* the factor g^2 + m K_e(A) of the invariant before the change */
 } vmi_jeffcott_orbit;
 
-/* ln of the invariant over its value before the change, at the radius first_A e^x; NaN where F_e' is not a number or
-   so negative that the invariant is not positive */
+/* ln of the quotient of the invariant at the radius first_A e^x and its value before the change. Returns NaN where K_e
+   is not a number or so negative that the invariant is not positive. */
 VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
@@ -15766,8 +15845,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
 /* Radius of circular whirl, m, after the mass has changed slowly.
    The radius was first_A when the mass was mass0; `mass` is the mass after the change. F_z and u must be 0. These
    products stay constant (509):
-     A^4 (g^2 + m F_e'(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
-   For F_e = k rho^alpha and g = 0 the radius changes by vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
+     A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
+   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
    error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, since the radius then depends on all
    masses in between; where no radius is found on the way from first_A; for null pointers, for a rotor without
    stiffness, and for a radius or masses that are not positive and finite. */
@@ -15799,9 +15878,10 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
 
    Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
-   r is the share of the reactive force (`reactive`). The sum q = x + y drifts, and the difference p = y - x vibrates
-   with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). Here are the equations of motion, the
-   averaged equations of both modes, and the motion in closed form for a linear mass (528), (529).
+   k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
+   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). Here are
+   the equations of motion, the averaged equations of both modes, and the motion in closed form for a linear mass (528),
+   (529).
 
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
        vm_pair p;
@@ -15832,8 +15912,9 @@ enum {
     VMI_PAIR_MODES = 4
 };
 
-/* Writes the mass and its rate at time t, and checks them, the pair and the four numbers of a state. Right-hand
-   sides pass NULL for the state: where a trial step of an integrator overflows, the integrator repeats the step. */
+/* Writes the mass and its rate at time t. Checks them, the pair, and the four numbers of a state. Right-hand sides pass
+   NULL for the state: a trial step of an integrator may overflow, and then the integrator must repeat it rather than
+   stop. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
     const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
@@ -15864,8 +15945,9 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
     return VM_OK;
 }
 
-/* The amplitude of y - x at the Ateb phase psi, divided by its mean A: (1 + s sa ca/(2 Om))^(2/(alpha+3)) with the rate
-   Om of psi and s = (2r - 1) m'/m. The spring acts on both bodies, so that y - x vibrates with the stiffness 2 k. */
+/* The amplitude of y - x at the Ateb phase psi, divided by the mean amplitude A. It is (1 + s sa ca/(2
+   Om))^(2/(alpha+3)) with the rate Om of psi and s = (2r - 1) m'/m. The spring acts on both bodies, so that y - x
+   vibrates with the stiffness 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
     const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
@@ -15910,13 +15992,13 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
     return vmi_copy_if_finite(4, joined, y);
 }
 
-/* Motion y = (x, y, x', y') of two bodies to modes (A, psi, q, q'), (520)-(522).
-   q = x + y drifts; p = y - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the
-   amplitude within a period is taken out of A, so that any initial velocities are allowed. Returns VM_BAD_ARGUMENT
-   for null pointers or where no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, and VM_DOMAIN for alpha < 0 and where the ripple is
-   as large as the motion, so that |(2r - 1) m'/m| is about twice the rate of psi, for example where m tends to 0. modes
-   and y may be the same array. */
+/* Converts a motion y = (x, y, x', y') of two bodies to the modes (A, psi, q, q'), (520)-(522). q = x + y drifts; p = y
+   - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the amplitude within a period is
+   taken out of A, so that any initial velocities are allowed. Returns VM_BAD_ARGUMENT for null pointers or where no
+   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
+   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 and where the ripple is as large as the motion.
+   It is so if |(2r - 1) m'/m| is about twice the rate of psi, for example where m tends to 0. modes and y may be the
+   same array. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -15926,8 +16008,8 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
     return vmi_pair_split(p, mass, rate, y, modes);
 }
 
-/* Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q').
-   The inverse of vm_pair_to_averaged, with its statuses. y and modes may be the same array. */
+/* Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y'). This is the inverse of
+   vm_pair_to_averaged, with its statuses. y and modes may be the same array. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -15959,8 +16041,8 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
    y') is the motion at t = 0. The error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of the
    Ateb phase of y - x. Returns the statuses of vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is
    neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. Method: the
-   averaged equations contain powers of m/m0; the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of
-   dt/m, with u = (1 + e) ln(m/m0). */
+   averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of (m/m0)^e
+   dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
@@ -15999,8 +16081,9 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y
        f.force = vm_law_linear(VM_C(0.1), 0);
        int status = vm_forced_init(&f); // then vm_forced_rhs integrates x, x', theta
 
-   Symbols: A amplitude, psi Ateb phase, Om its rate, Pi half its period; w(A) frequency of the free vibration of
-   amplitude A, phi = pi psi/Pi phase of the vibration in radians, theta phase of the force, delta = phi - theta.
+   Symbols: A amplitude, psi Ateb phase, Om the rate of psi, 2 Pi the period of ca (Pi = Pi_alpha); w(A) frequency of
+   the free vibration of amplitude A, phi = pi psi/Pi phase of the vibration in radians, theta phase of the force, delta
+   = phi - theta.
    Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_FORCED_H
 #define VARMASS_OSCILLATORS_FORCED_H
@@ -16050,7 +16133,7 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
 }
 
 /* Computes the Fourier coefficients of ca, within 8 eps, and from them those of sa. The coefficients of ca are
-     c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
+     c[j] = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
    computed by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), because ca is not analytic at u = 1 and, for large
    alpha, bends sharply at u = 0. With x = pi u/2 the cosines follow from cos((2j+3) x) = 2 cos(2x) cos((2j+1) x) -
    cos((2j-1) x). */
@@ -16085,8 +16168,8 @@ VM_API void vmi_forced_fourier(vm_forced *f)
 
 /* Prepare an excited oscillator: check its fields at t = 0, and write pi, Om1, G, c and s. All other functions need
    this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a number
-   that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, VM_DOMAIN for alpha < 0 or a
-   frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
+   that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN
+   for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -16113,11 +16196,10 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
     return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_pow_checked(VM_FABS(A), (f->alpha - 1) / 2);
 }
 
-/* Equation of motion of an excited oscillator, for rk45 or rk87.
-   y = (x, x', theta) is in m, m/s and rad; forced points to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null
-   pointer or a law that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS for one that is not positive, and VM_DOMAIN for alpha < 0, a frequency that is not positive or t
-   outside a table. These statuses stop the run. */
+/* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
+   to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE
+   for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
+   and VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -16158,12 +16240,12 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87.
-   At the main resonance the frequency nu of the force is the natural frequency w(A). The state is y = (A, delta,
-   theta): A is the mean amplitude, theta the phase of the force, and delta the phase by which the vibration leads the
-   force. Start with vm_forced_to_averaged, and end with vm_forced_from_averaged. The error is of the order of the
-   largest of the damping b, the mass rate m' and the force F, up to times of its inverse, and larger away from the
-   resonance. The argument forced and the statuses are those of vm_forced_rhs. */
+/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87. At the main resonance the
+   frequency nu of the force is the natural frequency w(A). The state is y = (A, delta, theta): A is the mean amplitude,
+   theta the phase of the force, and delta the phase by which the vibration leads the force. Start with
+   vm_forced_to_averaged, and end with vm_forced_from_averaged. Let e be the largest of the damping b, the mass rate m'
+   and the force F. The error is of the order of e up to times of the order of 1/e, and larger away from the resonance.
+   The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -16182,7 +16264,7 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 }
 
 /* The ripple of the exact amplitude about its mean A, m, to first order: exact amplitude = A + ripple. It is
-     q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
+     q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s[j]/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
    with the order n = 2j + 1 and q of vmi_forced_q. For n = 1 the last term is left out, since it does not vary at the
    resonance. */
 VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
@@ -16203,10 +16285,10 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* Motion (x, x', theta) of an excited oscillator to the mean y = (A, delta, theta).
-   A is the amplitude without its ripple within a period. If the ripple stayed in A, averaged motions would have errors
-   of order 1 where alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is
-   smaller than its ripple. y and motion may be the same array. */
+/* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude
+   without its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where
+   alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is smaller than its
+   ripple. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -16221,16 +16303,16 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     phi *= VM_PI / f->pi;
     A = exact;
     for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* then the motion is smaller than its ripple */
+    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
     y[0] = A;
     y[1] = phi - theta;
     y[2] = theta;
     return VM_OK;
 }
 
-/* Motion (x, x', theta) of an excited oscillator from the mean y = (A, delta, theta).
-   The inverse of vm_forced_to_averaged: it puts the ripple back. The statuses are those of vm_forced_rhs; VM_DOMAIN
-   also means that A <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
+/* Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta). This is the inverse of
+   vm_forced_to_averaged: it puts the ripple back. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that A
+   <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
@@ -16275,8 +16357,9 @@ typedef struct VM_TAG(vm_steady_state) {
 /* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
     vm_real A;              /* amplitude, m, whose natural frequency w(A) is nu; for alpha = 1 the given amplitude */
-    vm_real drift_ratio;    /* rate of w - nu over the largest rate that the force can balance. Below 1 the vibration
-                               may be captured, so that it follows A; above 1 it passes through the resonance */
+    vm_real drift_ratio;    /* rate at which w - nu drifts, divided by the largest rate that the force can balance.
+                               Below 1 the vibration may be captured, so that it follows A; above 1 it passes through
+                               the resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
     vm_real amplitude_jump; /* largest relative change of the amplitude in a quick passage (drift_ratio much larger
                                than 1). The change depends on the phase at the start and may have either sign */
@@ -16287,10 +16370,10 @@ typedef struct VM_TAG(vmi_resonance) {
     vm_real w1, exponent; /* natural frequency w = w1 A^exponent, rad/s */
     vm_real nu;           /* frequency of the force, rad/s */
     vm_real p;            /* decay rate q/(alpha+3), 1/s: free vibrations follow A' = -p A */
-    vm_real push;         /* force per mass F G/m that acts on the mean motion, with the sign of F */
+    vm_real push;         /* the force per mass, F G/m, that drives the mean motion; G is a field of vm_forced */
 } vmi_resonance;
 
-/* The fields of vmi_resonance for the oscillator f with the parameters n */
+/* Computes the quantities of vmi_resonance for the oscillator f with the parameters n. */
 VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_parameters *n)
 {
     vmi_resonance z;
@@ -16326,9 +16409,9 @@ VM_API vm_steady_state vmi_resonance_state(const vmi_resonance *z, vm_real alpha
     return s;
 }
 
-/* The extrema of vmi_resonance_excess for alpha != 1, in ascending order: writes x = ln A of at most two and returns
-   how many there are. At an extremum det = 0, so that w solves 2 alpha w^2 - (3 alpha + 1) nu w + (alpha + 1)(nu^2 +
-   p^2) = 0. */
+/* The extrema of vmi_resonance_excess for alpha != 1. Writes x = ln A of at most two extrema, in ascending order, and
+   returns how many there are. At an extremum the field det of the vibration is 0, so that w solves 2 alpha w^2 - (3
+   alpha + 1) nu w + (alpha + 1)(nu^2 + p^2) = 0. */
 VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[2])
 {
     const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
@@ -16346,7 +16429,7 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
     return 2;
 }
 
-/* The steady amplitudes for alpha != 1, in ascending order: writes at most three and returns how many there are. The
+/* The steady amplitudes for alpha != 1. Writes at most three, in ascending order, and returns how many there are. The
    excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A holds at most one
    zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
@@ -16368,12 +16451,12 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
     return found;
 }
 
-/* Steady vibrations of an excited oscillator: amplitudes, phases, stability.
-   All parameters are those at time t. Writes at most three vibrations to steady, the smallest amplitude first, and
-   returns how many there are, 0 where the force is 0, or a negative status. In the tests amplitudes are within 3e-14
-   (float 3e-5), relative, of solutions of the averaged equations. To get the response at all frequencies, call it for
-   each nu. Solutions far from w(A) = nu need not be near a motion, since the averaged equations hold near the
-   resonance. The negative statuses are those of vm_forced_rhs. */
+/* Steady vibrations of an excited oscillator: amplitudes, phases, stability. All parameters are those at time t. Writes
+   at most three vibrations to steady, the smallest amplitude first, and returns how many there are, 0 where the force
+   is 0, or a negative status. In the tests the relative error of amplitudes, compared with solutions of the averaged
+   equations, is at most 3e-14 (float 3e-5). To get the response at all frequencies, call the function for each nu.
+   Solutions far from w(A) = nu need not be near a motion, since the averaged equations hold near the resonance. The
+   negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
@@ -16395,10 +16478,10 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
     return found;
 }
 
-/* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
-   Writes at most two vibrations to curve, the lower frequency first, one on each side of the backbone w(A). Returns
-   how many there are, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs, and
-   VM_DOMAIN also where A is not positive. Results that overflow are NaN. */
+/* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: points of the amplitude-frequency curve. Writes
+   at most two vibrations to curve, the lower frequency first. They lie on both sides of the backbone, the curve nu =
+   w(A). Returns how many there are, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs,
+   and VM_DOMAIN also where A is not positive. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -16424,7 +16507,7 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
     return found;
 }
 
-/* Largest amplitude of the amplitude-frequency curve, m: where the curve meets the backbone w(A) = nu. It is infinite
+/* Largest amplitude of the amplitude-frequency curve, m: where the curve meets the backbone nu = w(A). It is infinite
    without damping. The relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where the
    parameters at time t are not in their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
@@ -16437,11 +16520,11 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* Passage through the resonance: whether a slow drift leads to capture.
-   The drift is given by the rates of mass, stiffness and frequency at time t. amplitude, m, is used for alpha = 1
-   only, where the backbone has the same frequency for all amplitudes. On the backbone delta'' = -(gamma push/A)
-   sin(delta) - nu D, as for a pendulum under a torque, where gamma = (alpha - 1)/2, push = F G/m, and D is the
-   relative drift of w - nu; drift_ratio is the torque |nu D| over |gamma push/A|, the largest torque that the pendulum
+/* Passage through the resonance: whether a slow drift leads to capture. The drift is given by the rates of mass,
+   stiffness and frequency at time t. amplitude, m, is used for alpha = 1 only, where w is the same for all amplitudes.
+   Near w(A) = nu the averaged equations give delta'' = -(gamma push/A) sin(delta) - nu D, which is the equation of a
+   pendulum under a torque. Here gamma = (alpha - 1)/2, push = F G/m, and D is the rate at which ln(w/nu) would fall
+   without the force. drift_ratio is the torque |nu D| divided by |gamma push/A|, the largest torque that the pendulum
    can hold. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the force is 0 or that the amplitude is
    not positive and finite. An error leaves *passage as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
@@ -16473,8 +16556,8 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
 #endif
 /* oscillators/diagnostics.h - turning points and zero crossings of any trajectory, envelopes, adiabaticity
 
-   The motion may come from a route, a closed form or an integrator's dense output. At its turning points one compares
-   it with laws of the amplitude; its zero crossings give the largest velocities and the periods.
+   The trajectory may come from a route, a closed form or an integrator's dense output. Laws of the amplitude are
+   compared with it at its turning points; its zero crossings give the largest velocities and the periods.
 
        vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
        long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
@@ -16497,7 +16580,8 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Whether the kind of sample exists and `room` is not negative; for room > 0 samples must not be null. */
+/* Whether a search is possible: the kind of sample must exist, `room` must not be negative, and for room > 0 samples
+   must not be null. */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
@@ -16559,8 +16643,8 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     return found;
 }
 
-/* A trajectory from the dense output of the integrator s: x and v are the indices of position and velocity in its
-   state, buffer has room for a state */
+/* A trajectory from the dense output of the integrator s. x and v are the indices of position and velocity in the state
+   of the integrator; buffer has room for a state. */
 typedef struct VM_TAG(vmi_step_motion) {
     rk45 *s;
     int x, v;
