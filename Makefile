@@ -9,7 +9,7 @@
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
-#   make first-steps   ten short programs, docs/first-steps.md
+#   make first-steps   twelve short programs, docs/first-steps.md
 #   make wasm      an oscillator for the browser, build/wasm
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
@@ -33,10 +33,10 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events coincidences bodies jumps jumps2 relative inverse \
+TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs coincidences attitude bodies jumps jumps2 relative inverse \
     jump_equations torque_free streams flow flow1 flow2 supply orbit drum drum_shaft lambert broken_rotor broken_rotor_stability \
     lagrange lagrange_jump pendulum constant_mass laws averaging slow_motion closed_law collocation routes ladder duffing odd_force van_der_pol \
-    van_der_pol_law jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
+    van_der_pol_law jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_joints scene_events scene_runs scenes \
     dissertation validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
 # Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
@@ -290,6 +290,7 @@ data:
 	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
 	python3 tests/gen/order_conditions.py
+	python3 tests/gen/attitude.py
 	python3 tests/gen/rotation_reference.py
 	python3 tests/gen/rotor_reference.py
 	python3 tests/gen/streams.py

@@ -68,8 +68,15 @@
      or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
      happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
      motion that is reversed on contact does not touch twice.
+     A run ends at each event of an ODE_STOP, or when an event has happened `stop_after` times. Its t_end may then be
+     infinite; h_max should bound the steps then, where the solution is so smooth that they would grow without end.
      Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
      h_max makes evaluations more frequent.
+
+   OUTPUT AND SAVED RUNS
+     rk45_solve_at and rk87_solve_at fill a table with the states at listed times, without shortening the steps.
+     rk45_save and rk87_save write a run to an array of bytes; rk45_resume and rk87_resume continue it with the same
+     bits.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH
      The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
@@ -140,7 +147,7 @@
        rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
        rk45_step                      One accepted step of rk45, or the part of it before an event that ends the step
        rk45_solve_with                Steps of rk45 to t_end, with f and n given once more so that f is inlined
-       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event
+       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run
        rk45_interpolate               State y(t) at a time t within the last step of rk45, accurate to order 4
 
      integrators/rk87: rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
@@ -148,8 +155,18 @@
        rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
        rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
        rk87_solve_with                Steps of rk87 to t_end, with f and n given once more so that f is inlined
-       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event
-       rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8 */
+       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run
+       rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8
+
+     integrators/output: the solution at listed times
+       rk45_solve_at                  Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers
+       rk87_solve_at                  Run of rk87 to the last of n_times times, with the state at each of them in a row of n numbers
+
+     integrators/saved: runs that are saved as bytes and resumed later
+       rk45_save                      Saves a run of rk45 between two calls as bytes, of which there is room for size >= RK45_SAVED(n, number of events)
+       rk45_resume                    Takes the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the saved run
+       rk87_save                      Saves a run of rk87 as bytes, of which there is room for size >= RK87_SAVED(n, number of events)
+       rk87_resume                    Takes the numbers of a saved run of rk87 into s, which rk87_init has made */
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
@@ -479,17 +496,19 @@ enum {
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not the tolerance, limited the step size */
     /* An argument is wrong: n or steps is not positive, a pointer is NULL, a component has no tolerance, h_min is
-       negative or above h_max, a time, a state or an option is not finite, a time is outside the last step, an event
-       has no g, or the rk45 was made by the init function of another method. */
+       negative or above h_max, a time, a state or an option is not finite (t_end may be infinite if an event can end
+       the run), a time is outside the last step or before an earlier one, an event has no g, a saved run does not fit,
+       or the rk45 was made by the init function of another method. */
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
     ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
     /* Two steps of the smallest size (h_min, or the resolution of t) missed the tolerance, and fewer than three steps
        between them kept it: f is singular there, or too stiff for the resolution of t. A run also ends with this status
-       if h_max is less than the resolution of t. A jump of f does not end a run: s->missed counts it. */
+       if h_max is less than the resolution of t, or if t_end is infinite and t reaches the largest number of the type.
+       A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
     ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call continues the run */
-    ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
+    ODE_WORK_TOO_SMALL = -6 /* work_size is less than RK45_WORK(n) or RK87_WORK(n), or size is less than RK45_SAVED */
 };
 
 /* A function that writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx is
@@ -684,7 +703,7 @@ enum {
 };
 
 /* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events to which the
-   options point. The caller sets the fields from g to states; the integrator sets the fields from count on. */
+   options point. The caller sets the fields from g to stop_after; the integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
@@ -697,6 +716,9 @@ typedef struct VM_TAG(ode_event) {
     long room;       /* number of events for which times and states have room; later events are only counted */
     vm_real *times;  /* NULL, or an array that receives the times of the first `room` events */
     vm_real *states; /* NULL, or an array that receives the states of the first `room` events, n numbers each */
+    /* 0, or a number k > 0: the run ends with ODE_EVENT when this event happens for the kth time, the 2kth time and so
+       on, whatever its action is. An event with ODE_STOP then stops at no other time. Each event ends a step. */
+    long stop_after;
     long count;      /* number of events so far */
     vm_real t;       /* time of the last event */
     /* The fields from here on are internal. */
@@ -765,8 +787,27 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
     if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min)) return 0;
     if (o->n_events < 0 || (o->n_events > 0 && !o->events)) return 0;
     for (i = 0; i < o->n_events; i++)
-        if (!o->events[i].g || o->events[i].room < 0) return 0;
+        if (!o->events[i].g || o->events[i].room < 0 || o->events[i].stop_after < 0) return 0;
     return 1;
+}
+
+/* Whether the event ends the step in which it happens */
+VM_INLINE int vmi_ends_step(const ode_event *e) { return e->action != ODE_RECORD || e->stop_after > 0; }
+
+/* Whether the event, which has just been counted, ends the run */
+VM_API int vmi_stops_now(const ode_event *e)
+{
+    if (e->stop_after > 0) return e->count % e->stop_after == 0;
+    return e->action == ODE_STOP;
+}
+
+/* Whether any event can end the run */
+VM_API int vmi_an_event_stops(const rk45_options *o)
+{
+    int i;
+    for (i = 0; i < o->n_events; i++)
+        if (o->events[i].action == ODE_STOP || o->events[i].stop_after > 0) return 1;
+    return 0;
 }
 
 /* Tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is added so that
@@ -916,7 +957,7 @@ typedef struct VM_TAG(rk45) {
     long evals;           /* number of evaluations of f */
     long missed;          /* number of steps of the smallest size that were accepted above the tolerance */
     int rhs_status;       /* number that f returned last */
-    int event;            /* index of the ODE_STOP event that ended the last call, else -1 */
+    int event;            /* index of the event that ended the last call, else -1 */
     int stiff;            /* nonzero once the run has looked stiff */
     ode_rhs f;            /* the right-hand side */
     void *ctx;            /* pointer that f receives */
@@ -997,6 +1038,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     s->h = o.h0;
     s->attempts = o.max_steps;
     vmi_copy(n, y0, s->y);
+    for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* so that a run that is saved is known bytes */
     if (options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol) return ODE_RTOL_RAISED;
     return ODE_OK;
 }
@@ -1119,6 +1161,14 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     vm_real x;
     memcpy(&x, &bits, sizeof x);
     return x;
+}
+
+/* Returns the largest power of two that is at most x, for a normal number x > 0. For a smaller x it is VM_MIN. */
+VM_API vm_real vmi_power_below(vm_real x)
+{
+    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
+    if (x < VM_MIN) return VM_MIN;
+    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
 }
 
 /* Returns x 2^k. The function multiplies x twice by about 2^(k/2), because 2^k itself may overflow or underflow. It
@@ -1797,7 +1847,7 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
             ode_event *e = s->options.events + i, look;
             vm_real at;
             int status;
-            if (e->action == ODE_RECORD || i == *owner) continue;
+            if (!vmi_ends_step(e) || i == *owner) continue;
             look = *e;
             status = vmi_follow_event(s, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
             if (status) return status;
@@ -1813,7 +1863,7 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
     return ODE_OK;
 }
 
-/* Counts and stores each time that an event with the action ODE_RECORD happens up to the fraction `to` of the step.
+/* Counts and stores each time that an event which ends no step happens up to the fraction `to` of the step.
    Returns a status. */
 VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 {
@@ -1858,7 +1908,7 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
         ode_event *e = s->options.events + i;
         if (!e->happens) continue;
         vmi_record(s, e, x);
-        if (e->action == ODE_STOP && s->event < 0) s->event = i;
+        if (vmi_stops_now(e) && s->event < 0) s->event = i;
     }
     if (x < 1) {
         const vm_two t = vmi_two_sum(s->t_old, s->t_old_low + x * s->h_done);
@@ -1913,7 +1963,7 @@ VM_API void vmi_pass_on_sides(rk45 *s)
     for (i = 0; i < s->options.n_events; i++) {
         ode_event *e = s->options.events + i;
         e->happens = 0;
-        if (e->action == ODE_RECORD) continue;
+        if (!vmi_ends_step(e)) continue;
         e->side = e->side_ahead;
         e->quiet = VMI_LARGER(e->quiet - VM_FABS(s->h_done), VM_C(0.0));
     }
@@ -1930,7 +1980,7 @@ VM_API int vmi_events(rk45 *s)
     for (i = 0; i < n_events; i++) events[i].from = 0;
     if (status == ODE_OK) status = vmi_find_cut(s, &cut, &owner);
     for (i = 0; i < n_events && status == ODE_OK; i++)
-        if (events[i].action == ODE_RECORD) status = vmi_record_until(s, events + i, VMI_SMALLER(cut, VM_C(1.0)));
+        if (!vmi_ends_step(events + i)) status = vmi_record_until(s, events + i, VMI_SMALLER(cut, VM_C(1.0)));
     if (status) return status;
     if (cut == VMI_NONE) {
         vmi_pass_on_sides(s);
@@ -2091,13 +2141,29 @@ VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
     return ODE_OK;
 }
 
-/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. Returns a status; the steps may be made
-   if it is ODE_OK. */
+/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. t_end may be infinite if an event can
+   end the run. Returns a status; the steps may be made if it is ODE_OK. */
 VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
-    if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    if (!s || t_end != t_end || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t_end) && !vmi_an_event_stops(&s->options)) return ODE_BAD_ARGUMENT;
     s->attempts = s->options.max_steps;
     return ODE_OK;
+}
+
+/* The time to which the steps of a run to t_end go: the largest number of the type if t_end is infinite */
+VM_INLINE vm_real vmi_last_time(vm_real t_end)
+{
+    if (t_end > VM_MAX) return VM_MAX;
+    if (t_end < -VM_MAX) return -VM_MAX;
+    return t_end;
+}
+
+/* The status of a run to t_end whose steps have ended with `status`. If t_end is infinite, no run gets there. */
+VM_INLINE int vmi_end_solve(vm_real t_end, int status)
+{
+    if (!VM_IS_FINITE(t_end) && (status == ODE_OK || status == ODE_STIFF)) return ODE_STEP_TOO_SMALL;
+    return status;
 }
 
 #endif
@@ -2274,12 +2340,12 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
     if (status) return status;
-    return vmi_rk45_run(s, f, n, t_end, 0);
+    return vmi_end_solve(t_end, vmi_rk45_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
-   t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
-   is after options.max_steps attempts, another call continues the run. */
+/* Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if there
+   is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted step.
+   Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;
@@ -2665,10 +2731,10 @@ VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
     if (status) return status;
-    return vmi_rk87_run(s, f, n, t_end, 0);
+    return vmi_end_solve(t_end, vmi_rk87_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
+/* Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run. All else is as in
    rk45_solve. */
 VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 {
@@ -2685,6 +2751,289 @@ VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
     if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
     return vmi_interpolate(s, t, y);
 }
+
+#endif
+/* integrators/output.h - the solution at listed times
+   rk45_solve_at and rk87_solve_at fill a table with the state at times that the caller lists. Times between the ends of
+   the steps are taken from the continuous extension, so that the list does not make the steps shorter.
+
+       double times[3] = {1, 2, 5}, rows[3][2], y0[2] = {1, 0}, work[RK45_WORK(2)];
+       rk45 s;
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
+       if (rk45_solve_at(&s, 3, times, rows[0], NULL) >= 0) printf("x(5) = %g\n", rows[2][0]);
+
+   Tests: tests/test_dense.c. */
+#ifndef VARMASS_INTEGRATORS_OUTPUT_H
+#define VARMASS_INTEGRATORS_OUTPUT_H
+
+/* Whether a run that is at the time t, and that goes forward (direction 1) or backward (-1), has reached `time` */
+VM_API int vmi_has_reached(vm_real t, vm_real time, int direction)
+{
+    if (direction > 0) return t >= time;
+    return t <= time;
+}
+
+/* Whether the times begin at t or later in the direction of the run, and none is before an earlier one */
+VM_API int vmi_times_are_in_order(vm_real t, int n_times, const vm_real *times, int direction)
+{
+    int i;
+    for (i = 0; i < n_times; i++) {
+        if (!VM_IS_FINITE(times[i]) || !vmi_has_reached(times[i], t, direction)) return 0;
+        t = times[i];
+    }
+    return 1;
+}
+
+/* Fills the rows of all times that the run has reached, from the row *done on. Returns a status. */
+VM_API int vmi_fill_rows(rk45 *s, int n_times, const vm_real *times, int direction, vm_real *rows, int *done)
+{
+    while (*done < n_times && vmi_has_reached(s->t, times[*done], direction)) {
+        const int status = vmi_interpolate(s, times[*done], rows + (ptrdiff_t)*done * s->n);
+        if (status) return status;
+        ++*done;
+    }
+    return ODE_OK;
+}
+
+/* Does the work of rk45_solve_at for the pair whose number is `method`. run makes one step of this pair. */
+VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int n, vm_real t_end, int single),
+                        int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
+{
+    int direction = 1, done = 0, status = ODE_OK, was_stiff;
+    if (!s || s->pair.method != method || n_times < 0) return ODE_BAD_ARGUMENT;
+    if (n_times > 0 && (!times || !rows)) return ODE_BAD_ARGUMENT;
+    if (n_times > 0 && times[n_times - 1] < s->t) direction = -1;
+    if (!vmi_times_are_in_order(s->t, n_times, times, direction)) return ODE_BAD_ARGUMENT;
+    was_stiff = s->stiff;
+    s->attempts = s->options.max_steps;
+    s->event = -1;
+    for (;;) {
+        const int filled = vmi_fill_rows(s, n_times, times, direction, rows, &done);
+        if (filled) status = filled;
+        if (done == n_times || (status != ODE_OK && status != ODE_STIFF)) break;
+        status = run(s, s->f, s->n, times[n_times - 1], 1);
+    }
+    if (n_done_or_NULL) *n_done_or_NULL = done;
+    return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
+}
+
+/* Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers.
+   The times rise from s->t on, or fall from it; equal ones are allowed. rows has n_times n numbers. *n_done_or_NULL
+   becomes the number of rows that are filled: all of them, unless an event or an error ends the run; another call with
+   the times that are left continues it. If an event changes the state at a listed time, the row has the new state. The
+   values are those of rk45_interpolate, and s->y at the last time. Returns a status, as rk45_solve does, and
+   ODE_BAD_ARGUMENT for times that are not finite or in another order. */
+VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
+{
+    return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);
+}
+
+/* Run of rk87 to the last of n_times times, with the state at each of them in a row of n numbers.
+   All else is as in rk45_solve_at. A step with listed times takes seven more evaluations of f, which may also end the
+   run with ODE_RHS_STOPPED or ODE_NOT_FINITE. */
+VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
+{
+    return vmi_solve_at(s, VMI_RK87, vmi_rk87_run, n_times, times, rows, n_done_or_NULL);
+}
+
+#endif
+/* integrators/saved.h - runs that are saved as bytes and resumed later
+   A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that resumes
+   it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run has the same
+   bits as a run that was not interrupted. A plain copy of an rk45 would not do: y, work, options.events and
+   options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point into the program.
+
+       unsigned char bytes[RK45_SAVED(2, 0)]; // n = 2, no events
+       double y0[2] = {1, 0}, work[RK45_WORK(2)], other_work[RK45_WORK(2)];
+       rk45 s, again;
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
+       rk45_solve(&s, 10.0);
+       rk45_save(&s, sizeof bytes, bytes); // the bytes may go to a file
+       rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
+       rk45_resume(&again, sizeof bytes, bytes); // goes on where s is
+
+   Bytes are for the same machine, the same type vm_real and the same version of this header.
+   Tests: tests/test_saved_runs.c. */
+#ifndef VARMASS_INTEGRATORS_SAVED_H
+#define VARMASS_INTEGRATORS_SAVED_H
+
+#include <stdint.h>
+#include <string.h>
+
+/* The numbers at the beginning of a saved run. They tell whether it fits the run that resumes it. */
+enum {
+    VMI_SAVED_FORMAT,
+    VMI_SAVED_REAL,
+    VMI_SAVED_LONG,
+    VMI_SAVED_METHOD,
+    VMI_SAVED_N,
+    VMI_SAVED_EVENTS,
+    VMI_SAVED_HEAD /* how many numbers these are */
+};
+
+enum {
+    VMI_SAVED_FORMAT_NOW = 0x7601, /* "v" and the number of this format */
+    VMI_SAVED_RUN_INTS = VMI_SAVED_HEAD + 9,
+    VMI_SAVED_RUN_BYTES = 7 * sizeof(vm_real) + 6 * sizeof(long) + VMI_SAVED_RUN_INTS * sizeof(int) + sizeof(uint32_t),
+    VMI_SAVED_EVENT_BYTES = 4 * sizeof(vm_real) + sizeof(long) + 3 * sizeof(int)
+};
+
+/* Number of bytes of a saved run with n components and n_events events */
+#define VMI_SAVED(numbers, n_events) \
+    (VMI_SAVED_RUN_BYTES + (numbers) * (int)sizeof(vm_real) + (n_events) * VMI_SAVED_EVENT_BYTES)
+#define RK45_SAVED(n, n_events) VMI_SAVED(RK45_WORK(n), n_events)
+#define RK87_SAVED(n, n_events) VMI_SAVED(RK87_WORK(n), n_events)
+
+/* A place in the bytes of a saved run. The numbers go to the bytes if `saves` is not 0, else they come from them. */
+typedef struct VM_TAG(vmi_saved_place) {
+    unsigned char *to;
+    const unsigned char *from;
+    int saves;
+} vmi_saved_place;
+
+/* Writes the number x of `size` bytes, or reads it, and goes on to the next place */
+VM_API void vmi_saved_move(vmi_saved_place *p, void *x, size_t size)
+{
+    if (p->saves) {
+        memcpy(p->to, x, size);
+        p->to += size;
+    } else {
+        memcpy(x, p->from, size);
+        p->from += size;
+    }
+}
+
+VM_API void vmi_saved_move_event(vmi_saved_place *p, ode_event *e)
+{
+    vmi_saved_move(p, &e->count, sizeof e->count);
+    vmi_saved_move(p, &e->t, sizeof e->t);
+    vmi_saved_move(p, &e->from, sizeof e->from);
+    vmi_saved_move(p, &e->slack, sizeof e->slack);
+    vmi_saved_move(p, &e->quiet, sizeof e->quiet);
+    vmi_saved_move(p, &e->side, sizeof e->side);
+    vmi_saved_move(p, &e->side_ahead, sizeof e->side_ahead);
+    vmi_saved_move(p, &e->happens, sizeof e->happens);
+}
+
+/* Number of vm_reals in the work of the run s that belong to the integrator */
+VM_API long vmi_saved_numbers(const rk45 *s) { return (long)(VMI_K + s->pair.derivatives) * s->n; }
+
+/* Writes all numbers of the run, its work and its events, or reads them */
+VM_API void vmi_saved_move_run(vmi_saved_place *p, rk45 *s)
+{
+    int i;
+    vmi_saved_move(p, &s->t, sizeof s->t);
+    vmi_saved_move(p, &s->t_low, sizeof s->t_low);
+    vmi_saved_move(p, &s->t_old, sizeof s->t_old);
+    vmi_saved_move(p, &s->t_old_low, sizeof s->t_old_low);
+    vmi_saved_move(p, &s->h, sizeof s->h);
+    vmi_saved_move(p, &s->h_done, sizeof s->h_done);
+    vmi_saved_move(p, &s->inverse_error, sizeof s->inverse_error);
+    vmi_saved_move(p, &s->steps, sizeof s->steps);
+    vmi_saved_move(p, &s->rejected, sizeof s->rejected);
+    vmi_saved_move(p, &s->evals, sizeof s->evals);
+    vmi_saved_move(p, &s->missed, sizeof s->missed);
+    vmi_saved_move(p, &s->next_miss, sizeof s->next_miss);
+    vmi_saved_move(p, &s->attempts, sizeof s->attempts);
+    vmi_saved_move(p, &s->rhs_status, sizeof s->rhs_status);
+    vmi_saved_move(p, &s->event, sizeof s->event);
+    vmi_saved_move(p, &s->k1, sizeof s->k1);
+    vmi_saved_move(p, &s->extended, sizeof s->extended);
+    vmi_saved_move(p, &s->failure, sizeof s->failure);
+    vmi_saved_move(p, &s->stiff, sizeof s->stiff);
+    vmi_saved_move(p, &s->stiff_wait, sizeof s->stiff_wait);
+    vmi_saved_move(p, &s->stiff_hits, sizeof s->stiff_hits);
+    vmi_saved_move(p, &s->stiff_misses, sizeof s->stiff_misses);
+    vmi_saved_move(p, s->work, (size_t)vmi_saved_numbers(s) * sizeof *s->work);
+    for (i = 0; i < s->options.n_events; i++) vmi_saved_move_event(p, s->options.events + i);
+}
+
+/* The numbers at the beginning of a saved run */
+VM_API void vmi_saved_head(const rk45 *s, int *head)
+{
+    head[VMI_SAVED_FORMAT] = VMI_SAVED_FORMAT_NOW;
+    head[VMI_SAVED_REAL] = (int)sizeof(vm_real);
+    head[VMI_SAVED_LONG] = (int)sizeof(long);
+    head[VMI_SAVED_METHOD] = s->pair.method;
+    head[VMI_SAVED_N] = s->n;
+    head[VMI_SAVED_EVENTS] = s->options.n_events;
+}
+
+/* A checksum of bytes (FNV-1a), which a saved run ends with, so that damaged bytes are refused */
+VM_API uint32_t vmi_saved_checksum(const unsigned char *bytes, long count)
+{
+    uint32_t sum = 2166136261u;
+    long i;
+    for (i = 0; i < count; i++) sum = (sum ^ bytes[i]) * 16777619u;
+    return sum;
+}
+
+/* Number of bytes of the saved run s */
+VM_API long vmi_saved_size(const rk45 *s)
+{
+    return (long)VMI_SAVED_RUN_BYTES + vmi_saved_numbers(s) * (long)sizeof(vm_real) +
+           (long)s->options.n_events * (long)VMI_SAVED_EVENT_BYTES;
+}
+
+/* Does the work of rk45_save for the pair whose number is `method` */
+VM_API int vmi_save(const rk45 *s, int method, long size, unsigned char *bytes)
+{
+    vmi_saved_place place;
+    int head[VMI_SAVED_HEAD];
+    uint32_t sum;
+    rk45 copy;
+    if (!s || !bytes || size < 0 || s->pair.method != method) return ODE_BAD_ARGUMENT;
+    if (size < vmi_saved_size(s)) return ODE_WORK_TOO_SMALL;
+    copy = *s;
+    place.to = bytes;
+    place.from = NULL;
+    place.saves = 1;
+    vmi_saved_head(s, head);
+    vmi_saved_move(&place, head, sizeof head);
+    vmi_saved_move_run(&place, &copy);
+    sum = vmi_saved_checksum(bytes, (long)(place.to - bytes));
+    vmi_saved_move(&place, &sum, sizeof sum);
+    return ODE_OK;
+}
+
+/* Does the work of rk45_resume for the pair whose number is `method` */
+VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes)
+{
+    vmi_saved_place place;
+    int head[VMI_SAVED_HEAD];
+    uint32_t sum;
+    long before; /* number of bytes before the checksum */
+    if (!s || !bytes || size < 0 || s->pair.method != method) return ODE_BAD_ARGUMENT;
+    if (size < vmi_saved_size(s)) return ODE_WORK_TOO_SMALL;
+    before = vmi_saved_size(s) - (long)sizeof sum;
+    vmi_saved_head(s, head);
+    if (memcmp(head, bytes, sizeof head) != 0) return ODE_BAD_ARGUMENT;
+    memcpy(&sum, bytes + before, sizeof sum);
+    if (sum != vmi_saved_checksum(bytes, before)) return ODE_BAD_ARGUMENT;
+    place.to = NULL;
+    place.from = bytes + sizeof head;
+    place.saves = 0;
+    vmi_saved_move_run(&place, s);
+    return ODE_OK;
+}
+
+/* Saves a run of rk45 between two calls as bytes, of which there is room for size >= RK45_SAVED(n, number of events).
+   The arrays `times` and `states` of events, ctx and the options are not in the bytes: they are the caller's. The cost
+   is that of a copy. Returns ODE_OK, ODE_BAD_ARGUMENT for a null pointer or a run by rk87, or ODE_WORK_TOO_SMALL. */
+VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
+
+/* Takes the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
+   saved run. The next step has the same bits as that of the saved run. Returns ODE_OK, ODE_WORK_TOO_SMALL if size is
+   less than the bytes of such a run, or ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another method, n,
+   number of events or type, and for damaged bytes; s is then unchanged. */
+VM_API int rk45_resume(rk45 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK45, size, bytes); }
+
+/* Saves a run of rk87 as bytes, of which there is room for size >= RK87_SAVED(n, number of events).
+   All else is as in rk45_save. */
+VM_API int rk87_save(const rk87 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK87, size, bytes); }
+
+/* Takes the numbers of a saved run of rk87 into s, which rk87_init has made. All else is as in rk45_resume. */
+VM_API int rk87_resume(rk87 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK87, size, bytes); }
 
 #endif
 

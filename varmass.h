@@ -19,11 +19,11 @@
 
    CHAPTERS
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
-     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
-                    part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
-                    Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
-                    rotation; streams of mass with their reactive force and torque; rockets; tanks and grains; orbits of
-                    two bodies; a band that winds up on a drum
+     mechanics/     vectors, attitudes, Euler's angles; bodies; jumps (a part separates from a body or is attached to
+                    it), in space and in the plane; how a part must leave so that the remaining body moves as wanted;
+                    energy of a jump; a rotor that breaks; Lagrange's equations across a jump and with variable mass; a
+                    pendulum that is cut; torque-free rotation; streams of mass with their reactive force and torque;
+                    rockets; tanks and grains; orbits of two bodies; a band that winds up on a drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
                     Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
@@ -100,6 +100,34 @@
        vm_wright_omega                Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l
        vm_lambert_w0_neg_exp          W_0(-e^l), the upper branch for the negative argument -e^l with l <= -1
        vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for the negative argument -e^l with l <= -1
+
+     mechanics/vectors: vectors, quaternions and rotations in space
+       vm_add                         The sum a + b of two vectors
+       vm_sub                         The difference a - b of two vectors
+       vm_scale                       The multiple c a of a vector, for a number c
+       vm_dot                         The dot product a.x b.x + a.y b.y + a.z b.z of two vectors
+       vm_cross                       The cross product a x b of two vectors, by the right-hand rule
+       vm_norm                        The length of the vector a, within 4 eps of itself
+       vm_unit                        The vector of length 1 in the direction of a, each component within 4 eps of itself
+       vm_quat_times                  The product p q of two quaternions
+       vm_unit_quat                   The quaternion of length 1 for the same rotation as q
+
+     mechanics/attitude: attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
+       vm_rotate                      The components along inertial axes of a vector whose components along body axes are a
+       vm_rotate_back                 The components along body axes of a vector whose components along inertial axes are a
+       vm_quat_to_matrix              The rotation matrix c of an attitude, row by row
+       vm_quat_from_matrix            Attitude of length 1, with w >= 0, from its rotation matrix c, which vm_quat_to_matrix describes
+       vm_quat_to_mrp                 Modified Rodrigues parameters of an attitude
+       vm_quat_from_mrp               Attitude of length 1 from modified Rodrigues parameters p of any length
+
+     mechanics/euler_angles: Euler's angles
+       vm_euler_313                   Attitude from Euler's angles
+       vm_euler_321                   Quaternion of length 1 that turns body axes into inertial ones, from yaw, pitch and roll (sequence 3-2-1)
+       vm_euler_313_angles            Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length
+       vm_euler_321_angles            Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order
+       vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
+       vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
+       vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
        vm_inertia_is_possible         Test whether a body can have this inertia
@@ -245,12 +273,6 @@
        vm_lagrange_start              Initial state y of a system at time t, from its n coordinates q and n rates q'
        vm_lagrange_rates              Rates q' of a system at time t, from its state y
        vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
-
-     mechanics/euler_angles: Euler's angles
-       vm_euler_313                   Attitude from Euler's angles
-       vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
-       vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
-       vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      oscillators/constant_mass: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
        vm_osc_period                  Exact period (262), s, of the motion from rest at x0 (m, either sign)
@@ -457,6 +479,17 @@
      scenes/check: what can be wrong with a scene
        vm_scene_check                 The first thing that is wrong with a scene, or VM_OK
 
+     scenes/points: points of the bodies of a scene
+       vm_scene_point_at              The position and velocity of a point of a body in the state y, in inertial axes
+
+     scenes/springs: springs and dampers between points of bodies
+       vm_effect_point_spring         A spring and a damper between a point of a body and a point of the body `other`, or of the ground
+
+     scenes/joints: pins and rods between points of bodies
+       vm_joint_pin                   A pin between the point `at` of a body and the point other_at of the body `other`, or of the ground
+       vm_joint_rod                   A rigid rod without mass between the point `at` of a body and the point other_at of the body `other`, or of the ground
+       vm_effect_joints               The joints of a scene, solved together
+
      scenes/start: the start of a scene
        vm_scene_start                 Start of a scene at time t
 
@@ -481,6 +514,11 @@
        vm_then_attach_on_line         The event attaches a body to another body on the same line or axle
        vm_then_attach_in_plane        The event attaches a body to another body in the plane
        vm_then_attach                 The event attaches a body to another body; both may have any kind of motion
+
+     scenes/contact: contact of bodies with the ground
+       vm_effect_contact              Contact of a body with the ground
+       vm_event_contact               An event when a body comes down to the ground
+       vm_then_land                   The event of vm_event_contact becomes a stop without a bounce
 
      scenes/run: runs of a scene with its events and its output
        vm_scene_run                   Run of a scene from *t to t_end, with its events and its output */
@@ -552,7 +590,9 @@ enum {
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
     VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) makes the effective mass M + M'(v) (reactive v - u) <= 0 */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
-    VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
+    VM_BAD_STIFFNESS = -32,      /* a stiffness is not positive */
+    VM_BAD_POINT = -33,          /* scenes: a force at this point would turn a body about an axis without inertia */
+    VM_NOT_JOINED = -34          /* scenes: the points of a joint are apart, or move apart, at the start */
 };
 
 /* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
@@ -600,6 +640,8 @@ VM_API const char *vm_strerror(int status)
         return "M + M'(v) (reactive v - u) of the mass law M(v) is not positive: no force accelerates it";
     case VM_NOT_STARTED: return "the scene was not started, or was changed after its start: call vm_scene_start";
     case VM_BAD_STIFFNESS: return "a stiffness is not positive";
+    case VM_BAD_POINT: return "a point body has no other point, and a rod only those on its axis: choose such a point";
+    case VM_NOT_JOINED: return "the points of a joint are apart, or move apart, at the start: let the bodies fit";
     default: return "unknown status";
     }
 }
@@ -1114,8 +1156,10 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions are internal and do not check their arguments: sums and products, norms, rotation matrices, functions
-   that read vectors and quaternions from arrays or write them. Tests: tests/test_jumps.c, tests/test_torque_free.c. */
+   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product, length and direction
+   of vectors, product and normalisation of quaternions. The others read numbers of a state as a vector or a quaternion,
+   or make rotation matrices. No function here checks its arguments: infinite and NaN numbers go through the
+   arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -1143,15 +1187,23 @@ VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
     return a;
 }
 
-VM_API vm_vec3 vmi_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
-VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
-VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
-VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+/* The sum a + b of two vectors */
+VM_API vm_vec3 vm_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+
+/* The difference a - b of two vectors */
+VM_API vm_vec3 vm_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+/* The multiple c a of a vector, for a number c */
+VM_API vm_vec3 vm_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
+
+/* The dot product a.x b.x + a.y b.y + a.z b.z of two vectors. Its error is within 2 eps |a| |b|. */
+VM_API vm_real vm_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /* The vector a/c. Each component is rounded only once; multiplication by 1/c would round it twice. */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
-VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
+/* The cross product a x b of two vectors, by the right-hand rule. The error of a component is within 2 eps |a| |b|. */
+VM_API vm_vec3 vm_cross(vm_vec3 a, vm_vec3 b)
 {
     return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
@@ -1161,8 +1213,8 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of a. The result is also right if the square of the length would overflow. */
-VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
+/* The length of the vector a, within 4 eps of itself. It does not overflow if only its square would overflow. */
+VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
@@ -1172,18 +1224,26 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
     return c > b.z ? c : b.z;
 }
 
+/* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
+   direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
+VM_API vm_vec3 vm_unit(vm_vec3 a)
+{
+    const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
+    return vmi_over(b, VM_SQRT(vm_dot(b, b)));
+}
+
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
 /* The product m a of the matrix m and the vector a */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
-    return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
+    return vm_add(vm_scale(a.x, m->x), vm_add(vm_scale(a.y, m->y), vm_scale(a.z, m->z)));
 }
 
 /* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
-    return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
+    return vmi_vec3(vm_dot(m->x, a), vm_dot(m->y, a), vm_dot(m->z, a));
 }
 
 VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
@@ -1207,8 +1267,9 @@ VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0
 /* The square of the length of q */
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
-/* The product p q, which is the rotation by q followed by the rotation by p */
-VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
+/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
+   into those of a body, and p those of the body into inertial ones, p q turns those of the part into inertial ones. */
+VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
     r.w = p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z;
@@ -1243,7 +1304,7 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
 }
 
 /* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
-VM_API vm_quat vmi_unit_quat(vm_quat q)
+VM_API vm_quat vm_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
@@ -1281,6 +1342,344 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
 
 /* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
+
+#endif
+/* mechanics/attitude.h - attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
+   The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes: a vector with
+   the components a along the body's axes has the components q a q* along inertial axes. w is the cosine of half the
+   angle of the rotation, (x, y, z) its axis times the sine of half the angle (Hamilton's quaternions, right-handed).
+   q and -q are the same attitude. The length of q does not matter; four zeros stand for the identity. This chapter
+   computes
+     - the components of a vector along inertial axes from those along body axes, and back,
+     - the rotation matrix of q, which consists of the direction cosines of the axes, and q from this matrix,
+     - the modified Rodrigues parameters of q, and q from them.
+   Euler's angles are in the chapter mechanics/euler_angles.
+
+       vm_quat q = {1, 0, 0, 1};                    // the body is turned by 90 degrees about z
+       vm_vec3 forward = {1, 0, 0};                 // along the body's first axis
+       vm_vec3 direction = vm_rotate(q, forward);   // (0, 1, 0), in inertial axes
+       vm_vec3 back = vm_rotate_back(q, direction); // (1, 0, 0), in body axes
+
+   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); his q has the
+   opposite rotation, from inertial to body axes. Tests: tests/test_attitude.c, tests/test_flow.c. */
+#ifndef VARMASS_MECHANICS_ATTITUDE_H
+#define VARMASS_MECHANICS_ATTITUDE_H
+
+/* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
+   velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
+   length 1, but errors of an integration change its length. The second term lets the length return to 1. It acts more
+   slowly than the body rotates, so that it does not make the equations of a slow rotation stiff. */
+VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
+{
+    const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
+    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
+}
+
+/* The components along inertial axes of a vector whose components along body axes are a. The error is within 6 eps |a|.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_rotate(vm_quat q, vm_vec3 a)
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!vmi_quat_is_finite(q) || !vmi_vec3_is_finite(a)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    return vmi_times(&m, a);
+}
+
+/* The components along body axes of a vector whose components along inertial axes are a. The error is within 6 eps |a|.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!vmi_quat_is_finite(q) || !vmi_vec3_is_finite(a)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    return vmi_times_transposed(&m, a);
+}
+
+/* The rotation matrix c of an attitude, row by row. c[3 i + j] is the direction cosine of inertial axis i and body axis
+   j: c times the body components of a vector are its inertial components. The error of an entry is within 6 eps. Books
+   that mean the matrix from inertial to body axes write the columns of c as rows.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!c) return VM_BAD_ARGUMENT;
+    if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
+    vmi_set3(c, vmi_vec3(m.x.x, m.y.x, m.z.x));
+    vmi_set3(c + 3, vmi_vec3(m.x.y, m.y.y, m.z.y));
+    vmi_set3(c + 6, vmi_vec3(m.x.z, m.y.z, m.z.z));
+    return VM_OK;
+}
+
+/* How much the entries of a rotation matrix may be wrong: matrices that were printed with three digits are accepted. */
+#define VMI_MATRIX_TOLERANCE VM_C(0.0078125)
+
+/* Whether c is a rotation matrix, apart from small errors of its entries. Its columns x, y, z must have length 1, and
+   the cross product of x and y must be z. */
+VM_API int vmi_is_rotation(const vm_real *c)
+{
+    const vm_vec3 x = vmi_vec3(c[0], c[3], c[6]), y = vmi_vec3(c[1], c[4], c[7]), z = vmi_vec3(c[2], c[5], c[8]);
+    const vm_vec3 lengths = vmi_vec3(vm_dot(x, x) - 1, vm_dot(y, y) - 1, vm_dot(z, z) - 1);
+    const vm_vec3 turned = vm_sub(vm_cross(x, y), z);
+    return vmi_norm_max(lengths) <= VMI_MATRIX_TOLERANCE && vmi_norm_max(turned) <= VMI_MATRIX_TOLERANCE;
+}
+
+/* Attitude of length 1, with w >= 0, from its rotation matrix c, which vm_quat_to_matrix describes. The error is within
+   4 eps, and within 4 eps of the angle for small rotations. A c with rounding errors gives an attitude with errors of
+   their size. Method: of the four forms of the quaternion, the one whose divisor is the largest (Shepperd 1978).
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if c is no rotation matrix even to two digits,
+   a reflection for example, and VM_OK otherwise. */
+VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
+{
+    vm_real v[4], trace; /* v: a multiple of the quaternion w, x, y, z */
+    int i = 0, j, k;
+    if (!c || !q) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(9, c)) return VM_NOT_FINITE;
+    if (!vmi_is_rotation(c)) return VM_DOMAIN;
+    trace = c[0] + c[4] + c[8];
+    if (c[4] > c[0]) i = 1;
+    if (c[8] > c[4 * i]) i = 2;
+    j = (i + 1) % 3;
+    k = (i + 2) % 3;
+    if (trace > c[4 * i]) {
+        v[0] = 1 + trace;
+        v[1] = c[7] - c[5];
+        v[2] = c[2] - c[6];
+        v[3] = c[3] - c[1];
+    } else {
+        v[0] = c[3 * k + j] - c[3 * j + k];
+        v[1 + i] = 1 + c[4 * i] - c[4 * j] - c[4 * k];
+        v[1 + j] = c[3 * j + i] + c[3 * i + j];
+        v[1 + k] = c[3 * k + i] + c[3 * i + k];
+    }
+    *q = vm_unit_quat(vmi_get_quat(v));
+    if (q->w < 0) *q = vmi_quat(-q->w, vm_scale(-1, vmi_quat_vector(*q)));
+    return VM_OK;
+}
+
+/* Modified Rodrigues parameters of an attitude. They are the axis of the rotation times the tangent of a quarter of its
+   angle, for that sign of q that makes w >= 0. The angle is then at most pi, and the length of the parameters p at most
+   1, apart from rounding. The other set of parameters of the same attitude (the shadow set) is -p/|p|^2. At an angle of
+   pi, where w = 0, both sets are equally long: the result is (x, y, z)/|q|. Each component is within 4 eps of itself.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
+{
+    vm_real divisor;
+    if (!vmi_quat_is_finite(q)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    q = vmi_quat_scaled(q);
+    divisor = VM_SQRT(vmi_quat_square(q)) + VM_FABS(q.w);
+    if (q.w < 0) divisor = -divisor;
+    return vmi_over(vmi_quat_vector(q), divisor);
+}
+
+/* Attitude of length 1 from modified Rodrigues parameters p of any length. Its w is negative if |p| > 1, where the
+   angle of the rotation is above pi. Each component of the result is within 8 eps of itself: w too, next to an angle of
+   pi, because 1 - |p|^2 is computed with twice the digits. Parameters that are not finite give NaN. */
+VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
+{
+    vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */
+    vm_two w;
+    if (!vmi_vec3_is_finite(p)) return vmi_quat(VM_NAN, vmi_vec3(VM_NAN, VM_NAN, VM_NAN));
+    if (vmi_norm_max(p) > 1) scale = 1 / vmi_power_below(vmi_norm_max(p));
+    p = vm_scale(scale, p);
+    w = vmi_two_product(scale, scale);
+    w = vmi_two_minus(w, vmi_two_product(p.x, p.x));
+    w = vmi_two_minus(w, vmi_two_product(p.y, p.y));
+    w = vmi_two_minus(w, vmi_two_product(p.z, p.z));
+    return vm_unit_quat(vmi_quat(w.hi, vm_scale(2 * scale, p)));
+}
+
+#endif
+/* mechanics/euler_angles.h - Euler's angles
+
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about the z axis, then
+   by theta about its own x axis (the line of nodes), then by phi about its own z axis. The angles of the sequence
+   3-2-1 are yaw, pitch and roll: the body turns by yaw about the z axis, then by pitch about its own y axis, then by
+   roll about its own x axis. This chapter computes
+     - the quaternion of three angles, and the angles of a quaternion, in both sequences; and for 3-1-3
+     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the time derivatives psi', theta', phi' of the angles from an angular velocity.
+
+       vm_quat q = vm_euler_321(VM_C(0.1), VM_C(0.2), VM_C(0.3)); // yaw, pitch, roll
+       vm_real angles[3];
+       int status = vm_euler_321_angles(q, angles); // 0.1, 0.2, 0.3
+
+   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
+   the number of binary digits of vm_real, a result has no meaning: adjacent numbers differ by 1 rad or more.
+   Tests: tests/test_attitude.c, tests/test_lagrange.c. */
+#ifndef VARMASS_MECHANICS_EULER_ANGLES_H
+#define VARMASS_MECHANICS_EULER_ANGLES_H
+
+/* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite
+   angles give NaN. */
+VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
+{
+    vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
+    vmi_sincos(psi / 2, &turn.z, &turn.w);
+    vmi_sincos(theta / 2, &tilt.x, &tilt.w);
+    vmi_sincos(phi / 2, &spin.z, &spin.w);
+    return vm_quat_times(vm_quat_times(turn, tilt), spin);
+}
+
+/* Quaternion of length 1 that turns body axes into inertial ones, from yaw, pitch and roll (sequence 3-2-1).
+   Infinite angles give NaN. */
+VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
+{
+    vm_quat about_z = {1, 0, 0, 0}, about_y = {1, 0, 0, 0}, about_x = {1, 0, 0, 0};
+    vmi_sincos(yaw / 2, &about_z.z, &about_z.w);
+    vmi_sincos(pitch / 2, &about_y.y, &about_y.w);
+    vmi_sincos(roll / 2, &about_x.x, &about_x.w);
+    return vm_quat_times(vm_quat_times(about_z, about_y), about_x);
+}
+
+/* A number re + i im of the complex plane, both parts in two words. The quaternion of a sequence of three angles is
+   equivalent to two such numbers, p and r. The angle of p is half the sum of the first and the third angle, the angle
+   of r half their difference. The lengths of p and r depend on the middle angle alone. */
+typedef struct VM_TAG(vmi_euler_part) {
+    vm_two re, im;
+} vmi_euler_part;
+
+VM_API int vmi_euler_is_none(const vmi_euler_part *p) { return p->re.hi == 0 && p->im.hi == 0; }
+
+/* Multiplies p by a power of two that makes its larger part about 1, so that no product underflows. Returns the
+   power. */
+VM_API vm_real vmi_euler_scale(vmi_euler_part *p)
+{
+    const vm_real largest = vmi_larger(VM_FABS(p->re.hi), VM_FABS(p->im.hi)), power = 1 / vmi_power_below(largest);
+    p->re = vmi_two_shifted(p->re, power);
+    p->im = vmi_two_shifted(p->im, power);
+    return power;
+}
+
+/* The real part of the product p r if sign is 1, or of p times the conjugate of r if sign is -1. */
+VM_API vm_real vmi_euler_real(const vmi_euler_part *p, const vmi_euler_part *r, vm_real sign)
+{
+    const vm_two re = vmi_two_times(p->re, r->re), im = vmi_two_times(p->im, r->im);
+    return vmi_two_minus(re, vmi_two_shifted(im, sign)).hi;
+}
+
+/* Writes the first angle and the third one, from -pi to pi: the angles of p r and of p times the conjugate of r, whose
+   imaginary parts are given, since they are accurate only if computed without p and r. If p or r is 0, which is gimbal
+   lock, only the sum or the difference of the two angles is determined: the third angle is then 0. */
+VM_API void vmi_euler_first_and_third(vmi_euler_part p, vmi_euler_part r, vm_real sum, vm_real difference,
+                                      vm_real *angles)
+{
+    vm_real power;
+    if (vmi_euler_is_none(&p) || vmi_euler_is_none(&r)) {
+        const vmi_euler_part *other = vmi_euler_is_none(&p) ? &r : &p;
+        angles[0] = vmi_atan2(2 * other->re.hi * other->im.hi + 0, vmi_euler_real(other, other, 1));
+        angles[2] = 0;
+        return;
+    }
+    power = vmi_euler_scale(&p);
+    sum *= power;
+    difference *= power;
+    power = vmi_euler_scale(&r);
+    sum *= power;
+    difference *= power;
+    angles[0] = vmi_atan2(sum + 0, vmi_euler_real(&p, &r, 1));
+    angles[2] = vmi_atan2(difference + 0, vmi_euler_real(&p, &r, -1));
+}
+
+/* Multiplies q by a power of two, without rounding, so that its largest component is about 1. Four zeros become the
+   identity. */
+VM_API vm_quat vmi_euler_normal_size(vm_quat q)
+{
+    const vm_real most = vmi_larger(VM_FABS(q.w), vmi_norm_max(vmi_quat_vector(q)));
+    const vm_real power = 1 / vmi_power_below(most);
+    if (most == 0) return vmi_quat(1, vmi_vec3(0, 0, 0));
+    return vmi_quat(q.w * power, vm_scale(power, vmi_quat_vector(q)));
+}
+
+/* Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length.
+   psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi (gimbal lock: no line of
+   nodes is determined), phi is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to
+   gimbal lock. The three angles together give the rotation of q to 8 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
+{
+    vmi_euler_part p, r;
+    if (!angles) return VM_BAD_ARGUMENT;
+    if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
+    q = vmi_euler_normal_size(q);
+    p.re = vmi_two(q.w, 0);
+    p.im = vmi_two(q.z, 0);
+    r.re = vmi_two(q.x, 0);
+    r.im = vmi_two(q.y, 0);
+    vmi_euler_first_and_third(p, r, vmi_sum_of_products(q.w, q.y, q.x, q.z),
+                              vmi_sum_of_products(q.x, q.z, -q.w, q.y), angles);
+    angles[1] = 2 * vmi_atan2(vmi_hypot(q.x, q.y), vmi_hypot(q.w, q.z));
+    return VM_OK;
+}
+
+/* Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order.
+   Yaw and roll are between -pi and pi, pitch between -pi/2 and pi/2. If pitch is exactly pi/2 or -pi/2 (gimbal lock),
+   roll is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to gimbal lock. The
+   three angles together give the rotation of q to 8 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+VM_API int vm_euler_321_angles(vm_quat q, vm_real angles[3])
+{
+    vmi_euler_part p, r;
+    vm_real sine, cosine; /* of the pitch, times |q|^2 */
+    if (!angles) return VM_BAD_ARGUMENT;
+    if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
+    q = vmi_euler_normal_size(q);
+    p.re = vmi_two_sum(q.w, -q.y);
+    p.im = vmi_two_sum(q.x, q.z);
+    r.re = vmi_two_sum(q.w, q.y);
+    r.im = vmi_two_sum(q.z, -q.x);
+    vmi_euler_first_and_third(p, r, 2 * vmi_sum_of_products(q.w, q.z, q.x, q.y),
+                              2 * vmi_sum_of_products(q.w, q.x, q.y, q.z), angles);
+    sine = 2 * vmi_sum_of_products(q.w, q.y, -q.x, q.z);
+    cosine = vmi_hypot(p.re.hi, p.im.hi) * vmi_hypot(r.re.hi, r.im.hi);
+    angles[1] = vmi_atan2(sine, cosine);
+    return VM_OK;
+}
+
+/* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i if q'_0, q'_1, q'_2 are the
+   rates psi', theta', phi'. A call with a null pointer does nothing. */
+VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
+{
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
+    if (!axis) return;
+    vmi_sincos(psi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
+    axis[0] = vmi_vec3(0, 0, 1);
+    axis[1] = vmi_vec3(c, s, 0);
+    axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
+}
+
+/* Unit vectors of the axes about which Euler's angles turn the body, along body axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
+VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
+{
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of phi; sine, cosine: those of theta */
+    if (!axis) return;
+    vmi_sincos(phi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
+    axis[0] = vmi_vec3(sine * s, sine * c, cosine);
+    axis[1] = vmi_vec3(c, -s, 0);
+    axis[2] = vmi_vec3(0, 0, 1);
+}
+
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_OK,
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, or VM_SINGULAR if sin(theta) is 0: psi and phi then turn the body
+   about the same axis, so that their rates are not unique. */
+VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
+{
+    vm_real s, c, sine, cosine, result[3]; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
+    if (!rates) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
+    vmi_sincos(psi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
+    if (sine == 0) return VM_SINGULAR;
+    result[2] = (s * omega.x - c * omega.y) / sine;
+    result[1] = c * omega.x + s * omega.y;
+    result[0] = omega.z - result[2] * cosine;
+    return vmi_copy_if_finite(3, result, rates);
+}
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
@@ -1344,12 +1743,12 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
     vm_inertia t;
-    t.xx = vmi_dot(m->x, x);
-    t.yy = vmi_dot(m->y, y);
-    t.zz = vmi_dot(m->z, z);
-    t.xy = vmi_dot(m->x, y);
-    t.xz = vmi_dot(m->x, z);
-    t.yz = vmi_dot(m->y, z);
+    t.xx = vm_dot(m->x, x);
+    t.yy = vm_dot(m->y, y);
+    t.zz = vm_dot(m->z, z);
+    t.xy = vm_dot(m->x, y);
+    t.xz = vm_dot(m->x, z);
+    t.yz = vm_dot(m->y, z);
     return t;
 }
 
@@ -1496,7 +1895,7 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     vm_inertia i = {0, 0, 0, 0, 0, 0};
     int k;
     for (k = 0; k < 3; k++) {
-        const vm_vec3 e = p->axis[k], m = vmi_scale(p->moment[k], e);
+        const vm_vec3 e = p->axis[k], m = vm_scale(p->moment[k], e);
         i.xx += m.x * e.x;
         i.yy += m.y * e.y;
         i.zz += m.z * e.z;
@@ -1523,7 +1922,7 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
-    return !(moment > VMI_LOST_SHARE * vmi_dot(e, vmi_inertia_times(sizes, e)));
+    return !(moment > VMI_LOST_SHARE * vm_dot(e, vmi_inertia_times(sizes, e)));
 }
 
 /* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
@@ -1552,7 +1951,7 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     vm_vec3 omega = vmi_vec3(0, 0, 0);
     int k;
     for (k = 0; k < 3; k++)
-        if (p->moment[k] > 0) omega = vmi_add(omega, vmi_scale(vmi_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
+        if (p->moment[k] > 0) omega = vm_add(omega, vm_scale(vm_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
     return omega;
 }
 
@@ -1566,10 +1965,10 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
     int k, left = 0;
     for (k = 0; k < 3; k++) {
         if (p->moment[k] > 0) continue;
-        w = vmi_add(w, vmi_scale(vmi_dot(p->axis[k], before), p->axis[k]));
-        left = left || VM_FABS(vmi_dot(p->axis[k], h)) > noise;
+        w = vm_add(w, vm_scale(vm_dot(p->axis[k], before), p->axis[k]));
+        left = left || VM_FABS(vm_dot(p->axis[k], h)) > noise;
     }
-    for (k = 0; k < 2; k++) w = vmi_add(w, vmi_spin_of(p, vmi_sub(h, vmi_inertia_times(i, w))));
+    for (k = 0; k < 2; k++) w = vm_add(w, vmi_spin_of(p, vm_sub(h, vmi_inertia_times(i, w))));
     *omega = w;
     return left;
 }
@@ -1709,7 +2108,7 @@ VM_API vm_vec3 vmi_spin_momentum(const vm_body *body)
 VM_API vm_vec3 vm_momentum(const vm_body *body)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
-    return vmi_scale(body->mass, body->v);
+    return vm_scale(body->mass, body->v);
 }
 
 /* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
@@ -1718,7 +2117,7 @@ VM_API vm_vec3 vm_momentum(const vm_body *body)
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
-    return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
+    return vm_add(vmi_spin_momentum(body), vm_cross(vm_sub(body->r, about), vm_momentum(body)));
 }
 
 /* Kinetic energy of a body (93), (97), J. It is (M v.v + omega.(I omega))/2, with the mass M and the inertia I. The
@@ -1726,7 +2125,7 @@ VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
     if (!body) return VM_NAN;
-    return (body->mass * vmi_dot(body->v, body->v) + vmi_dot(body->omega, vmi_spin_momentum(body))) / 2;
+    return (body->mass * vm_dot(body->v, body->v) + vm_dot(body->omega, vmi_spin_momentum(body))) / 2;
 }
 
 /* ---- conversion of bodies between the plane and space ---- */
@@ -1845,30 +2244,30 @@ VM_API int vmi_check_bodies(const vmi_bodies *list)
 /* The moment of an impulse about the point `about`, N m s */
 VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
 {
-    return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
+    return vm_add(j->couple, vm_cross(vm_sub(j->at, about), j->linear));
 }
 
 /* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
-    const vm_real size = vmi_norm2(momentum);
-    sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
-    sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
+    const vm_real size = vm_norm(momentum);
+    sum->momentum = vm_add(sum->momentum, vm_scale(sign, momentum));
+    sum->angular_momentum = vm_add(sum->angular_momentum, vm_scale(sign, vm_angular_momentum(body, about)));
     sum->momentum_scale += size;
-    sum->angular_momentum_scale += vmi_inertia_trace(&body->inertia) * vmi_norm2(body->omega) +
-                                   (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
+    sum->angular_momentum_scale += vmi_inertia_trace(&body->inertia) * vm_norm(body->omega) +
+                                   (vm_norm(body->r) + vm_norm(vm_sub(body->r, about))) * size;
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
 /* Subtracts an impulse and its moment from a balance. Their absolute values are added to the two scales. */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
-    sum->momentum = vmi_sub(sum->momentum, j->linear);
-    sum->angular_momentum = vmi_sub(sum->angular_momentum, vmi_impulse_moment(j, about));
-    sum->momentum_scale += vmi_norm2(j->linear);
+    sum->momentum = vm_sub(sum->momentum, j->linear);
+    sum->angular_momentum = vm_sub(sum->angular_momentum, vmi_impulse_moment(j, about));
+    sum->momentum_scale += vm_norm(j->linear);
     sum->angular_momentum_scale +=
-        vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vmi_sub(j->at, about))) * vmi_norm1(j->linear);
+        vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vm_sub(j->at, about))) * vmi_norm1(j->linear);
 }
 
 VM_API int vmi_balance_is_finite(const vm_balance *b)
@@ -1990,7 +2389,7 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
 {
     const vmi_mat3 own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
-    const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
+    const vm_vec3 spin = vm_sub(body->omega, frame->omega);
     vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
     if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes `turn` stays the identity */
@@ -1999,8 +2398,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
         turn.z = vmi_times_transposed(&own, frame->turn.z);
     }
     lump.mass = body->mass;
-    lump.r = vmi_sub(body->r, frame->r);
-    lump.v = vmi_sub(body->v, frame->v);
+    lump.r = vm_sub(body->r, frame->r);
+    lump.v = vm_sub(body->v, frame->v);
     lump.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
     lump.inertia = vmi_inertia_along(&body->inertia, &turn);
     lump.sizes = vmi_inertia_sizes(&body->inertia, &turn);
@@ -2019,7 +2418,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* (|d| + reach)^2; the next line subtracts reach^2 again */
+    *sizes = vmi_inertia_of_point(vm_add(size, reach)); /* (|d| + reach)^2; the next line subtracts reach^2 again */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -2032,7 +2431,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
-    const vm_real distance = vmi_norm1(vmi_sub(b->r, a->r));
+    const vm_real distance = vmi_norm1(vm_sub(b->r, a->r));
     const vm_real speeds = vmi_norm1(a->v) + vmi_norm1(b->v) + 2 * vmi_norm1(frame->v);
     const vm_real moved = sign < 0 ? b->mass : reduced;
     return b->noise + VM_FABS(reduced) * distance * speeds +
@@ -2044,22 +2443,22 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
 {
     const vm_real mass = a->mass + sign * b->mass;
     const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of mass; reduced mass */
-    const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
-    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
+    const vm_vec3 d = vm_sub(b->r, a->r), v = vm_sub(b->v, a->v);
+    const vm_vec3 slip = vm_sub(v, vm_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
-    const vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
+    const vm_vec3 reach = vm_add(vm_add(vmi_abs(a->r), vmi_abs(b->r)), vm_add(origin, origin));
     vm_inertia sizes, moved = vmi_moved_inertia(frame, d, reach, &sizes);
     if (!(mass > 0)) return VM_BAD_MASS;
     a->noise += vmi_join_noise(frame, a, sign, b, reduced, reach, slip);
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
-    a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
+    a->h = vm_add(a->h, vm_add(vm_scale(sign, b->h), vm_scale(reduced, vm_cross(d, slip))));
     if (b->mass > a->mass) { /* start from r and v of the heavier body, so that no digits are lost */
-        a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
-        a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
+        a->r = vm_sub(b->r, vm_scale(a->mass / mass, d));
+        a->v = vm_sub(b->v, vm_scale(a->mass / mass, v));
     } else {
-        a->r = vmi_add(a->r, vmi_scale(share, d));
-        a->v = vmi_add(a->v, vmi_scale(share, v));
+        a->r = vm_add(a->r, vm_scale(share, d));
+        a->v = vm_add(a->v, vm_scale(share, v));
     }
     a->mass = mass;
     return VM_OK;
@@ -2068,9 +2467,9 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
 /* Adds the effect of an impulse to the velocity and the angular momentum of the lump a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
-    const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
-    a->v = vmi_add(a->v, vmi_over(j, a->mass));
-    a->h = vmi_add(a->h, vmi_add(external->couple, vmi_cross(at, j)));
+    const vm_vec3 at = vm_sub(vm_sub(external->at, frame->r), a->r), j = external->linear;
+    a->v = vm_add(a->v, vmi_over(j, a->mass));
+    a->h = vm_add(a->h, vm_add(external->couple, vm_cross(at, j)));
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
@@ -2172,10 +2571,10 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     b.mass = lump.mass;
     b.inertia = lump.inertia;
     b.q = body->q;
-    b.r = vmi_add(frame.r, lump.r);
-    b.v = vmi_add(frame.v, lump.v);
-    if (vmi_lump_spin(&frame, &lump, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
-    b.omega = vmi_add(frame.omega, b.omega);
+    b.r = vm_add(frame.r, lump.r);
+    b.v = vm_add(frame.v, lump.v);
+    if (vmi_lump_spin(&frame, &lump, &p, vm_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
+    b.omega = vm_add(frame.omega, b.omega);
     if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *result = b;
     return status;
@@ -2442,22 +2841,22 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 /* Velocity of the frame that moves and turns with a body, at the point r. It is called dragging velocity in (25). */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
-    return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
+    return vm_add(body->v, vm_cross(body->omega, vm_sub(r, body->r)));
 }
 
 /* The motion of b relative to the frame that moves and turns with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
-    b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
-    b.omega = vmi_sub(b.omega, to->omega);
+    b.v = vm_sub(vm_sub(b.v, to->v), vm_cross(to->omega, vm_sub(b.r, to->r)));
+    b.omega = vm_sub(b.omega, to->omega);
     return b;
 }
 
 /* The absolute motion of b, if the motion of b is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
-    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
-    b.omega = vmi_add(to->omega, b.omega);
+    b.v = vm_add(vmi_velocity_at(to, b.r), b.v);
+    b.omega = vm_add(to->omega, b.omega);
     return b;
 }
 
@@ -2607,9 +3006,9 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                  vm_vec3 rest_v)
 {
-    vm_vec3 momentum = vmi_scale(part->mass - whole->mass, vmi_sub(rest_v, whole->v));
-    if (external_or_NULL) momentum = vmi_add(momentum, external_or_NULL->linear);
-    return vmi_add(whole->v, vmi_over(momentum, part->mass));
+    vm_vec3 momentum = vm_scale(part->mass - whole->mass, vm_sub(rest_v, whole->v));
+    if (external_or_NULL) momentum = vm_add(momentum, external_or_NULL->linear);
+    return vm_add(whole->v, vmi_over(momentum, part->mass));
 }
 
 /* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with rest_omega.
@@ -2618,8 +3017,8 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
    angular velocity Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
-    const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
-    return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
+    const vm_vec3 turning = vmi_times_transposed(&frame->turn, vm_sub(rest_omega, frame->omega));
+    return vm_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
 /* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
@@ -2654,8 +3053,8 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
     lump.noise = rest->noise + vmi_inertia_trace(&rest->inertia) * (vmi_norm1(rest_omega) + vmi_norm1(frame->omega));
     status = vmi_lump_clamp_moments(&lump, &p);
     if (status) return status;
-    if (vmi_lump_spin(&own, &lump, &p, vmi_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
-    part->omega = vmi_add(own.omega, spin);
+    if (vmi_lump_spin(&own, &lump, &p, vm_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
+    part->omega = vm_add(own.omega, spin);
     return status;
 }
 
@@ -2845,7 +3244,7 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     const vm_body *b = body_or_NULL;
     const vm_impulse *j = external_or_NULL;
     if (!b || !j) return 0;
-    return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
+    return vm_dot(b->v, j->linear) + vm_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
 /* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
@@ -3775,8 +4174,8 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
     if (!Q) return;
     for (k = 0; k < n; k++) {
         vm_real sum = 0;
-        if (dr_or_NULL) sum = vmi_dot(force, dr_or_NULL[k]);
-        if (domega_or_NULL) sum += vmi_dot(moment, domega_or_NULL[k]);
+        if (dr_or_NULL) sum = vm_dot(force, dr_or_NULL[k]);
+        if (domega_or_NULL) sum += vm_dot(moment, domega_or_NULL[k]);
         Q[k] += sum;
     }
 }
@@ -3823,8 +4222,8 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
         }
         for (i = 0; i < n; i++) {
             vm_real sum = 0;
-            if (dr_or_NULL) sum = body->mass * vmi_dot(dr_or_NULL[i], dr_or_NULL[j]);
-            if (turn_or_NULL) sum += vmi_dot(turn_or_NULL[i], spin);
+            if (dr_or_NULL) sum = body->mass * vm_dot(dr_or_NULL[i], dr_or_NULL[j]);
+            if (turn_or_NULL) sum += vm_dot(turn_or_NULL[i], spin);
             matrix[i * n + j] += sum;
         }
     }
@@ -3848,7 +4247,7 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
     if (!impulse || !p) return;
-    const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
+    const vm_vec3 moment = vm_add(impulse->couple, vm_cross(vm_sub(impulse->at, r), impulse->linear));
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
@@ -4328,7 +4727,7 @@ VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
     axes.d13 = vmi_two_shifted(vmi_two_minus(axes.I1, axes.I3), axes.sigma);
     axes.matrix.x = vmi_vec3_two_high_words(&b->axis[first]);
     axes.matrix.y = vmi_vec3_two_high_words(&b->axis[middle]);
-    axes.matrix.z = vmi_scale(hand, vmi_vec3_two_high_words(&b->axis[last]));
+    axes.matrix.z = vm_scale(hand, vmi_vec3_two_high_words(&b->axis[last]));
     return axes;
 }
 
@@ -4604,7 +5003,7 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     if (size.hi == 0) return;
     for (k = 0; k < 3; k++) {
         const vm_real cosine = vmi_two_over(b->omega.x[k], size).hi;
-        motion->axes.z = vmi_add(motion->axes.z, vmi_scale(cosine, vmi_vec3_two_high_words(&b->axis[k])));
+        motion->axes.z = vm_add(motion->axes.z, vm_scale(cosine, vmi_vec3_two_high_words(&b->axis[k])));
     }
     motion->spin[2] = size.hi;
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
@@ -4705,8 +5104,8 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     vmi_torque_free_prepare(motion, b);
     if (vmi_quat_is_none(q)) q.w = 1;
     vmi_torque_free_at(motion, vmi_two(0, 0), &omega, &turn);
-    turn = vmi_quat(turn.w, vmi_scale(-1, vmi_quat_vector(turn)));
-    motion->start = vmi_quat_times(q, turn);
+    turn = vmi_quat(turn.w, vm_scale(-1, vmi_quat_vector(turn)));
+    motion->start = vm_quat_times(q, turn);
     for (k = 0; k < 3; k++) motion->spin[k] *= power;
     motion->phase_rate = vmi_two_shifted(motion->phase_rate, power);
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
@@ -4790,7 +5189,7 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     reach = VM_FABS(motion->phase_rate.hi) + VM_FABS(motion->turn_rate.hi);
     if (!((1 + reach) * (1 + VM_FABS(elapsed.hi)) < largest_factor)) return VM_NOT_FINITE;
     vmi_torque_free_at(motion, elapsed, &w, &turn);
-    turn = vmi_quat_times(motion->start, turn);
+    turn = vm_quat_times(motion->start, turn);
     if (!vmi_vec3_is_finite(w) || !vmi_quat_is_finite(turn)) return VM_NOT_FINITE;
     *q = turn;
     *omega = w;
@@ -4812,7 +5211,7 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     if (status) return status;
     turn = vmi_rotation(b.q);
     b.omega = vmi_times(&turn, b.omega);
-    b.r = vmi_add(b.r, vmi_scale(t - motion->t0, b.v));
+    b.r = vm_add(b.r, vm_scale(t - motion->t0, b.v));
     if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *body = b;
     return VM_OK;
@@ -4947,8 +5346,8 @@ VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, 
     *p = *h = vmi_vec3(0, 0, 0);
     for (k = 0; k < n; k++) {
         if (!s[k].from) continue;
-        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
-        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
+        *p = vm_add(*p, vm_scale(s[k].rate, vm_sub(s[k].from->at, s[k].at)));
+        *h = vm_add(*h, vm_scale(s[k].rate, vm_cross(vm_sub(s[k].at, centre), vm_sub(s[k].from->at, centre))));
     }
 }
 
@@ -4990,18 +5389,18 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     if (vmi_stream_moves_with_body(s->motion)) {
         *spin = b->omega;
         if (given) {
-            carried = vmi_add(carried, s->velocity);
-            *spin = vmi_add(b->omega, s->spin);
+            carried = vm_add(carried, s->velocity);
+            *spin = vm_add(b->omega, s->spin);
         }
-        *push = vmi_scale(s->rate, carried);
+        *push = vm_scale(s->rate, carried);
         sum->carried += s->rate;
-        sum->pushed = vmi_add(sum->pushed, *push);
+        sum->pushed = vm_add(sum->pushed, *push);
     } else if (given) {
-        *push = vmi_scale(s->rate, vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v)));
+        *push = vm_scale(s->rate, vmi_times_transposed(b->turn, vm_sub(s->velocity, b->v)));
         *spin = vmi_times_transposed(b->turn, s->spin);
-        sum->absolute = vmi_add(sum->absolute, vmi_scale(s->rate, s->velocity));
+        sum->absolute = vm_add(sum->absolute, vm_scale(s->rate, s->velocity));
     } else {
-        *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v));
+        *push = vmi_times_transposed(b->turn, vm_scale(-s->rate, b->v));
         *spin = vmi_vec3(0, 0, 0);
     }
 }
@@ -5011,13 +5410,13 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
-    const vm_vec3 relative = vmi_sub(spin, b->omega);
+    const vm_vec3 relative = vm_sub(spin, b->omega);
     vm_vec3 u = push, absolute, w;
-    if (s->rate != 0) u = vmi_scale(1 / s->rate, push);
-    absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v));
-    w = vmi_sub(u, carried);
-    sum->brought += s->rate * vmi_dot(absolute, absolute) + vmi_dot(spin, vmi_inertia_times(own, spin));
-    sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
+    if (s->rate != 0) u = vm_scale(1 / s->rate, push);
+    absolute = vm_add(u, vmi_times_transposed(b->turn, b->v));
+    w = vm_sub(u, carried);
+    sum->brought += s->rate * vm_dot(absolute, absolute) + vm_dot(spin, vmi_inertia_times(own, spin));
+    sum->lost += s->rate * vm_dot(w, w) + vm_dot(relative, vmi_inertia_times(own, relative));
 }
 
 /* Computes the sums over n streams. Returns 0 if the `motion` of a stream is unknown, else 1. */
@@ -5028,21 +5427,21 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
     int k;
     *sum = none;
     for (k = 0; k < n; k++, s++) {
-        const vm_vec3 d = vmi_sub(s->at, b->centre), carried = vmi_add(b->slip, vmi_cross(b->omega, d));
+        const vm_vec3 d = vm_sub(s->at, b->centre), carried = vm_add(b->slip, vm_cross(b->omega, d));
         vm_inertia own = vmi_stream_own(s->rate, &s->gyration);
         vm_vec3 push, spin, stored = d;
         if (!vmi_stream_motion_is_known(s->motion)) return 0;
         vmi_stream_motion(s, b, carried, sum, &push, &spin);
         if (b->energy) vmi_stream_energy(s, b, &own, push, spin, carried, sum);
         sum->rate += s->rate;
-        sum->moment = vmi_add(sum->moment, vmi_cross(d, push));
-        sum->own = vmi_add(sum->own, vmi_inertia_times(&own, spin));
-        sum->crossing = vmi_add(sum->crossing, vmi_scale(s->rate, d));
+        sum->moment = vm_add(sum->moment, vm_cross(d, push));
+        sum->own = vm_add(sum->own, vmi_inertia_times(&own, spin));
+        sum->crossing = vm_add(sum->crossing, vm_scale(s->rate, d));
         if (s->from) {
-            stored = vmi_sub(s->from->at, b->centre);
+            stored = vm_sub(s->from->at, b->centre);
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
-        sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
+        sum->stored = vm_add(sum->stored, vm_scale(s->rate, stored));
         /* add the term M' (kappa + P(d)) as a whole, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
@@ -5117,11 +5516,11 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     seen.energy = 0;
     seen.omega = vmi_times_transposed(&turn, body->omega);
     vmi_stream_sums(n, streams, &seen, &sum);
-    r.force = vmi_add(vmi_times(&turn, sum.pushed),
-                      vmi_sub(sum.absolute, vmi_scale(sum.rate - sum.carried, body->v)));
+    r.force = vm_add(vmi_times(&turn, sum.pushed),
+                      vm_sub(sum.absolute, vm_scale(sum.rate - sum.carried, body->v)));
     r.moment = vmi_times(&turn, sum.moment);
-    r.torque = vmi_times(&turn, vmi_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
-    r.drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
+    r.torque = vmi_times(&turn, vm_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
+    r.drift = vm_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
     r.mass_rate = sum.rate;
     r.inertia_rate = sum.inertia;
     if (!vmi_reactive_finite(&r)) return VM_NOT_FINITE;
@@ -5134,7 +5533,7 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
-    return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
+    return vmi_inertia_solve(factors, vm_sub(moment, vm_cross(omega, vmi_inertia_times(i, omega))));
 }
 
 /* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
@@ -5157,8 +5556,8 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
-    sum = vmi_add(moment, vmi_add(loads->moment, loads->torque));
-    linear = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
+    sum = vm_add(moment, vm_add(loads->moment, loads->torque));
+    linear = vm_scale(1 / body->mass, vm_add(force, loads->force));
     angular = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
                                vmi_times_transposed(&turn, sum));
     angular = vmi_times(&turn, angular);
@@ -5166,32 +5565,6 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     *acceleration = linear;
     *angular_acceleration = angular;
     return VM_OK;
-}
-
-#endif
-/* mechanics/attitude.h - how the attitude of a rotating body changes
-
-       vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
-       vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
-       vm_real rates[4];          // w', x', y', z' of q, the derivatives with respect to time
-       vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
-
-   Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
-#ifndef VARMASS_MECHANICS_ATTITUDE_H
-#define VARMASS_MECHANICS_ATTITUDE_H
-
-/* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
-   velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
-   length 1, but errors of an integration change its length. The second term lets the length return to 1. It acts more
-   slowly than the body rotates, so that it does not make the equations of a slow rotation stiff. */
-VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
-{
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
 #endif
@@ -5366,9 +5739,9 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     vmi_stream_on_the_way(flow->n, flow->streams, b->centre, &p_on_the_way, &h_on_the_way);
     seen->turn = turn;
     seen->centre = b->centre;
-    seen->v = vmi_scale(inverse, p);
-    seen->slip = vmi_scale(-inverse, p_on_the_way);
-    seen->omega = vmi_inertia_solve(&factors, vmi_sub(h, h_on_the_way));
+    seen->v = vm_scale(inverse, p);
+    seen->slip = vm_scale(-inverse, p_on_the_way);
+    seen->omega = vmi_inertia_solve(&factors, vm_sub(h, h_on_the_way));
     return VM_OK;
 }
 
@@ -5379,9 +5752,9 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
 {
     const vm_vec3 omega = vmi_times(seen->turn, seen->omega), r = vmi_get3(y + VM_Y_R);
     const vm_vec3 drift = vmi_times(seen->turn, sum->crossing);
-    vmi_set3(dydt, vmi_scale(-1, force));
-    vmi_set3(dydt + 3, vmi_scale(-1, vmi_add(moment, vmi_add(vmi_cross(r, force), vmi_cross(drift, seen->v)))));
-    dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
+    vmi_set3(dydt, vm_scale(-1, force));
+    vmi_set3(dydt + 3, vm_scale(-1, vm_add(moment, vm_add(vm_cross(r, force), vm_cross(drift, seen->v)))));
+    dydt[6] = (sum->lost - sum->brought) / 2 - vm_dot(flow->force, seen->v) - vm_dot(flow->moment, omega);
 }
 
 /* Evaluates a right-hand side. The number n of its states tells which one: vm_flow_given_rhs, vm_flow_rhs or
@@ -5405,16 +5778,16 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(n, dydt);
     seen.energy = n == VM_FLOW_BALANCED_STATES;
     if (!vmi_stream_sums(flow->n, flow->streams, &seen, &sum)) return flow->status = VM_BAD_ARGUMENT;
-    force = vmi_add(vmi_times(&turn, sum.pushed), vmi_scale(sum.carried, seen.v));
-    force = vmi_add(flow->force, vmi_add(sum.absolute, force));
-    moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
-    vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
+    force = vm_add(vmi_times(&turn, sum.pushed), vm_scale(sum.carried, seen.v));
+    force = vm_add(flow->force, vm_add(sum.absolute, force));
+    moment = vm_add(flow->moment, vmi_times(&turn, vm_add(sum.moment, sum.own)));
+    vmi_set3(dydt + VM_Y_R, vm_add(seen.v, vmi_times(&turn, vm_scale(1 / body.mass, sum.crossing))));
     vmi_attitude_rates(q, vmi_quat_square(q), seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
     dydt[VM_Y_MASS] = sum.rate;
-    vmi_set3(dydt + VM_Y_CENTRE, vmi_scale(1 / body.mass, sum.stored));
+    vmi_set3(dydt + VM_Y_CENTRE, vm_scale(1 / body.mass, sum.stored));
     vmi_set_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
     if (seen.energy) vmi_flow_balance(flow, y, &seen, &sum, force, moment, dydt + VM_Y_BALANCE);
     return 0;
@@ -5483,10 +5856,10 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = vmi_first_error(status, VM_BAD_INERTIA);
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
-    vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
+    vmi_set3(dydt + VM_Y_R, vm_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
     vmi_attitude_rates(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
-             vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
+             vm_add(vm_scale(1 / flow->mass, flow->force), vmi_times(&turn, vm_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
              vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
     return 0;
@@ -5530,7 +5903,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
     status = vmi_flow_check_start(flow, body);
     if (status) return status;
-    q = vmi_unit_quat(body->q);
+    q = vm_unit_quat(body->q);
     turn = vmi_rotation(q);
     vmi_stream_on_the_way(flow->n, flow->streams, flow->centre, &p, &h);
     start[VM_Y_Q] = q.w;
@@ -5539,7 +5912,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     start[VM_Y_Q + 3] = q.z;
     vmi_set3(start + VM_Y_R, body->r);
     vmi_set3(start + VM_Y_P, vm_momentum(body));
-    vmi_set3(start + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
+    vmi_set3(start + VM_Y_H, vm_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
     start[VM_Y_MASS] = body->mass;
     vmi_set3(start + VM_Y_CENTRE, flow->centre);
     vmi_set_inertia(start + VM_Y_INERTIA, &body->inertia);
@@ -5573,7 +5946,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     if (status) return status;
     b.mass = now.mass;
     b.inertia = now.inertia;
-    b.q = vmi_unit_quat(vmi_get_quat(y + VM_Y_Q));
+    b.q = vm_unit_quat(vmi_get_quat(y + VM_Y_Q));
     b.r = vmi_get3(y + VM_Y_R);
     b.v = seen.v;
     b.omega = vmi_times(&turn, seen.omega);
@@ -5877,7 +6250,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
     if (vmi_stream_moves_with_body(motion)) u = v;
-    if (vmi_stream_velocity_is_given(motion)) u = vmi_add(u, given);
+    if (vmi_stream_velocity_is_given(motion)) u = vm_add(u, given);
     return u;
 }
 
@@ -5885,7 +6258,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
-    const vm_vec3 v = vmi_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
+    const vm_vec3 v = vm_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
     vm_real rate = 0;
     vm_vec3 force = flow->force;
     int k, status = VM_OK;
@@ -5897,7 +6270,7 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
         const vm_stream *s = flow->streams + k;
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         rate += s->rate;
-        force = vmi_add(force, vmi_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
+        force = vm_add(force, vm_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
     }
     vmi_set3(dydt + VM_TRANSLATION_R, v);
     vmi_set3(dydt + VM_TRANSLATION_P, force);
@@ -6216,11 +6589,11 @@ VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *lef
     const vm_real m = left->mass, level = s->length * (m / s->full), disc = s->radius * s->radius / 4;
     const vm_real slope = s->length / s->full / 2;
     left->size = level;
-    left->centre = vmi_add(s->at, vmi_scale(level / 2, e));
-    left->centre_by_mass = vmi_scale(slope, e);
+    left->centre = vm_add(s->at, vm_scale(level / 2, e));
+    left->centre_by_mass = vm_scale(slope, e);
     left->inertia = vmi_inertia_of_revolution(e, m * (2 * disc), m * (disc + level * level / 12));
     left->inertia_by_mass = vmi_inertia_of_revolution(e, 2 * disc, disc + level * level / 4);
-    left->store.at = vmi_add(s->at, vmi_scale(level, e));
+    left->store.at = vm_add(s->at, vm_scale(level, e));
     left->store.gyration = vmi_inertia_of_revolution(e, 2 * disc, disc);
 }
 
@@ -6237,7 +6610,7 @@ VM_API void vmi_supply_hollow(const vm_supply *s, vm_vec3 e, vm_supply_left *lef
         axial = bore;
         transverse = bore / 2;
     }
-    left->centre = left->store.at = vmi_add(s->at, vmi_scale(s->length / 2, e));
+    left->centre = left->store.at = vm_add(s->at, vm_scale(s->length / 2, e));
     left->centre_by_mass = vmi_vec3(0, 0, 0);
     left->inertia = vmi_inertia_of_revolution(e, m * ((square + bore) / 2), m * ((square + bore) / 4 + rod));
     left->inertia_by_mass = left->store.gyration = vmi_inertia_of_revolution(e, axial, transverse + rod);
@@ -6265,7 +6638,7 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
     status = vmi_supply_check(supply, mass);
     if (status) return status;
     e = vmi_over(supply->axis, vmi_norm_max(supply->axis));
-    e = vmi_over(e, VM_SQRT(vmi_dot(e, e)));
+    e = vmi_over(e, VM_SQRT(vm_dot(e, e)));
     result.mass = mass;
     if (supply->kind == VM_TANK_OF_LIQUID) vmi_supply_liquid(supply, e, &result);
     else vmi_supply_hollow(supply, e, &result);
@@ -6424,27 +6797,27 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
     if (!r || !v) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(mu)) return VM_NOT_FINITE;
     if (!vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
-    distance0 = vmi_norm2(r0);
+    distance0 = vm_norm(r0);
     if (!(mu > 0 && distance0 > 0)) return VM_DOMAIN;
     speed = VM_SQRT(mu / distance0);
     unit = distance0 / speed;
     start = vmi_over(r0, distance0);
     rate = vmi_over(v0, speed);
-    o.sigma = vmi_dot(start, rate);
-    o.beta = 2 - vmi_dot(rate, rate);
+    o.sigma = vm_dot(start, rate);
+    o.beta = 2 - vm_dot(rate, rate);
     time = vmi_kepler_reduce(o.beta, t / unit);
     if (!VM_IS_FINITE(time) || !VM_IS_FINITE(o.beta)) return VM_NOT_FINITE;
     if (time < 0) {
         sign = -1;
         time = -time;
         o.sigma = -o.sigma;
-        rate = vmi_scale(-1, rate);
+        rate = vm_scale(-1, rate);
     }
     p = vmi_kepler_solve(&o, time);
-    position = vmi_add(vmi_scale(1 - p.g.g2, start), vmi_scale(time - p.g.g3, rate));
-    velocity = vmi_sub(vmi_scale(1 - p.g.g2 / p.distance, rate), vmi_scale(p.g.g1 / p.distance, start));
-    position = vmi_scale(distance0, position);
-    velocity = vmi_scale(sign * speed, velocity);
+    position = vm_add(vm_scale(1 - p.g.g2, start), vm_scale(time - p.g.g3, rate));
+    velocity = vm_sub(vm_scale(1 - p.g.g2 / p.distance, rate), vm_scale(p.g.g1 / p.distance, start));
+    position = vm_scale(distance0, position);
+    velocity = vm_scale(sign * speed, velocity);
     if (!vmi_vec3_is_finite(position) || !vmi_vec3_is_finite(velocity)) return VM_NOT_FINITE;
     *r = position;
     *v = velocity;
@@ -6467,10 +6840,10 @@ VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0,
     f = 1 + rate * t;
     if (!VM_IS_FINITE(f)) return VM_NOT_FINITE;
     if (!(f > 0)) return VM_BAD_MASS;
-    status = vm_orbit(t / f, mu, r0, vmi_sub(v0, vmi_scale(rate, r0)), &position, &velocity);
+    status = vm_orbit(t / f, mu, r0, vm_sub(v0, vm_scale(rate, r0)), &position, &velocity);
     if (status) return status;
-    velocity = vmi_add(vmi_over(velocity, f), vmi_scale(rate, position));
-    position = vmi_scale(f, position);
+    velocity = vm_add(vmi_over(velocity, f), vm_scale(rate, position));
+    position = vm_scale(f, position);
     if (!vmi_vec3_is_finite(position) || !vmi_vec3_is_finite(velocity)) return VM_NOT_FINITE;
     *r = position;
     *v = velocity;
@@ -7155,78 +7528,6 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
     if (!vmi_lagrange_is_valid(system) || !q || !rates || i < 0 || i >= system->n) return VM_NAN;
     vmi_lagrange_freeze(system, t, q);
     return vmi_lagrange_derivative(system, t, q, rates, i);
-}
-
-#endif
-/* mechanics/euler_angles.h - Euler's angles
-
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about the z axis, then
-   by theta about its own x axis (the line of nodes), then by phi about its own z axis. This chapter computes
-     - the quaternion of three angles,
-     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
-     - the time derivatives psi', theta', phi' of the angles from an angular velocity.
-
-       vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
-
-   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning: adjacent numbers differ by 1 rad or more.
-   Tests: tests/test_lagrange.c. */
-#ifndef VARMASS_MECHANICS_EULER_ANGLES_H
-#define VARMASS_MECHANICS_EULER_ANGLES_H
-
-/* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite
-   angles give NaN. */
-VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
-{
-    vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
-    vmi_sincos(psi / 2, &turn.z, &turn.w);
-    vmi_sincos(theta / 2, &tilt.x, &tilt.w);
-    vmi_sincos(phi / 2, &spin.z, &spin.w);
-    return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
-}
-
-/* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i if q'_0, q'_1, q'_2 are the
-   rates psi', theta', phi'. A call with a null pointer does nothing. */
-VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
-{
-    vm_real s, c, sine, cosine; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
-    if (!axis) return;
-    vmi_sincos(psi, &s, &c);
-    vmi_sincos(theta, &sine, &cosine);
-    axis[0] = vmi_vec3(0, 0, 1);
-    axis[1] = vmi_vec3(c, s, 0);
-    axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
-}
-
-/* Unit vectors of the axes about which Euler's angles turn the body, along body axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
-VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
-{
-    vm_real s, c, sine, cosine; /* s, c: sine and cosine of phi; sine, cosine: those of theta */
-    if (!axis) return;
-    vmi_sincos(phi, &s, &c);
-    vmi_sincos(theta, &sine, &cosine);
-    axis[0] = vmi_vec3(sine * s, sine * c, cosine);
-    axis[1] = vmi_vec3(c, -s, 0);
-    axis[2] = vmi_vec3(0, 0, 1);
-}
-
-/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_OK,
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, or VM_SINGULAR if sin(theta) is 0: psi and phi then turn the body
-   about the same axis, so that their rates are not unique. */
-VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
-{
-    vm_real s, c, sine, cosine, result[3]; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
-    if (!rates) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
-    vmi_sincos(psi, &s, &c);
-    vmi_sincos(theta, &sine, &cosine);
-    if (sine == 0) return VM_SINGULAR;
-    result[2] = (s * omega.x - c * omega.y) / sine;
-    result[1] = c * omega.x + s * omega.y;
-    result[0] = omega.z - result[2] * cosine;
-    return vmi_copy_if_finite(3, result, rates);
 }
 
 #endif
@@ -16824,6 +17125,7 @@ struct VM_TAG(vm_scene_body) {
     int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
     vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
+    vm_vec3 centre;         /* m, body axes: how far jumps have moved the mass centre (points.h) */
     vm_real law_offset;     /* kg: added to the mass law, which does not know of jumps and of being switched */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
@@ -16831,6 +17133,7 @@ struct VM_TAG(vm_scene_body) {
     int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
+    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or it adds to `centre` */
 };
 
 /* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
@@ -16851,7 +17154,8 @@ typedef struct VM_TAG(vm_mass_law_values) {
 enum {
     VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
-    VMI_ORDER_LINK = 2 /* links stand last, since the force of a link depends on all other forces on its ends */
+    VMI_ORDER_LINK = 2, /* links stand last, since the force of a link depends on all other forces on its ends */
+    VMI_ORDER_JOINTS = 3 /* joints stand last, as links; their own check looks at all their bodies */
 };
 
 /* What an effect needs of the mass of its body */
@@ -16889,6 +17193,9 @@ struct VM_TAG(vm_effect) {
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
+    int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect); /* NULL, or a check that needs the bodies */
+    int (*settle)(const vm_effect *effect, vm_real *y, vm_scene *scene); /* NULL, or gives impulses after a jump */
+    const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
 
 /* What a jump event does */
@@ -16934,6 +17241,7 @@ struct VM_TAG(vm_event) {
     long seen;       /* number of crossings found by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
+    const void *parts; /* what the caller keeps for the event: a vm_contact */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
@@ -17235,15 +17543,16 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
-   includes the dummy moments of b->invertible; therefore the equations can be solved for a rod, too. The spin of a
-   rod about its own axis stays constant, since no load turns the rod about this axis. */
-VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
+/* Solves Euler's equations I omega' = torque - omega x I omega. omega and the rates are in body axes, torque in
+   inertial axes. The matrix of the linear equations includes the dummy moments of b->invertible; therefore the
+   equations can be solved for a rod, too. The spin of a rod about its own axis stays constant, since no load turns the
+   rod about this axis. */
+VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
-    const vm_vec3 torque = vmi_times_transposed(axes, vmi_get3(b->load.force + 3));
+    const vm_vec3 own = vmi_times_transposed(axes, torque);
     vm_real a[9];
-    vmi_set3(rates, vmi_sub(torque, vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
+    vmi_set3(rates, vm_sub(own, vm_cross(omega, vmi_inertia_times(&b->inertia, omega))));
     a[0] = i->xx;
     a[4] = i->yy;
     a[8] = i->zz;
@@ -17261,7 +17570,7 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     const vmi_mat3 axes = vmi_rotation(q);
     vmi_point_body_accelerate(b, state, rates);
     vmi_attitude_rates(q, vmi_quat_square(q), omega, rates + VMI_FREE_Q);
-    return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
+    return vmi_free_euler(b, &axes, vmi_get3(b->load.force + 3), omega, rates + VMI_FREE_OMEGA);
 }
 
 /* The inertia with a dummy moment about each axis that has none, so that it can be inverted. No torque acts about such
@@ -17782,7 +18091,7 @@ VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other
 VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_scene_body *b = s->bodies + e->body;
-    const vm_vec3 torque = vmi_scale(-e->p[VMI_DAMPER_DAMPING], vmi_scene_spin(b, y));
+    const vm_vec3 torque = vm_scale(-e->p[VMI_DAMPER_DAMPING], vmi_scene_spin(b, y));
     (void)t;
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
@@ -18001,8 +18310,8 @@ enum { VMI_GRAVITATION_G = 0, VMI_CENTRAL_CENTRE = 0, VMI_CENTRAL_MU = 3 };
    scene gets the status VM_NOT_FINITE, and the integrator refuses the step. */
 VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
 {
-    const vm_real r = VM_SQRT(vmi_dot(d, d));
-    const vm_vec3 force = vmi_scale(a / r * (b / r), vmi_scale(1 / r, d));
+    const vm_real r = VM_SQRT(vm_dot(d, d));
+    const vm_vec3 force = vm_scale(a / r * (b / r), vm_scale(1 / r, d));
     if (!vmi_vec3_is_finite(force)) s->status = VM_NOT_FINITE;
     return force;
 }
@@ -18020,12 +18329,12 @@ VM_API vm_effect vmi_effect_gravitation(int body, int other,
 VM_API void vmi_apply_gravitation(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_scene_body *b = s->bodies + e->body, *other = s->bodies + e->other;
-    const vm_vec3 d = vmi_sub(vmi_scene_moving(other, y + other->at), vmi_scene_moving(b, y + b->at));
+    const vm_vec3 d = vm_sub(vmi_scene_moving(other, y + other->at), vmi_scene_moving(b, y + b->at));
     const vm_vec3 force = vmi_gravitation(e->p[VMI_GRAVITATION_G] * e->load->mass, e->other_load->mass, d, s);
     const vm_vec3 none = {0, 0, 0};
     (void)t;
     vmi_scene_add(b, e->load->force, force, none);
-    vmi_scene_add(other, e->other_load->force, vmi_scale(-1, force), none);
+    vmi_scene_add(other, e->other_load->force, vm_scale(-1, force), none);
 }
 
 VM_API int vmi_gravitation_check(const vm_effect *e)
@@ -18049,7 +18358,7 @@ VM_API vm_effect vm_effect_gravitation(int body, int other, vm_real G)
 VM_API void vmi_apply_central_gravity(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_scene_body *b = s->bodies + e->body;
-    const vm_vec3 d = vmi_sub(vmi_scene_moving(b, e->p + VMI_CENTRAL_CENTRE), vmi_scene_moving(b, y + b->at));
+    const vm_vec3 d = vm_sub(vmi_scene_moving(b, e->p + VMI_CENTRAL_CENTRE), vmi_scene_moving(b, y + b->at));
     const vm_vec3 none = {0, 0, 0};
     (void)t;
     vmi_scene_add(b, e->load->force, vmi_gravitation(e->load->mass, e->p[VMI_CENTRAL_MU], d, s), none);
@@ -18314,7 +18623,7 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     if (e->vary) e->vary(t, y, &stream, e->ctx);
     c->seen.turn = &b->axes;
     c->seen.slip = vmi_vec3(0, 0, 0);
-    if (stream.from) c->seen.slip = vmi_scale(stream.rate / e->load->mass, vmi_sub(stream.at, stream.from->at));
+    if (stream.from) c->seen.slip = vm_scale(stream.rate / e->load->mass, vm_sub(stream.at, stream.from->at));
     c->seen.energy = s->budget != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v);
     c->seen.omega = vmi_scene_turning(b, y + e->v);
@@ -18334,7 +18643,7 @@ VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossin
     if (!s->budget) return;
     vmi_scene_add(b, load->reactive, force, torque);
     vmi_scene_add(b, load->brought, force, torque);
-    load->mixing -= vmi_dot(force, c->seen.v) + vmi_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
+    load->mixing -= vm_dot(force, c->seen.v) + vm_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
 }
 
 VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -18344,17 +18653,17 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     vmi_crossing c;
     vm_vec3 shift, spin, turning;
     vmi_crossing_now(e, t, y, s, &c);
-    shift = vmi_scale(1 / load->mass, c.sum.crossing);
+    shift = vm_scale(1 / load->mass, c.sum.crossing);
     load->mass_rate += c.sum.rate;
-    load->drift = vmi_add(load->drift, vmi_times(c.seen.turn, shift));
-    load->centre_rate = vmi_add(load->centre_rate, vmi_scale(1 / load->mass, c.sum.stored));
+    load->drift = vm_add(load->drift, vmi_times(c.seen.turn, shift));
+    load->centre_rate = vm_add(load->centre_rate, vm_scale(1 / load->mass, c.sum.stored));
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
     if (!s->budget) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
-    turning = vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
-    vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v), turning);
+    turning = vm_add(vmi_times(c.seen.turn, spin), vm_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
+    vmi_scene_add(b, load->brought, vm_scale(c.sum.rate, c.seen.v), turning);
     load->brought_energy += c.sum.brought / 2;
-    load->mixing += (c.sum.brought - c.sum.rate * vmi_dot(c.seen.v, c.seen.v) - vmi_dot(spin, c.seen.omega)) / 2;
+    load->mixing += (c.sum.brought - c.sum.rate * vm_dot(c.seen.v, c.seen.v) - vm_dot(spin, c.seen.omega)) / 2;
 }
 
 VM_API void vmi_apply_stream_force(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -18362,8 +18671,8 @@ VM_API void vmi_apply_stream_force(const vm_effect *e, vm_real t, const vm_real 
     vmi_crossing c;
     vm_vec3 force;
     vmi_crossing_now(e, t, y, s, &c);
-    force = vmi_sub(c.sum.absolute, vmi_scale(c.sum.rate - c.sum.carried, c.seen.v));
-    vmi_crossing_push(e, s, &c, vmi_add(vmi_times(c.seen.turn, c.sum.pushed), force), vmi_vec3(0, 0, 0));
+    force = vm_sub(c.sum.absolute, vm_scale(c.sum.rate - c.sum.carried, c.seen.v));
+    vmi_crossing_push(e, s, &c, vm_add(vmi_times(c.seen.turn, c.sum.pushed), force), vmi_vec3(0, 0, 0));
 }
 
 VM_API void vmi_apply_stream_moment(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -18378,7 +18687,7 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing c;
     vm_vec3 torque;
     vmi_crossing_now(e, t, y, s, &c);
-    torque = vmi_sub(c.sum.own, vmi_inertia_times(&c.sum.inertia, c.seen.omega));
+    torque = vm_sub(c.sum.own, vmi_inertia_times(&c.sum.inertia, c.seen.omega));
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
@@ -18393,7 +18702,7 @@ VM_API int vmi_crossing_check(const vm_effect *e)
     if (!stream) return VM_BAD_ARGUMENT;
     status = vmi_check_stream(stream);
     if (status || !stream->from) return status;
-    moment = vmi_norm_max(vmi_cross(stream->at, stream->from->at));
+    moment = vmi_norm_max(vm_cross(stream->at, stream->from->at));
     if (moment <= 32 * VM_EPSILON * vmi_norm1(stream->at) * vmi_norm1(stream->from->at)) return VM_OK;
     return VM_STORED_STREAM;
 }
@@ -18723,6 +19032,16 @@ VM_API int vmi_link_check(const vm_effect *e)
     return VM_DOMAIN;
 }
 
+/* Checks the ends of a link. It holds mass centres, so that it cannot act on a growing body, whose mass centre moves in
+   the body. */
+VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
+{
+    if (e->other == e->body) return VM_SAME_BODY;
+    if (s->bodies[e->body].grows) return VM_BAD_MOTION;
+    if (e->other >= 0 && s->bodies[e->other].grows) return VM_BAD_MOTION;
+    return VM_OK;
+}
+
 /* A rigid link of a given length, or a cord, which can only pull. The link holds the mass centre of `body`, a point
    or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other
    mass centre is that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the
@@ -18745,6 +19064,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
     e.other_motions = VMI_ALL_MOTIONS & ~(1 << VM_AXLE);
     e.order = VMI_ORDER_LINK;
     e.check = vmi_link_check;
+    e.check_in_scene = vmi_link_check_ends;
     e.point = point;
     e.ctx = ctx;
     return e;
@@ -19007,17 +19327,14 @@ VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
     return VM_OK;
 }
 
-/* Checks that the bodies of an effect have motions on which it can act. A link holds mass centres, so that it cannot
-   act on a growing body, whose mass centre moves in the body. */
+/* Checks that the bodies of an effect have motions on which it can act */
 VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 {
     const vm_scene_body *b = s->bodies + e->body, *other = e->other == VM_GROUND ? NULL : s->bodies + e->other;
     if (!(e->motions >> b->motion & 1)) return VM_BAD_MOTION;
     if (e->not_on_angle && b->motion == VM_PLANE && e->coordinate == 2) return VM_NOT_ON_ANGLE;
     if (other && !(e->other_motions >> other->motion & 1)) return VM_BAD_MOTION;
-    if (e->order != VMI_ORDER_LINK) return VM_OK;
-    if (other == b) return VM_SAME_BODY;
-    if (b->grows || (other && other->grows)) return VM_BAD_MOTION;
+    if (e->check_in_scene) return e->check_in_scene(s, e);
     return VM_OK;
 }
 
@@ -19112,6 +19429,7 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
      VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;
      VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      for an index that does not exist;
      VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   for the list of effects;
+     VM_BAD_POINT, VM_NOT_JOINED      for points at which springs, joints and contacts act;
      VM_BAD_TIMES           if the times of output do not increase. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 {
@@ -19138,6 +19456,689 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
         return status;
     }
     return VM_OK;
+}
+
+#endif
+/* scenes/points.h - points of the bodies of a scene
+
+   Springs, joints and contacts act at points of bodies. A point is given by the vector from the mass centre of the body
+   at the start, in body axes, so that it moves and turns with the body. On an axle the vector leads from the axle,
+   which stands in the origin. In the plane the third number is a height above the plane. Points of the ground are given
+   by their position. A point body has only one point, the zero vector, and a rod only those on its own axis
+   (VM_BAD_POINT).
+
+       vm_vec3 tip = {0.5, 0, 0}, r, v;
+       vm_scene_point_at(&scene, 0, tip, y, &r, &v); // position and velocity of a point of body 0 in the state y
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_POINTS_H
+#define VARMASS_SCENES_POINTS_H
+
+/* A point of a body or of the ground, and how the body moves */
+typedef struct VM_TAG(vmi_body_point) {
+    vm_vec3 arm;   /* m, inertial axes: from the mass centre (on an axle from the axle) to the point */
+    vm_vec3 r;     /* m: position of the point */
+    vm_vec3 v;     /* m/s: velocity of the point */
+    vm_vec3 omega; /* rad/s, inertial axes: angular velocity of the body */
+    vmi_mat3 axes; /* the body axes in inertial axes */
+} vmi_body_point;
+
+/* The axes of a body in its state */
+VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
+{
+    vmi_mat3 axes;
+    vm_real s = 0, c = 1;
+    if (b->motion == VM_FREE) return vmi_rotation(vmi_get_quat(state + VMI_FREE_Q));
+    if (b->motion == VM_PLANE) vmi_sincos(state[VMI_PLANE_ANGLE], &s, &c);
+    if (b->motion == VM_AXLE) vmi_sincos(state[0], &s, &c);
+    axes.x = vmi_vec3(c, s, 0);
+    axes.y = vmi_vec3(-s, c, 0);
+    axes.z = vmi_vec3(0, 0, 1);
+    return axes;
+}
+
+/* Computes the position and the velocity of the point `at` of a body. The velocity is that of the material: a growing
+   body moves with the velocity v of its state at its present mass centre. */
+VM_API void vmi_point_of_body(const vm_scene_body *b, vm_vec3 at, const vm_real *state, vmi_body_point *p)
+{
+    const vm_real *rates = state + b->positions;
+    p->axes = vmi_point_axes(b, state);
+    p->omega = vmi_scene_turning(b, rates);
+    if (b->motion == VM_FREE) p->omega = vmi_times(&p->axes, p->omega);
+    p->arm = vmi_times(&p->axes, vm_sub(at, b->grows ? vmi_growth_centre(b, state) : b->centre));
+    p->r = vm_add(vmi_scene_moving(b, state), p->arm);
+    p->v = vm_add(vmi_scene_moving(b, rates), vm_cross(p->omega, p->arm));
+}
+
+/* Computes a point of a body of the scene in the state y, or of the ground, which rests */
+VM_API void vmi_point_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_body_point *p)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    if (body >= 0) {
+        vmi_point_of_body(s->bodies + body, at, y + s->bodies[body].at, p);
+        return;
+    }
+    p->arm = p->v = p->omega = zero;
+    p->r = at;
+    p->axes.x = vmi_vec3(1, 0, 0);
+    p->axes.y = vmi_vec3(0, 1, 0);
+    p->axes.z = vmi_vec3(0, 0, 1);
+}
+
+/* Adds the force f at a point of a body to the load of the body */
+VM_API void vmi_point_push(vm_scene_body *b, const vmi_body_point *p, vm_vec3 f)
+{
+    if (b->motion == VM_LINE) b->load.force[0] += f.x;
+    else vmi_scene_add(b, b->load.force, f, vm_cross(p->arm, f));
+}
+
+/* The mass, or on an axle the inertia, that resists acceleration */
+VM_INLINE vm_real vmi_point_mass(const vm_scene_body *b)
+{
+    if (b->motion > VM_AXLE) return b->load.mass;
+    return b->load.mass + b->load.extra_mass;
+}
+
+/* The acceleration of the mass centre by a force */
+VM_API vm_vec3 vmi_point_move(const vm_scene_body *b, vm_vec3 force)
+{
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
+    if (b->motion == VM_LINE) force.y = 0;
+    if (b->motion == VM_LINE || b->motion == VM_PLANE) force.z = 0;
+    return vmi_over(force, vmi_point_mass(b));
+}
+
+/* The angular acceleration I^-1 (torque - omega x I omega) of a body in inertial axes. The inertia of a free body is
+   that of its last evaluation. */
+VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega)
+{
+    vm_real rates[3];
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, torque.z / vmi_point_mass(b));
+    if (b->motion == VM_PLANE) return vmi_vec3(0, 0, torque.z / b->inertia.zz);
+    if (b->motion != VM_FREE) return vmi_vec3(0, 0, 0);
+    if (vmi_free_euler(b, axes, torque, vmi_times_transposed(axes, omega), rates)) return vmi_vec3(VM_NAN, 0, 0);
+    return vmi_times(axes, vmi_get3(rates));
+}
+
+/* Gives an impulse at a point of a body, which changes its velocities in the state y of the scene */
+VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
+{
+    const vm_vec3 zero = {0, 0, 0}, move = vmi_point_move(b, impulse);
+    vm_vec3 spin = vmi_point_spin(b, &p->axes, vm_cross(p->arm, impulse), zero);
+    vm_real *velocities = y + b->at + b->positions;
+    if (b->motion == VM_FREE) spin = vmi_times_transposed(&p->axes, spin);
+    if (b->motion == VM_LINE) velocities[0] += move.x;
+    else vmi_scene_add(b, velocities, move, spin);
+}
+
+/* The acceleration of a point along a unit vector by a force of 1 N along this vector */
+VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 along)
+{
+    const vm_vec3 zero = {0, 0, 0}, turn = vm_cross(p->arm, along);
+    return vm_dot(along, vmi_point_move(b, along)) + vm_dot(turn, vmi_point_spin(b, &p->axes, turn, zero));
+}
+
+/* Whether a body has inertia against every force at the point `at`. Forces turn a body about all axes normal to `at`.
+   If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same dummy
+   moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these axes is
+   k at^2 - at (hollow at)/dummy, and must be 0 but for rounding errors. */
+VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
+{
+    const vm_real noise = 64 * VM_EPSILON;
+    vm_inertia whole, hollow;
+    vm_real trace, square;
+    if (b->motion == VM_POINT) return at.x == 0 && at.y == 0 && at.z == 0;
+    if (b->motion != VM_FREE) return 1;
+    whole = vmi_invertible_inertia(&b->start.inertia);
+    hollow = vmi_inertia_plus(whole, -1, b->start.inertia);
+    trace = hollow.xx + hollow.yy + hollow.zz;
+    square = vm_dot(at, at);
+    return trace * square - vm_dot(at, vmi_inertia_times(&hollow, at)) <= noise * (trace * square);
+}
+
+/* Notes that a jump has moved the mass centre of a body by `step`, in inertial axes: its points stay where they are */
+VM_API void vmi_point_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
+{
+    const vmi_mat3 axes = vmi_point_axes(b, state);
+    b->centre = vm_add(b->centre, vmi_times_transposed(&axes, step));
+}
+
+/* Checks a point of a body of the scene, or of the ground, and lets jumps of the body call vmi_point_shift. The scene
+   has checked its bodies before. */
+VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
+{
+    if (!vmi_vec3_is_finite(at)) return VM_NOT_FINITE;
+    if (body == VM_GROUND) return VM_OK;
+    if (vmi_scene_check_coordinate(s, body, 0)) return VM_NO_SUCH_BODY;
+    s->bodies[body].shift = vmi_point_shift;
+    return vmi_point_is_possible(s->bodies + body, at) ? VM_OK : VM_BAD_POINT;
+}
+
+/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is the vector from the mass
+   centre at the start to the point, in body axes; on an axle it leads from the axle. The scene must have been started.
+   *r in m and *v in m/s are NaN if no body has this index, if scene or y is NULL, and before a start. If r or v is
+   NULL, nothing is written. */
+VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 *r, vm_vec3 *v)
+{
+    vmi_body_point p;
+    if (!r || !v) return;
+    *r = *v = vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    if (!scene || !scene->bodies || !scene->size || !y || body < 0 || body >= scene->n_bodies) return;
+    vmi_point_now(scene, body, at, y, &p);
+    *r = p.r;
+    *v = p.v;
+}
+
+#endif
+/* scenes/springs.h - springs and dampers between points of bodies
+
+   A spring and a damper, side by side, act along the straight line between a point of a body and a point of another
+   body or of the ground, in the plane and in space. They push or pull with the same force at both points, and turn the
+   bodies about their mass centres. points.h explains how a point is given.
+
+       vm_point_spring strut = {{0.5, 0, 0}, {2, 1, 0}, 1000, 5, 0.3};          // 1000 N/m, 5 N s/m, 0.3 m long
+       vm_effect effects[] = {vm_effect_point_spring(0, VM_GROUND, &strut)};    // from a point of body 0 to (2, 1, 0)
+
+   The budget of the scene has the work of the force, which is the energy that the spring gives back less the energy
+   that the damper takes out. A spring of the present length l stores k (l - rest)^2/2.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_SPRINGS_H
+#define VARMASS_SCENES_SPRINGS_H
+
+/* A spring and a damper between two points */
+typedef struct VM_TAG(vm_point_spring) {
+    vm_vec3 at;        /* m, body axes: the point of the body */
+    vm_vec3 other_at;  /* m: the point of the other body, in its axes, or of the ground */
+    vm_real stiffness; /* N/m: stiffness k, of either sign */
+    vm_real damping;   /* N s/m: damping; > 0 takes energy out */
+    vm_real rest;      /* m: length of the spring without force, >= 0 */
+} vm_point_spring;
+
+/* Computes the force on the first point; d and v are its position and velocity relative to the second point. If the
+   points coincide, a spring whose rest is 0 has no force, and the damper acts against the velocity; any other spring
+   has no direction (VM_SINGULAR). */
+VM_API int vmi_point_spring_force(const vm_point_spring *spring, vm_vec3 d, vm_vec3 v, vm_vec3 *f)
+{
+    const vm_real length = vm_norm(d);
+    vm_vec3 along;
+    vm_real pull;
+    *f = vm_scale(-spring->damping, v);
+    if (length == 0 && (spring->rest == 0 || spring->stiffness == 0)) return VM_OK;
+    if (length == 0) return VM_SINGULAR;
+    along = vmi_over(d, length);
+    pull = spring->stiffness * (length - spring->rest) + spring->damping * vm_dot(along, v);
+    *f = vm_scale(-pull, along);
+    return VM_OK;
+}
+
+VM_API void vmi_apply_point_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_point_spring *spring = (const vm_point_spring *)e->parts;
+    vmi_body_point here, there;
+    vm_vec3 f;
+    (void)t;
+    vmi_point_now(s, e->body, spring->at, y, &here);
+    vmi_point_now(s, e->other, spring->other_at, y, &there);
+    if (vmi_point_spring_force(spring, vm_sub(here.r, there.r), vm_sub(here.v, there.v), &f)) s->status = VM_SINGULAR;
+    vmi_point_push(s->bodies + e->body, &here, f);
+    if (e->other >= 0) vmi_point_push(s->bodies + e->other, &there, vm_scale(-1, f));
+}
+
+VM_API int vmi_point_spring_check(const vm_scene *s, const vm_effect *e)
+{
+    const vm_point_spring *spring = (const vm_point_spring *)e->parts;
+    int status = vmi_point_check(s, e->body, spring->at);
+    status = vmi_first_error(status, vmi_point_check(s, e->other, spring->other_at));
+    if (!VM_IS_FINITE(spring->stiffness) || !VM_IS_FINITE(spring->damping) || !VM_IS_FINITE(spring->rest))
+        status = vmi_first_error(status, VM_NOT_FINITE);
+    if (spring->rest < 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (e->body == e->other) status = vmi_first_error(status, VM_SAME_BODY);
+    return status;
+}
+
+/* A spring and a damper between a point of a body and a point of the body `other`, or of the ground. *spring is not
+   copied: if an event changes it, the run continues with the change. With the length l of the spring, the tension is
+   stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE,
+   VM_DOMAIN if rest < 0, VM_SAME_BODY for a spring of a body with itself, and VM_BAD_POINT for a point that the body
+   cannot have (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest is 0. */
+VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spring *spring)
+{
+    vm_effect e = vmi_effect_between(body, 0, other, 0, spring ? vmi_apply_point_spring : NULL);
+    e.parts = spring;
+    e.check_in_scene = vmi_point_spring_check;
+    return e;
+}
+
+#endif
+/* scenes/joints.h - pins and rods between points of bodies
+
+   A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a
+   ball joint. A rod holds the distance of two points. All joints of a scene stand in one list and are solved together,
+   by Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains
+   how a point is given.
+
+       vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
+       vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
+       vm_real room[VM_JOINTS_WORK(1)];                                  // for one joint
+       vm_joints joints = {list, 1, 10, room, VM_LENGTH(room)};          // deviations decrease as exp(-10 t)
+       vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
+
+   The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey C''
+   + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a body, impulses of the joints take away the velocities
+   with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last
+   evaluation.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_JOINTS_H
+#define VARMASS_SCENES_JOINTS_H
+
+#include <string.h>
+
+enum { VMI_JOINT_ROWS = 3 }; /* most equations that a joint has */
+
+/* The number of elements of the work array of n joints */
+#define VM_JOINTS_WORK(n) (3 * (n) * (3 * (n) + 2))
+
+/* One equation of a joint: along * C'' is given. Index 0 belongs to the body, index 1 to the other one. For a force of
+   1 N along `along` on the body, and the opposite force on the other one, `turn` is the torque, `move` the acceleration
+   of the mass centre, and `spin` the angular acceleration. */
+typedef struct VM_TAG(vmi_joint_row) {
+    vm_vec3 along;            /* unit vector, inertial axes */
+    vm_vec3 turn[2];          /* m: torque per N */
+    vm_vec3 move[2];          /* 1/kg */
+    vm_vec3 spin[2];          /* 1/(kg m) */
+    vm_real gap;              /* m: C, the deviation from the condition of the joint */
+    vm_real gap_rate;         /* m/s: C' */
+    vm_real gap_acceleration; /* m/s^2: C'' without the joints */
+} vmi_joint_row;
+
+/* An end of a joint: its point, and the acceleration of this point without the joints */
+typedef struct VM_TAG(vmi_joint_end) {
+    vmi_body_point point;
+    vm_vec3 a; /* m/s^2 */
+} vmi_joint_end;
+
+typedef struct VM_TAG(vm_joint) vm_joint;
+
+/* A joint. vm_joint_pin or vm_joint_rod makes it; the caller changes no field. */
+struct VM_TAG(vm_joint) {
+    /* fields set by the constructor */
+    void (*equations)(vm_joint *joint, const vm_scene *scene, const vmi_joint_end *ends); /* writes the equations */
+    int body, other;      /* indices of the bodies; `other` may be VM_GROUND */
+    vm_vec3 at, other_at; /* m: the points of the bodies, in their axes */
+    vm_real length;       /* m: length of a rod */
+    /* fields for the caller to read, set by each evaluation; all 0 while a body is not present */
+    vm_vec3 force; /* N, inertial axes: reaction on the body; the other one has the opposite reaction */
+    /* fields of the last evaluation */
+    int n_rows; /* number of equations */
+    vmi_joint_row row[VMI_JOINT_ROWS];
+};
+
+/* The joints of a scene, all in one list */
+typedef struct VM_TAG(vm_joints) {
+    vm_joint *joints; /* array of n_joints joints */
+    int n_joints;
+    vm_real rate;  /* 1/s: deviations decrease as exp(-rate t); > 0 */
+    vm_real *work; /* array of VM_JOINTS_WORK(n_joints) numbers */
+    int work_size; /* number of elements of work, which vm_scene_start checks; 0 means no check */
+} vm_joints;
+
+/* Computes an end of a joint with the acceleration of its point without the joints,
+     a + alpha x arm + omega x (omega x arm - drift).
+   drift is the velocity of the mass centre of a growing body relative to the body: a is the rate of the velocity of
+   the material at the mass centre, and this material changes. */
+VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
+{
+    const vmi_body_point *p = &end->point;
+    const vm_scene_body *b;
+    vm_vec3 alpha, moving;
+    vmi_point_now(s, body, at, y, &end->point);
+    end->a = vmi_vec3(0, 0, 0);
+    if (body < 0) return;
+    b = s->bodies + body;
+    alpha = vmi_point_spin(b, &p->axes, vmi_scene_turning(b, b->load.force), p->omega);
+    moving = vm_cross(p->omega, p->arm);
+    if (b->grows) moving = vm_sub(moving, b->load.drift);
+    end->a = vmi_point_move(b, vmi_scene_moving(b, b->load.force));
+    end->a = vm_add(end->a, vm_add(vm_cross(alpha, p->arm), vm_cross(p->omega, moving)));
+}
+
+/* Begins a further equation of a joint, with the response of both bodies to the force 1 along a unit vector */
+VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends, vm_vec3 along)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const int bodies[2] = {joint->body, joint->other};
+    vmi_joint_row *row = joint->row + joint->n_rows++;
+    int i;
+    row->along = along;
+    for (i = 0; i < 2; i++) {
+        const vmi_body_point *p = &ends[i].point;
+        row->turn[i] = row->move[i] = row->spin[i] = zero;
+        if (bodies[i] < 0) continue;
+        row->turn[i] = vm_cross(p->arm, along);
+        row->move[i] = vmi_point_move(s->bodies + bodies[i], along);
+        row->spin[i] = vmi_point_spin(s->bodies + bodies[i], &p->axes, row->turn[i], zero);
+    }
+    return row;
+}
+
+/* -- The kinds of joints -- */
+
+/* Whether a body can move across the plane of x and y */
+VM_API int vmi_joint_is_in_space(const vm_scene *s, int body)
+{
+    return body >= 0 && (s->bodies[body].motion == VM_POINT || s->bodies[body].motion == VM_FREE);
+}
+
+/* A pin has an equation for each direction in which one of its points can move: C is the vector between the points */
+VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
+{
+    const int in_space = vmi_joint_is_in_space(s, joint->body) || vmi_joint_is_in_space(s, joint->other);
+    const vm_vec3 C = vm_sub(ends[0].point.r, ends[1].point.r), v = vm_sub(ends[0].point.v, ends[1].point.v);
+    const vm_vec3 a = vm_sub(ends[0].a, ends[1].a);
+    const int n = in_space ? 3 : 2;
+    int i;
+    for (i = 0; i < n; i++) {
+        const vm_vec3 along = vmi_vec3((vm_real)(i == 0), (vm_real)(i == 1), (vm_real)(i == 2));
+        vmi_joint_row *row = vmi_joint_add_row(joint, s, ends, along);
+        row->gap = vm_dot(along, C);
+        row->gap_rate = vm_dot(along, v);
+        row->gap_acceleration = vm_dot(along, a);
+    }
+}
+
+/* A rod has one equation, C = (d^2 - length^2)/(2 |d|) with the vector d between its points. While it acts, |d| is
+   nearly constant; C' = d v/|d| and C'' = (d a + v^2)/|d|, as for a link. */
+VM_API void vmi_rod_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
+{
+    const vm_vec3 d = vm_sub(ends[0].point.r, ends[1].point.r), v = vm_sub(ends[0].point.v, ends[1].point.v);
+    const vm_real l = vm_norm(d);
+    vmi_joint_row *row = vmi_joint_add_row(joint, s, ends, vmi_over(d, l));
+    row->gap = (l - joint->length) * (l + joint->length) / (2 * l);
+    row->gap_rate = vm_dot(row->along, v);
+    row->gap_acceleration = vm_dot(row->along, vm_sub(ends[0].a, ends[1].a)) + vm_dot(v, v) / l;
+}
+
+/* A pin between the point `at` of a body and the point other_at of the body `other`, or of the ground. In the plane it
+   is a hinge, in space a ball joint. */
+VM_API vm_joint vm_joint_pin(int body, vm_vec3 at, int other, vm_vec3 other_at)
+{
+    vm_joint joint;
+    memset(&joint, 0, sizeof joint);
+    joint.equations = vmi_pin_equations;
+    joint.body = body;
+    joint.other = other;
+    joint.at = at;
+    joint.other_at = other_at;
+    joint.length = 1; /* any positive number */
+    return joint;
+}
+
+/* A rigid rod without mass between the point `at` of a body and the point other_at of the body `other`, or of the
+   ground. It holds the distance of the points at `length` (m), by a force along the line between them. */
+VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, vm_real length)
+{
+    vm_joint joint = vm_joint_pin(body, at, other, other_at);
+    joint.equations = vmi_rod_equations;
+    joint.length = length;
+    return joint;
+}
+
+/* -- The solution -- */
+
+/* The acceleration that the force of the equation `by`, of the joint j, adds to the equation `row` of the joint i */
+VM_API vm_real vmi_joint_coupling(const vm_joint *i, const vmi_joint_row *row, const vm_joint *j,
+                                  const vmi_joint_row *by)
+{
+    const int bodies[2] = {i->body, i->other}, others[2] = {j->body, j->other};
+    vm_real sum = 0;
+    int k, m;
+    for (k = 0; k < 2; k++)
+        for (m = 0; m < 2; m++) {
+            vm_real part;
+            if (bodies[k] < 0 || bodies[k] != others[m]) continue;
+            part = vm_dot(row->along, by->move[m]) + vm_dot(row->turn[k], by->spin[m]);
+            sum += k == m ? part : -part;
+        }
+    return sum;
+}
+
+/* Writes the equations of all joints whose bodies are present, and returns their number */
+VM_API int vmi_joints_equations(const vm_joints *joints, const vm_scene *s, const vm_real *y)
+{
+    int i, n = 0;
+    for (i = 0; i < joints->n_joints; i++) {
+        vm_joint *joint = joints->joints + i;
+        vmi_joint_end ends[2];
+        joint->n_rows = 0;
+        joint->force = vmi_vec3(0, 0, 0);
+        if (s->bodies[joint->body].away || (joint->other >= 0 && s->bodies[joint->other].away)) continue;
+        vmi_joint_end_now(s, joint->body, joint->at, y, ends);
+        vmi_joint_end_now(s, joint->other, joint->other_at, y, ends + 1);
+        joint->equations(joint, s, ends);
+        n += joint->n_rows;
+    }
+    return n;
+}
+
+/* Writes to row k of the n x n matrix how the forces of all equations accelerate the equation `row` of a joint */
+VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint, const vmi_joint_row *row, vm_real *a)
+{
+    int j, m, at = 0;
+    for (j = 0; j < joints->n_joints; j++) {
+        const vm_joint *other = joints->joints + j;
+        for (m = 0; m < other->n_rows; m++) a[at++] = vmi_joint_coupling(joint, row, other, other->row + m);
+    }
+}
+
+/* What the forces of an equation have to bring about: the acceleration that C lacks, so that
+   C'' + 2 rate C' + rate^2 C = 0, or for impulses the velocity that it lacks, so that C' = 0 */
+enum { VMI_JOINT_FORCES, VMI_JOINT_IMPULSES };
+
+VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wanted)
+{
+    if (wanted == VMI_JOINT_IMPULSES) return -row->gap_rate;
+    return -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
+}
+
+/* Solves the n equations for the forces, or for the impulses. They replace the numbers of the work array from n^2 on.
+   Returns VM_SINGULAR, VM_NOT_FINITE or VM_OK. */
+VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
+{
+    vm_real *a = joints->work, *b = a + n * n;
+    int i, k, at = 0;
+    for (i = 0; i < joints->n_joints; i++) {
+        const vm_joint *joint = joints->joints + i;
+        for (k = 0; k < joint->n_rows; k++) {
+            vmi_joints_matrix_row(joints, joint, joint->row + k, a + at * n);
+            b[at++] = vmi_joint_lacks(joint->row + k, joints->rate, wanted);
+        }
+    }
+    if (!vmi_all_finite(n * n + n, a)) return VM_NOT_FINITE;
+    return vmi_solve_mass(n, a, b, b + n);
+}
+
+/* The force of a joint on its body, from the forces of its equations */
+VM_API vm_vec3 vmi_joint_force(const vm_joint *joint, const vm_real *forces)
+{
+    vm_vec3 sum = {0, 0, 0};
+    int k;
+    for (k = 0; k < joint->n_rows; k++) sum = vm_add(sum, vm_scale(forces[k], joint->row[k].along));
+    return sum;
+}
+
+/* Adds the force of a joint to the loads of its bodies */
+VM_API void vmi_joint_push(const vm_joint *joint, const vm_real *y, vm_scene *s)
+{
+    vmi_body_point p;
+    vmi_point_now(s, joint->body, joint->at, y, &p);
+    vmi_point_push(s->bodies + joint->body, &p, joint->force);
+    if (joint->other < 0) return;
+    vmi_point_now(s, joint->other, joint->other_at, y, &p);
+    vmi_point_push(s->bodies + joint->other, &p, vm_scale(-1, joint->force));
+}
+
+VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    const int n = vmi_joints_equations(joints, s, y), status = vmi_joints_solve(joints, n, VMI_JOINT_FORCES);
+    const vm_real *forces = joints->work + n * n;
+    int i;
+    (void)t;
+    if (status) s->status = status;
+    if (status) return;
+    for (i = 0; i < joints->n_joints; i++) {
+        vm_joint *joint = joints->joints + i;
+        if (joint->n_rows == 0) continue;
+        joint->force = vmi_joint_force(joint, forces);
+        vmi_joint_push(joint, y, s);
+        forces += joint->n_rows;
+    }
+}
+
+/* Gives an impulse at a point of a body or of the ground */
+VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
+{
+    vmi_body_point p;
+    if (body < 0) return;
+    vmi_point_now(s, body, at, y, &p);
+    vmi_point_kick(s->bodies + body, &p, impulse, y);
+}
+
+/* After a jump, gives the impulses of the joints that stop the points of each joint from moving apart, and adds those
+   from the ground to the budget. The equations are those of the last evaluation. */
+VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    const vm_real *impulses;
+    int i, n = 0, status;
+    for (i = 0; i < joints->n_joints; i++) n += joints->joints[i].n_rows;
+    impulses = joints->work + n * n;
+    status = vmi_joints_solve(joints, n, VMI_JOINT_IMPULSES);
+    if (status) return status;
+    for (i = 0; i < joints->n_joints; i++) {
+        const vm_joint *joint = joints->joints + i;
+        const vm_vec3 impulse = vmi_joint_force(joint, impulses);
+        impulses += joint->n_rows;
+        if (joint->n_rows == 0) continue;
+        vmi_joint_kick(s, joint->body, joint->at, impulse, y);
+        vmi_joint_kick(s, joint->other, joint->other_at, vm_scale(-1, impulse), y);
+        if (joint->other >= 0 || !s->budget) continue;
+        s->budget->impulse = vm_add(s->budget->impulse, impulse);
+        s->budget->angular_impulse = vm_add(s->budget->angular_impulse, vm_cross(joint->other_at, impulse));
+    }
+    return VM_OK;
+}
+
+/* -- Checks -- */
+
+/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. `size` and `speed`
+   are sums of the lengths and velocities of which the position and velocity of the point are composed. */
+VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
+                                   vm_real *speed)
+{
+    enum { MOST = 13 + 1 + 3 + 6 }; /* the numbers of a free body, its mass, its mass centre and its inertia */
+    vm_real state[MOST] = {0};
+    vmi_body_point *p = &end->point;
+    end->a = vmi_vec3(0, 0, 0);
+    if (body >= 0) {
+        vm_scene_body now = s->bodies[body];
+        now.centre = vmi_vec3(0, 0, 0);
+        now.put(&now, &now.start, now.angle, state);
+        vmi_point_of_body(&now, at, state, p);
+    } else vmi_point_now(s, body, at, NULL, p);
+    *size += vmi_norm1(p->r) + vmi_norm1(p->arm);
+    *speed += vmi_norm1(p->v) + vmi_norm1(p->omega) * vmi_norm1(p->arm);
+}
+
+/* Whether the bodies fit a joint at the start: the gap and its rate are 0 but for a small fraction of the lengths and
+   velocities of which they are composed */
+VM_API int vmi_joint_fits(vm_joint *joint, const vm_scene *s)
+{
+    const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
+    vm_real size = 0, speed = 0;
+    vmi_joint_end ends[2];
+    int k;
+    vmi_joint_end_at_start(s, joint->body, joint->at, ends, &size, &speed);
+    vmi_joint_end_at_start(s, joint->other, joint->other_at, ends + 1, &size, &speed);
+    joint->n_rows = 0;
+    joint->equations(joint, s, ends);
+    for (k = 0; k < joint->n_rows; k++) {
+        const vmi_joint_row *row = joint->row + k;
+        if (!(VM_FABS(row->gap) <= loose * size && VM_FABS(row->gap_rate) <= loose * speed)) return 0;
+    }
+    return 1;
+}
+
+VM_API int vmi_joint_check(vm_joint *joint, const vm_scene *s)
+{
+    int status = vmi_first_error(vmi_point_check(s, joint->body, joint->at),
+                                 vmi_point_check(s, joint->other, joint->other_at));
+    if (joint->body < 0) status = vmi_first_error(status, VM_NO_SUCH_BODY);
+    if (!VM_IS_FINITE(joint->length)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (joint->length <= 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (joint->body == joint->other) status = vmi_first_error(status, VM_SAME_BODY);
+    if (!joint->equations) status = VM_BAD_ARGUMENT;
+    if (status) return status;
+    if (s->bodies[joint->body].absent || (joint->other >= 0 && s->bodies[joint->other].absent)) return VM_OK;
+    return vmi_joint_fits(joint, s) ? VM_OK : VM_NOT_JOINED;
+}
+
+/* Enters in the lists of effects on the bodies of joints that a link stands there, with `enter` = 1; else returns
+   VM_TWO_LINKS if a link or another list of joints already stands there. */
+VM_API int vmi_joints_enter_links(const vm_joints *joints, const vm_scene *s, int enter)
+{
+    const int link = 1 << VMI_ORDER_LINK;
+    int i, k;
+    for (i = 0; i < joints->n_joints; i++) {
+        const int bodies[2] = {joints->joints[i].body, joints->joints[i].other};
+        for (k = 0; k < 2; k++) {
+            if (bodies[k] < 0) continue;
+            if (enter) s->bodies[bodies[k]].listed_orders |= link;
+            else if (s->bodies[bodies[k]].listed_orders & link) return VM_TWO_LINKS;
+        }
+    }
+    return VM_OK;
+}
+
+VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    int i, status = VM_OK;
+    if (!joints->work) return VM_BAD_ARGUMENT;
+    if (e->body >= 0 && s->bodies[e->body].absent) return VM_IS_AWAY;
+    for (i = 0; i < joints->n_joints; i++) status = vmi_first_error(status, vmi_joint_check(joints->joints + i, s));
+    if (!VM_IS_FINITE(joints->rate)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (joints->rate <= 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (joints->work_size && joints->work_size < VM_JOINTS_WORK(joints->n_joints))
+        status = vmi_first_error(status, VM_SHORT_ARRAY);
+    if (!status) status = vmi_joints_enter_links(joints, s, 0);
+    if (!status) status = vmi_joints_enter_links(joints, s, 1);
+    return status;
+}
+
+/* The joints of a scene, solved together. *joints and its arrays are not copied and must stay where they are. The
+   effect stands after all other effects on the bodies of the joints. With n equations (2 a pin in the plane, 3 in
+   space, 1 a rod) an evaluation takes about n^3/3 multiplications for the solution. A high rate makes the equations
+   stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE, VM_DOMAIN if rate
+   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_IS_AWAY if the body of the first joint
+   is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body
+   cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart, VM_TWO_LINKS if a body has a
+   link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of the bodies follows. A run ends
+   with VM_SINGULAR if joints are redundant, contradict each other or hold what cannot move, if a mechanism reaches a
+   position in which it is locked, and with VM_NOT_FINITE if the points of a rod coincide. A joint does not act while
+   one of its bodies is not present. */
+VM_API vm_effect vm_effect_joints(const vm_joints *joints)
+{
+    const int is_list = joints && joints->joints && joints->n_joints > 0;
+    const int body = is_list ? joints->joints[0].body : 0;
+    vm_effect e = vmi_effect(body, 0, is_list ? vmi_apply_joints : NULL);
+    e.order = VMI_ORDER_JOINTS;
+    e.parts = joints;
+    e.check_in_scene = vmi_joints_check;
+    e.settle = vmi_joints_settle;
+    return e;
 }
 
 #endif
@@ -19219,6 +20220,7 @@ VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
         b->mass_at = at + vmi_scene_mass_at(b);
         b->away = b->absent;
         b->law_offset = 0;
+        b->centre.x = b->centre.y = b->centre.z = 0;
         for (k = 0; k < vmi_scene_body_size(b); k++) y[at++] = 0;
         vmi_scene_put(s, i, &b->start, b->angle, y);
     }
@@ -19305,14 +20307,14 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     const vm_load *load = &b->load;
     const vm_real *state = y + b->at;
     const vm_vec3 r = vmi_scene_moving(b, state), v = vmi_scene_moving(b, state + b->positions);
-    const vm_vec3 force = vmi_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
-    const vm_vec3 torque = vmi_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
+    const vm_vec3 force = vm_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
+    const vm_vec3 torque = vm_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
     const vm_vec3 brought = vmi_scene_moving(b, load->brought), turning = vmi_scene_turning(b, load->brought);
     vmi_add3(force, rates + VMI_BUDGET_IMPULSE);
-    vmi_add3(vmi_add(torque, vmi_cross(r, force)), rates + VMI_BUDGET_ANGULAR_IMPULSE);
+    vmi_add3(vm_add(torque, vm_cross(r, force)), rates + VMI_BUDGET_ANGULAR_IMPULSE);
     vmi_add3(brought, rates + VMI_BUDGET_BROUGHT);
-    vmi_add3(vmi_add(turning, vmi_cross(r, brought)), rates + VMI_BUDGET_BROUGHT_ANGULAR);
-    rates[VMI_BUDGET_WORK] += vmi_dot(force, v) + vmi_dot(torque, vmi_scene_spin(b, y));
+    vmi_add3(vm_add(turning, vm_cross(r, brought)), rates + VMI_BUDGET_BROUGHT_ANGULAR);
+    rates[VMI_BUDGET_WORK] += vm_dot(force, v) + vm_dot(torque, vmi_scene_spin(b, y));
     rates[VMI_BUDGET_BROUGHT_ENERGY] += load->brought_energy;
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
@@ -19356,11 +20358,11 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *bud
         if (b->away) continue;
         vmi_scene_body_now(s, i, y, &now);
         if (b->motion == VM_AXLE) now.mass = 0;
-        p = vmi_scale(now.mass, now.v);
+        p = vm_scale(now.mass, now.v);
         spin = vmi_spin_momentum(&now);
-        budget->momentum = vmi_add(budget->momentum, p);
-        budget->angular_momentum = vmi_add(budget->angular_momentum, vmi_add(spin, vmi_cross(now.r, p)));
-        budget->energy += (vmi_dot(p, now.v) + vmi_dot(spin, now.omega)) / 2;
+        budget->momentum = vm_add(budget->momentum, p);
+        budget->angular_momentum = vm_add(budget->angular_momentum, vm_add(spin, vm_cross(now.r, p)));
+        budget->energy += (vm_dot(p, now.v) + vm_dot(spin, now.omega)) / 2;
     }
 }
 
@@ -19409,16 +20411,16 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
     sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
     vmi_scene_evaluate(scene, t, y);
     vmi_scene_totals(scene, y, &b);
-    b.impulse = vmi_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
-    b.angular_impulse = vmi_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));
+    b.impulse = vm_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
+    b.angular_impulse = vm_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));
     b.brought = vmi_get3(sums + VMI_BUDGET_BROUGHT);
     b.brought_angular = vmi_get3(sums + VMI_BUDGET_BROUGHT_ANGULAR);
     b.work = sums[VMI_BUDGET_WORK];
     b.brought_energy = sums[VMI_BUDGET_BROUGHT_ENERGY];
     b.mixing = sums[VMI_BUDGET_MIXING];
-    b.momentum_defect = vmi_sub(vmi_sub(b.momentum, start->momentum), vmi_add(b.impulse, b.brought));
-    b.angular_defect = vmi_sub(vmi_sub(b.angular_momentum, start->angular_momentum),
-                               vmi_add(b.angular_impulse, b.brought_angular));
+    b.momentum_defect = vm_sub(vm_sub(b.momentum, start->momentum), vm_add(b.impulse, b.brought));
+    b.angular_defect = vm_sub(vm_sub(b.angular_momentum, start->angular_momentum),
+                               vm_add(b.angular_impulse, b.brought_angular));
     b.energy_defect = b.energy - start->energy - (b.work + b.brought_energy - b.mixing + b.jump_energy);
     *budget = b;
     return VM_OK;
@@ -19679,10 +20681,10 @@ VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
     const vm_vec3 d = vmi_times(&turn, part->r);
-    part->r = vmi_add(body->r, d);
-    part->v = vmi_add(vmi_times(&turn, part->v), vmi_add(body->v, vmi_cross(body->omega, d)));
-    part->omega = vmi_add(vmi_times(&turn, part->omega), body->omega);
-    part->q = vmi_quat_is_none(part->q) ? body->q : vmi_quat_times(body->q, part->q);
+    part->r = vm_add(body->r, d);
+    part->v = vm_add(vmi_times(&turn, part->v), vm_add(body->v, vm_cross(body->omega, d)));
+    part->omega = vm_add(vmi_times(&turn, part->omega), body->omega);
+    part->q = vmi_quat_is_none(part->q) ? body->q : vm_quat_times(body->q, part->q);
 }
 
 VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
@@ -19738,16 +20740,25 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* After a jump has moved the mass centre of a growing body to r, updates its position in body axes, which is in the
-   state */
+/* After a jump has moved the mass centre of a body to r, updates its position in body axes: that of a growing body,
+   which is in the state, and that of a body at whose points an effect acts */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
-    const vm_scene_body *b = s->bodies + body;
+    vm_scene_body *b = s->bodies + body;
     vm_real *state = y + b->at;
     vm_vec3 step;
+    if (b->shift) b->shift(b, vm_sub(r, vmi_scene_moving(b, state)), state);
     if (!b->grows) return;
-    step = vmi_times_transposed(&b->axes, vmi_sub(r, vmi_scene_moving(b, state)));
-    vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
+    step = vmi_times_transposed(&b->axes, vm_sub(r, vmi_scene_moving(b, state)));
+    vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
+}
+
+/* Lets effects that hold bodies together act even if their first body is not present: they leave out such bodies */
+VM_API void vmi_scene_wake(vm_scene *s)
+{
+    int i;
+    for (i = 0; i < s->n_effects; i++)
+        if (s->effects[i].settle) s->effects[i].idle &= VMI_IDLE_SWITCHED_OFF;
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
@@ -19764,28 +20775,44 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_shift_centre(s, e->jump_body, result->r, y);
     if (part_or_NULL) {
         other->noted_mass = part_or_NULL->mass;
+        other->centre = vmi_vec3(0, 0, 0);
         if (other->grows) vmi_growth_put_centre(other, vmi_vec3(0, 0, 0), y + other->at);
         vmi_scene_put(s, e->other, part_or_NULL, angle + other->angle, y);
     }
     vmi_scene_put(s, e->jump_body, result, angle, y);
     vmi_scene_presence(s);
+    vmi_scene_wake(s);
     vmi_scene_hold_masses(s, t, y);
 }
 
+/* Lets effects that hold bodies together give their impulses after a jump. The loads have been evaluated. */
+VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < s->n_effects; i++) {
+        const vm_effect *e = s->effects + i;
+        if (e->settle && !e->idle) status = vmi_first_error(status, e->settle(e, y, s));
+    }
+    return status;
+}
+
 /* Writes the bodies after a jump into the state, and adds to the budget the energy that the jump adds and the impulse
-   from outside */
-VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+   from outside. Returns VM_OK, or the status of an effect that cannot hold the bodies together. */
+VM_API int vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
     vm_budget *budget = s->budget;
     vm_budget before, after;
+    int status;
     if (budget) budget->totals(s, y, &before);
     vmi_scene_put_jump(e, t, y, result, part_or_NULL);
-    if (!budget) return;
+    status = vmi_scene_settle(s, y);
+    if (!budget) return status;
     budget->totals(s, y, &after);
     budget->jump_energy += after.energy - before.energy;
-    budget->impulse = vmi_add(budget->impulse, e->external.linear);
-    budget->angular_impulse = vmi_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    budget->impulse = vm_add(budget->impulse, e->external.linear);
+    budget->angular_impulse = vm_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    return status;
 }
 
 VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
@@ -19798,8 +20825,7 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
-    vmi_scene_jump(e, t, y, &rest, &part);
-    return VM_OK;
+    return vmi_scene_jump(e, t, y, &rest, &part);
 }
 
 /* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
@@ -19852,8 +20878,7 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
     if (status < 0) return status;
-    vmi_scene_jump(e, t, y, &whole, NULL);
-    return VM_OK;
+    return vmi_scene_jump(e, t, y, &whole, NULL);
 }
 
 /* The event attaches a body to another body on the same line or axle. The body `added` becomes a part of `body` and is
@@ -19888,6 +20913,160 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
     event = vm_then_attach_on_line(event, body, added);
     event.jump = vmi_event_jump_any;
     event.motions = VMI_ALL_MOTIONS;
+    return event;
+}
+
+#endif
+/* scenes/contact.h - contact of bodies with the ground
+
+   The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball of a radius
+   about this point, touches the ground where its height is negative. The ground then pushes along the normal with the
+   force stiffness * depth - damping * (velocity along the normal). It never pulls and has no friction.
+
+       vm_contact wheel = {{0, 0, 0}, 0.3, {0, 0, 0}, {0, 1, 0}, 1e5, 300}; // 0.3 m radius; y points up
+       vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_contact(0, &wheel)};
+       vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
+
+   vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
+   impulse takes away the velocity of the point along the normal. Afterwards the body rests on the stiffness.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_CONTACT_H
+#define VARMASS_SCENES_CONTACT_H
+
+/* A point of a body, or a ball about it, and the ground on which it comes down */
+typedef struct VM_TAG(vm_contact) {
+    vm_vec3 at;        /* m, body axes: the point of the body */
+    vm_real radius;    /* m: radius of a ball about the point, >= 0 */
+    vm_vec3 on;        /* m: a point of the ground */
+    vm_vec3 normal;    /* direction out of the ground, of any length > 0 */
+    vm_real stiffness; /* N/m, >= 0 */
+    vm_real damping;   /* N s/m, >= 0 */
+} vm_contact;
+
+/* Height of the ball over the ground; it is negative where the ball touches the ground. *p is the point of the body,
+   and *normal becomes the unit vector out of the ground. */
+VM_API vm_real vmi_contact_height(const vm_contact *contact, const vmi_body_point *p, vm_vec3 *normal)
+{
+    *normal = vmi_over(contact->normal, vm_norm(contact->normal));
+    return vm_dot(vm_sub(p->r, contact->on), *normal) - contact->radius;
+}
+
+VM_API void vmi_apply_contact(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vmi_body_point p;
+    vm_vec3 normal;
+    vm_real height, force;
+    (void)t;
+    vmi_point_now(s, e->body, contact->at, y, &p);
+    height = vmi_contact_height(contact, &p, &normal);
+    if (height >= 0) return;
+    force = -contact->stiffness * height - contact->damping * vm_dot(p.v, normal);
+    if (force > 0) vmi_point_push(s->bodies + e->body, &p, vm_scale(force, normal));
+    if (!VM_IS_FINITE(force)) s->status = VM_NOT_FINITE;
+}
+
+VM_API int vmi_contact_check_parts(const vm_scene *s, int body, const vm_contact *contact)
+{
+    int status = vmi_point_check(s, body, contact->at);
+    if (!VM_IS_FINITE(contact->radius) || !VM_IS_FINITE(contact->stiffness) || !VM_IS_FINITE(contact->damping) ||
+        !vmi_vec3_is_finite(contact->on) || !vmi_vec3_is_finite(contact->normal))
+        status = vmi_first_error(status, VM_NOT_FINITE);
+    if (contact->stiffness < 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
+    if (contact->radius < 0 || contact->damping < 0 || vm_norm(contact->normal) == 0)
+        status = vmi_first_error(status, VM_DOMAIN);
+    return status;
+}
+
+VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
+{
+    return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
+}
+
+/* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
+   event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
+   VM_NOT_FINITE, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or damping is negative or the normal is
+   0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
+VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
+{
+    vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
+    e.parts = contact;
+    e.check_in_scene = vmi_contact_check;
+    return e;
+}
+
+VM_API vm_real vmi_when_contact(const vm_event *e, vm_real t, const vm_real *y)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vmi_body_point p;
+    vm_vec3 normal;
+    (void)t;
+    vmi_point_now(e->scene, e->body, contact->at, y, &p);
+    return vmi_contact_height(contact, &p, &normal);
+}
+
+VM_API int vmi_contact_check_event(const vm_scene *s, const vm_event *e)
+{
+    return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
+}
+
+/* An event when a body comes down to the ground. Only the fields at, radius, on and normal of *contact matter, which
+   is not copied. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL, and the errors of vm_effect_contact. */
+VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
+{
+    vm_event e = vmi_event(body, 0, 0, -1);
+    e.when = contact ? vmi_when_contact : NULL;
+    e.parts = contact;
+    e.check = vmi_contact_check_event;
+    if (!contact) e.status = VM_BAD_ARGUMENT;
+    return e;
+}
+
+/* Takes away the velocity of the point along the normal by an impulse, which enters the budget. The body gets the
+   velocities that the impulse 1 along the normal gives it, times a factor. */
+VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vm_scene *s = e->scene;
+    vm_budget before, after;
+    vmi_body_point p;
+    vm_vec3 normal, impulse;
+    vm_real mobility, v;
+    vmi_scene_evaluate(s, t, y);
+    vmi_point_now(s, e->body, contact->at, y, &p);
+    vmi_contact_height(contact, &p, &normal);
+    v = vm_dot(p.v, normal);
+    mobility = vmi_point_mobility(s->bodies + e->body, &p, normal);
+    if (v >= 0 || mobility == 0) return VM_OK;
+    impulse = vm_scale(-v / mobility, normal);
+    if (s->budget) s->budget->totals(s, y, &before);
+    vmi_point_kick(s->bodies + e->body, &p, impulse, y);
+    if (!s->budget) return VM_OK;
+    s->budget->totals(s, y, &after);
+    s->budget->jump_energy += after.energy - before.energy;
+    s->budget->impulse = vm_add(s->budget->impulse, impulse);
+    s->budget->angular_impulse = vm_add(s->budget->angular_impulse, vm_cross(p.r, impulse));
+    return VM_OK;
+}
+
+/* Checks a landing: reactions of links and joints would have to act in the same impulse */
+VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
+{
+    const int status = vmi_contact_check_event(s, e);
+    if (status) return status;
+    return s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1 ? VM_TWO_LINKS : VM_OK;
+}
+
+/* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point along
+   the normal, and the body keeps its other velocities as far as it is free. Afterwards vm_effect_contact carries the
+   body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of vm_event_contact, and VM_TWO_LINKS for a
+   body with a link or a joint, whose impulses this event does not compute. */
+VM_API vm_event vm_then_land(vm_event event)
+{
+    event.then = vmi_then_land;
+    event.check = vmi_land_check;
+    if (!event.parts) event.status = VM_BAD_ARGUMENT;
     return event;
 }
 

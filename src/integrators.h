@@ -68,8 +68,15 @@
      or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
      happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
      motion that is reversed on contact does not touch twice.
+     A run ends at each event of an ODE_STOP, or when an event has happened `stop_after` times. Its t_end may then be
+     infinite; h_max should bound the steps then, where the solution is so smooth that they would grow without end.
      Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
      h_max makes evaluations more frequent.
+
+   OUTPUT AND SAVED RUNS
+     rk45_solve_at and rk87_solve_at fill a table with the states at listed times, without shortening the steps.
+     rk45_save and rk87_save write a run to an array of bytes; rk45_resume and rk87_resume continue it with the same
+     bits.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH
      The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
@@ -131,5 +138,7 @@
 #include "integrators/rk4.h"
 #include "integrators/rk45.h"
 #include "integrators/rk87.h"
+#include "integrators/output.h"
+#include "integrators/saved.h"
 
 #endif

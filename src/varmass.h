@@ -19,11 +19,11 @@
 
    CHAPTERS
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
-     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
-                    part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
-                    Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
-                    rotation; streams of mass with their reactive force and torque; rockets; tanks and grains; orbits of
-                    two bodies; a band that winds up on a drum
+     mechanics/     vectors, attitudes, Euler's angles; bodies; jumps (a part separates from a body or is attached to
+                    it), in space and in the plane; how a part must leave so that the remaining body moves as wanted;
+                    energy of a jump; a rotor that breaks; Lagrange's equations across a jump and with variable mass; a
+                    pendulum that is cut; torque-free rotation; streams of mass with their reactive force and torque;
+                    rockets; tanks and grains; orbits of two bodies; a band that winds up on a drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
                     Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
@@ -105,6 +105,8 @@
 #include "base/polynomial.h"
 #include "base/lambert.h"
 #include "mechanics/vectors.h"
+#include "mechanics/attitude.h"
+#include "mechanics/euler_angles.h"
 #include "mechanics/inertia.h"
 #include "mechanics/bodies.h"
 #include "mechanics/bodies2.h"
@@ -128,7 +130,6 @@
 #include "mechanics/orbit.h"
 #include "mechanics/drum.h"
 #include "mechanics/lagrange.h"
-#include "mechanics/euler_angles.h"
 #include "oscillators/constant_mass.h"
 #include "oscillators/laws.h"
 #include "oscillators/problem.h"
@@ -172,10 +173,14 @@
 #include "scenes/state.h"
 #include "scenes/evaluate.h"
 #include "scenes/check.h"
+#include "scenes/points.h"
+#include "scenes/springs.h"
+#include "scenes/joints.h"
 #include "scenes/start.h"
 #include "scenes/balance.h"
 #include "scenes/events.h"
 #include "scenes/jumps.h"
+#include "scenes/contact.h"
 #include "scenes/run.h"
 
 #endif

@@ -140,6 +140,7 @@ static vm_vec3 vector(vm_real size)
 #include "golden/elliptic.h"
 #include "golden/ateb.h"
 #include "golden/integrators.h"
+#include "golden/attitude.h"
 #include "golden/jumps.h"
 #include "golden/rotor.h"
 #include "golden/lagrange.h"
@@ -201,6 +202,8 @@ int main(void)
     RUN(ateb);
     RUN(beta);
     RUN(integrators);
+    RUN(output);
+    RUN(attitude);
     RUN(jumps);
     RUN(rotor);
     RUN(lagrange);

@@ -15,7 +15,7 @@ static int gylden(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     const vm_vec3 r = vmi_get3(y);
     const vm_real d = R(size_of(r)), mu = R(mu_of((double)t, ((const pull *)ctx)->rate));
     vmi_set3(dydt, vmi_get3(y + 3));
-    vmi_set3(dydt + 3, vmi_scale(-mu / (d * d * d), r));
+    vmi_set3(dydt + 3, vm_scale(-mu / (d * d * d), r));
     return 0;
 }
 
@@ -72,7 +72,7 @@ static void test_ellipse(void)
     }
 }
 
-static double energy(vm_vec3 r, vm_vec3 v) { return (double)vmi_dot(v, v) / 2 - 1 / size_of(r); }
+static double energy(vm_vec3 r, vm_vec3 v) { return (double)vm_dot(v, v) / 2 - 1 / size_of(r); }
 
 /* Energy and angular momentum stay, and the way back leads to the start: random orbits, some of them next to a
    parabola */
@@ -83,16 +83,16 @@ static void test_conservation(void)
         vm_vec3 r0 = vector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)), r, v, v0, s, w;
         const double t = uniform(-5, 5);
         double scale;
-        r0 = vmi_scale(R(1 / size_of(r0)), r0);
+        r0 = vm_scale(R(1 / size_of(r0)), r0);
         v0 = vector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
-        if (i % 3 == 0) v0 = vmi_scale(R(sqrt(2) * (1 + uniform(-1, 1) * 1e-6) / size_of(v0)), v0);
-        if (size_of(vmi_cross(r0, v0)) < .3) continue; /* close to the centre everything is badly conditioned */
+        if (i % 3 == 0) v0 = vm_scale(R(sqrt(2) * (1 + uniform(-1, 1) * 1e-6) / size_of(v0)), v0);
+        if (size_of(vm_cross(r0, v0)) < .3) continue; /* close to the centre everything is badly conditioned */
         r = s = r0;
         v = w = v0;
         CHECK(vm_orbit(R(t), 1, r0, v0, &r, &v) == VM_OK && vm_orbit(R(-t), 1, r, v, &s, &w) == VM_OK);
-        scale = (double)vmi_dot(v, v) + 1;
+        scale = (double)vm_dot(v, v) + 1;
         check_error("conservation", "energy", "eps", fabs(energy(r, v) - energy(r0, v0)) / scale / eps, 200, i, t);
-        check_error("conservation", "angular momentum", "eps", apart(vmi_cross(r, v), vmi_cross(r0, v0)) / eps, 400, i,
+        check_error("conservation", "angular momentum", "eps", apart(vm_cross(r, v), vm_cross(r0, v0)) / eps, 400, i,
                     t);
         check_error("conservation", "there and back", "eps", apart(s, r0) / eps, 2e4, i, t);
     }
@@ -121,7 +121,7 @@ static void test_scene(int plane)
     bodies[0] = vm_scene_body_point(1, r1, v1);
     if (plane) bodies[0] = vm_scene_body_plane(1, 1, r1, 0, v1, 0);
     bodies[1] = vm_scene_body_point(1, r2, flat);
-    bodies[2] = vm_scene_body_point(5, vmi_add(far_away, vector(1, 0, 0)), up);
+    bodies[2] = vm_scene_body_point(5, vm_add(far_away, vector(1, 0, 0)), up);
     effects[0] = vm_effect_mass_of_time(0, &first, zero, 0);
     effects[1] = vm_effect_mass_of_time(1, &second, zero, 0);
     effects[2] = vm_effect_gravitation(0, 1, R(.3));
@@ -144,12 +144,12 @@ static void test_scene(int plane)
     check_error("scene", "angular momentum", "abs", size_of(totals.angular_defect), PICK(1e-9, 1e-3), plane, 0);
     check_error("scene", "energy", "abs", fabs((double)totals.energy_defect), PICK(1e-9, 1e-3), plane, 0);
     if (!plane) {
-        CHECK(!vm_orbit_meshchersky(4, R(1.5), R(.1), vmi_sub(r2, r1), vmi_sub(flat, v1), &r, &v));
-        check_error("scene", "two bodies", "abs", apart(vmi_sub(two.r, one.r), r), PICK(1e-9, 1e-3), 0, 0);
-        check_error("scene", "two velocities", "abs", apart(vmi_sub(two.v, one.v), v), PICK(1e-9, 1e-3), 0, 0);
+        CHECK(!vm_orbit_meshchersky(4, R(1.5), R(.1), vm_sub(r2, r1), vm_sub(flat, v1), &r, &v));
+        check_error("scene", "two bodies", "abs", apart(vm_sub(two.r, one.r), r), PICK(1e-9, 1e-3), 0, 0);
+        check_error("scene", "two velocities", "abs", apart(vm_sub(two.v, one.v), v), PICK(1e-9, 1e-3), 0, 0);
     }
     CHECK(!vm_orbit(4, R(1.5), vector(1, 0, 0), up, &r, &v));
-    check_error("scene", "one centre", "abs", apart(vmi_sub(three.r, far_away), r), PICK(1e-9, 5e-3), 0, 0);
+    check_error("scene", "one centre", "abs", apart(vm_sub(three.r, far_away), r), PICK(1e-9, 5e-3), 0, 0);
 }
 
 static void refuse_effect(vm_effect e, int status)

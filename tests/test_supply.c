@@ -18,24 +18,24 @@ static vm_supply some_supply(int kind)
 
 /* ---- Sums over particles ---- */
 
-static vm_vec3 unit(vm_vec3 a) { return vmi_scale(R(1 / size_of(a)), a); }
+static vm_vec3 unit(vm_vec3 a) { return vm_scale(R(1 / size_of(a)), a); }
 
 /* Sets *centre and *inertia to those of a hollow cylinder of particles: rings of equal mass, each of 8 particles */
 static void particles(const vm_supply *s, double length, double bore, double mass, vm_vec3 *centre, vm_inertia *inertia)
 {
     enum { RINGS = 20, LAYERS = 200, ROUND = 8 };
-    const vm_vec3 e = unit(s->axis), x = unit(vmi_cross(e, vector(1, 0, 0))), y = vmi_cross(e, x);
+    const vm_vec3 e = unit(s->axis), x = unit(vm_cross(e, vector(1, 0, 0))), y = vm_cross(e, x);
     const double m = mass / (RINGS * LAYERS * ROUND), R2 = (double)(s->radius * s->radius), r2 = bore * bore;
     double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
     int i, j, k;
-    *centre = vmi_add(s->at, vmi_scale(R(length / 2), e));
+    *centre = vm_add(s->at, vm_scale(R(length / 2), e));
     for (i = 0; i < RINGS; i++)
         for (j = 0; j < LAYERS; j++)
             for (k = 0; k < ROUND; k++) {
                 const double r = sqrt(r2 + (R2 - r2) * (i + .5) / RINGS), z = length * ((j + .5) / LAYERS - .5);
                 const double a = 2 * 3.14159265358979324 * k / ROUND;
-                const vm_vec3 d = vmi_add(vmi_scale(R(z), e),
-                                          vmi_add(vmi_scale(R(r * cos(a)), x), vmi_scale(R(r * sin(a)), y)));
+                const vm_vec3 d = vm_add(vm_scale(R(z), e),
+                                          vm_add(vm_scale(R(r * cos(a)), x), vm_scale(R(r * sin(a)), y)));
                 xx += m * (double)(d.y * d.y + d.z * d.z);
                 yy += m * (double)(d.x * d.x + d.z * d.z);
                 zz += m * (double)(d.x * d.x + d.y * d.y);
@@ -93,17 +93,17 @@ static void test_identities(int kind)
         a = b = c = d = left;
         CHECK(!vm_supply_at(&s, m, &left) && !vm_supply_at(&s, m + h, &a) && !vm_supply_at(&s, m - h, &b));
         CHECK(!vm_supply_at(&s, m + 2 * h, &c) && !vm_supply_at(&s, m - 2 * h, &d));
-        by_mass = vmi_scale(1 / (2 * h), vmi_sub(a.centre, b.centre));
+        by_mass = vm_scale(1 / (2 * h), vm_sub(a.centre, b.centre));
         check_error("differences", "centre", "eps", apart(by_mass, left.centre_by_mass) / eps, 2, kind, i);
         rate = vmi_inertia_plus(vmi_inertia_plus(a.inertia, -1, b.inertia), R(-.125),
                                 vmi_inertia_plus(c.inertia, -1, d.inertia));
         memset(&growth, 0, sizeof growth);
         rate = vmi_inertia_plus(growth, 2 / (3 * h), rate);
         check_error("differences", "inertia", "eps", tensors_apart(&rate, &left.inertia_by_mass) / eps, 64, kind, i);
-        store = vmi_add(left.centre, vmi_scale(m, left.centre_by_mass));
+        store = vm_add(left.centre, vm_scale(m, left.centre_by_mass));
         check_error("identity", "d(m c)/dm = s", "eps", apart(store, left.store.at) / eps, 8, kind, i);
         growth = vmi_inertia_plus(left.store.gyration, 1,
-                                  vmi_inertia_of_point(vmi_sub(left.store.at, left.centre)));
+                                  vmi_inertia_of_point(vm_sub(left.store.at, left.centre)));
         check_error("identity", "dI/dm = Q + P", "eps", tensors_apart(&growth, &left.inertia_by_mass) / eps, 32, kind,
                     i);
     }
@@ -218,7 +218,7 @@ static void vary_store(vm_real t, const vm_real *y, vm_stream *stream, void *ctx
     (void)t;
     if (vm_supply_at(&k->supply, y[k->mass_at] - 10, &left)) return;
     k->store = left.store;
-    k->store.at = vmi_sub(left.store.at, k->origin);
+    k->store.at = vm_sub(left.store.at, k->origin);
     stream->from = &k->store;
 }
 
@@ -250,7 +250,7 @@ static void test_scene_of_supply(int kind)
     CHECK(!vm_flow_body(&flow, VM_FLOW_STATES, y, &wanted));
     k.origin = k.whole.r;
     k.mass_at = 13;
-    k.stream.at = vmi_sub(k.stream.at, k.origin);
+    k.stream.at = vm_sub(k.stream.at, k.origin);
     memset(z, 0, sizeof z);
     z[13] = k.whole.mass;
     vary_store(0, z, &k.stream, &k);

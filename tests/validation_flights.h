@@ -277,8 +277,8 @@ static void toutatis_periods(double *spin, double *precession)
     const vm_body start = toutatis_start();
     const vm_vec3 L = {start.inertia.xx * start.omega.x, start.inertia.yy * start.omega.y,
                        start.inertia.zz * start.omega.z};
-    const vm_vec3 along = vmi_over(L, vmi_norm2(L)), z = {0, 0, 1};
-    const vm_vec3 across = vmi_over(vmi_cross(along, z), vmi_norm2(vmi_cross(along, z))), third = vmi_cross(along, across);
+    const vm_vec3 along = vmi_over(L, vm_norm(L)), z = {0, 0, 1};
+    const vm_vec3 across = vmi_over(vm_cross(along, z), vm_norm(vm_cross(along, z))), third = vm_cross(along, across);
     double turned = 0, precessed = 0, body_angle = 0, space_angle = 0;
     int i;
     for (i = 0; i <= STEPS; i++) {
@@ -291,7 +291,7 @@ static void toutatis_periods(double *spin, double *precession)
         axis = vmi_times(&turn, z);
         seen = vmi_times_transposed(&turn, L);
         body_now = atan2((double)seen.y, (double)seen.x);
-        space_now = atan2((double)vmi_dot(axis, third), (double)vmi_dot(axis, across));
+        space_now = atan2((double)vm_dot(axis, third), (double)vm_dot(axis, across));
         if (i > 0) {
             turned += angle_step(body_now, body_angle);
             precessed += angle_step(space_now, space_angle);
@@ -355,15 +355,15 @@ static void validate_toutatis_rates(void)
         const toutatis_observation *o = toutatis_seen + i;
         const vm_vec3 observed = {(vm_real)(o->rate[0] * DEGREE), (vm_real)(o->rate[1] * DEGREE),
                                   (vm_real)(o->rate[2] * DEGREE)};
-        const double t = o->day + (o->hour + o->minute / 60) / 24 - epoch, speed = (double)vmi_norm2(observed);
+        const double t = o->day + (o->hour + o->minute / 60) / 24 - epoch, speed = (double)vm_norm(observed);
         vm_body b;
         vm_vec3 rate;
         double cosine;
         if (vm_torque_free_rotation(&start, (vm_real)t, &b)) continue;
         rate = seen_from(b.q, b.omega);
-        cosine = (double)vmi_dot(rate, observed) / ((double)vmi_norm2(rate) * speed);
+        cosine = (double)vm_dot(rate, observed) / ((double)vm_norm(rate) * speed);
         sprintf(text, "December %g, difference of the speed", o->day);
-        validation_row(text, o->norm_error, fabs((double)vmi_norm2(rate) / speed - 1));
+        validation_row(text, o->norm_error, fabs((double)vm_norm(rate) / speed - 1));
         sprintf(text, "December %g, angle, degrees", o->day);
         validation_row(text, o->angle, acos(cosine) / DEGREE);
     }

@@ -62,7 +62,9 @@ enum {
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
     VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) makes the effective mass M + M'(v) (reactive v - u) <= 0 */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
-    VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
+    VM_BAD_STIFFNESS = -32,      /* a stiffness is not positive */
+    VM_BAD_POINT = -33,          /* scenes: a force at this point would turn a body about an axis without inertia */
+    VM_NOT_JOINED = -34          /* scenes: the points of a joint are apart, or move apart, at the start */
 };
 
 /* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
@@ -110,6 +112,8 @@ VM_API const char *vm_strerror(int status)
         return "M + M'(v) (reactive v - u) of the mass law M(v) is not positive: no force accelerates it";
     case VM_NOT_STARTED: return "the scene was not started, or was changed after its start: call vm_scene_start";
     case VM_BAD_STIFFNESS: return "a stiffness is not positive";
+    case VM_BAD_POINT: return "a point body has no other point, and a rod only those on its axis: choose such a point";
+    case VM_NOT_JOINED: return "the points of a joint are apart, or move apart, at the start: let the bodies fit";
     default: return "unknown status";
     }
 }

@@ -180,12 +180,12 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
     if (status) return status;
-    return vmi_rk45_run(s, f, n, t_end, 0);
+    return vmi_end_solve(t_end, vmi_rk45_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
-   t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
-   is after options.max_steps attempts, another call continues the run. */
+/* Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if there
+   is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted step.
+   Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;

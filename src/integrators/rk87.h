@@ -381,10 +381,10 @@ VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
     if (status) return status;
-    return vmi_rk87_run(s, f, n, t_end, 0);
+    return vmi_end_solve(t_end, vmi_rk87_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
+/* Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run. All else is as in
    rk45_solve. */
 VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 {

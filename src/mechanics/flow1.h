@@ -68,7 +68,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
     if (vmi_stream_moves_with_body(motion)) u = v;
-    if (vmi_stream_velocity_is_given(motion)) u = vmi_add(u, given);
+    if (vmi_stream_velocity_is_given(motion)) u = vm_add(u, given);
     return u;
 }
 
@@ -76,7 +76,7 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
-    const vm_vec3 v = vmi_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
+    const vm_vec3 v = vm_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
     vm_real rate = 0;
     vm_vec3 force = flow->force;
     int k, status = VM_OK;
@@ -88,7 +88,7 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
         const vm_stream *s = flow->streams + k;
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         rate += s->rate;
-        force = vmi_add(force, vmi_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
+        force = vm_add(force, vm_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
     }
     vmi_set3(dydt + VM_TRANSLATION_R, v);
     vmi_set3(dydt + VM_TRANSLATION_P, force);

@@ -120,8 +120,8 @@ VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, 
     *p = *h = vmi_vec3(0, 0, 0);
     for (k = 0; k < n; k++) {
         if (!s[k].from) continue;
-        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
-        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
+        *p = vm_add(*p, vm_scale(s[k].rate, vm_sub(s[k].from->at, s[k].at)));
+        *h = vm_add(*h, vm_scale(s[k].rate, vm_cross(vm_sub(s[k].at, centre), vm_sub(s[k].from->at, centre))));
     }
 }
 
@@ -163,18 +163,18 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     if (vmi_stream_moves_with_body(s->motion)) {
         *spin = b->omega;
         if (given) {
-            carried = vmi_add(carried, s->velocity);
-            *spin = vmi_add(b->omega, s->spin);
+            carried = vm_add(carried, s->velocity);
+            *spin = vm_add(b->omega, s->spin);
         }
-        *push = vmi_scale(s->rate, carried);
+        *push = vm_scale(s->rate, carried);
         sum->carried += s->rate;
-        sum->pushed = vmi_add(sum->pushed, *push);
+        sum->pushed = vm_add(sum->pushed, *push);
     } else if (given) {
-        *push = vmi_scale(s->rate, vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v)));
+        *push = vm_scale(s->rate, vmi_times_transposed(b->turn, vm_sub(s->velocity, b->v)));
         *spin = vmi_times_transposed(b->turn, s->spin);
-        sum->absolute = vmi_add(sum->absolute, vmi_scale(s->rate, s->velocity));
+        sum->absolute = vm_add(sum->absolute, vm_scale(s->rate, s->velocity));
     } else {
-        *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v));
+        *push = vmi_times_transposed(b->turn, vm_scale(-s->rate, b->v));
         *spin = vmi_vec3(0, 0, 0);
     }
 }
@@ -184,13 +184,13 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
-    const vm_vec3 relative = vmi_sub(spin, b->omega);
+    const vm_vec3 relative = vm_sub(spin, b->omega);
     vm_vec3 u = push, absolute, w;
-    if (s->rate != 0) u = vmi_scale(1 / s->rate, push);
-    absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v));
-    w = vmi_sub(u, carried);
-    sum->brought += s->rate * vmi_dot(absolute, absolute) + vmi_dot(spin, vmi_inertia_times(own, spin));
-    sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
+    if (s->rate != 0) u = vm_scale(1 / s->rate, push);
+    absolute = vm_add(u, vmi_times_transposed(b->turn, b->v));
+    w = vm_sub(u, carried);
+    sum->brought += s->rate * vm_dot(absolute, absolute) + vm_dot(spin, vmi_inertia_times(own, spin));
+    sum->lost += s->rate * vm_dot(w, w) + vm_dot(relative, vmi_inertia_times(own, relative));
 }
 
 /* Computes the sums over n streams. Returns 0 if the `motion` of a stream is unknown, else 1. */
@@ -201,21 +201,21 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
     int k;
     *sum = none;
     for (k = 0; k < n; k++, s++) {
-        const vm_vec3 d = vmi_sub(s->at, b->centre), carried = vmi_add(b->slip, vmi_cross(b->omega, d));
+        const vm_vec3 d = vm_sub(s->at, b->centre), carried = vm_add(b->slip, vm_cross(b->omega, d));
         vm_inertia own = vmi_stream_own(s->rate, &s->gyration);
         vm_vec3 push, spin, stored = d;
         if (!vmi_stream_motion_is_known(s->motion)) return 0;
         vmi_stream_motion(s, b, carried, sum, &push, &spin);
         if (b->energy) vmi_stream_energy(s, b, &own, push, spin, carried, sum);
         sum->rate += s->rate;
-        sum->moment = vmi_add(sum->moment, vmi_cross(d, push));
-        sum->own = vmi_add(sum->own, vmi_inertia_times(&own, spin));
-        sum->crossing = vmi_add(sum->crossing, vmi_scale(s->rate, d));
+        sum->moment = vm_add(sum->moment, vm_cross(d, push));
+        sum->own = vm_add(sum->own, vmi_inertia_times(&own, spin));
+        sum->crossing = vm_add(sum->crossing, vm_scale(s->rate, d));
         if (s->from) {
-            stored = vmi_sub(s->from->at, b->centre);
+            stored = vm_sub(s->from->at, b->centre);
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
-        sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
+        sum->stored = vm_add(sum->stored, vm_scale(s->rate, stored));
         /* add the term M' (kappa + P(d)) as a whole, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
@@ -290,11 +290,11 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     seen.energy = 0;
     seen.omega = vmi_times_transposed(&turn, body->omega);
     vmi_stream_sums(n, streams, &seen, &sum);
-    r.force = vmi_add(vmi_times(&turn, sum.pushed),
-                      vmi_sub(sum.absolute, vmi_scale(sum.rate - sum.carried, body->v)));
+    r.force = vm_add(vmi_times(&turn, sum.pushed),
+                      vm_sub(sum.absolute, vm_scale(sum.rate - sum.carried, body->v)));
     r.moment = vmi_times(&turn, sum.moment);
-    r.torque = vmi_times(&turn, vmi_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
-    r.drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
+    r.torque = vmi_times(&turn, vm_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
+    r.drift = vm_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
     r.mass_rate = sum.rate;
     r.inertia_rate = sum.inertia;
     if (!vmi_reactive_finite(&r)) return VM_NOT_FINITE;
@@ -307,7 +307,7 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
-    return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
+    return vmi_inertia_solve(factors, vm_sub(moment, vm_cross(omega, vmi_inertia_times(i, omega))));
 }
 
 /* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
@@ -330,8 +330,8 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
-    sum = vmi_add(moment, vmi_add(loads->moment, loads->torque));
-    linear = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
+    sum = vm_add(moment, vm_add(loads->moment, loads->torque));
+    linear = vm_scale(1 / body->mass, vm_add(force, loads->force));
     angular = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
                                vmi_times_transposed(&turn, sum));
     angular = vmi_times(&turn, angular);

@@ -93,11 +93,11 @@ VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *lef
     const vm_real m = left->mass, level = s->length * (m / s->full), disc = s->radius * s->radius / 4;
     const vm_real slope = s->length / s->full / 2;
     left->size = level;
-    left->centre = vmi_add(s->at, vmi_scale(level / 2, e));
-    left->centre_by_mass = vmi_scale(slope, e);
+    left->centre = vm_add(s->at, vm_scale(level / 2, e));
+    left->centre_by_mass = vm_scale(slope, e);
     left->inertia = vmi_inertia_of_revolution(e, m * (2 * disc), m * (disc + level * level / 12));
     left->inertia_by_mass = vmi_inertia_of_revolution(e, 2 * disc, disc + level * level / 4);
-    left->store.at = vmi_add(s->at, vmi_scale(level, e));
+    left->store.at = vm_add(s->at, vm_scale(level, e));
     left->store.gyration = vmi_inertia_of_revolution(e, 2 * disc, disc);
 }
 
@@ -114,7 +114,7 @@ VM_API void vmi_supply_hollow(const vm_supply *s, vm_vec3 e, vm_supply_left *lef
         axial = bore;
         transverse = bore / 2;
     }
-    left->centre = left->store.at = vmi_add(s->at, vmi_scale(s->length / 2, e));
+    left->centre = left->store.at = vm_add(s->at, vm_scale(s->length / 2, e));
     left->centre_by_mass = vmi_vec3(0, 0, 0);
     left->inertia = vmi_inertia_of_revolution(e, m * ((square + bore) / 2), m * ((square + bore) / 4 + rod));
     left->inertia_by_mass = left->store.gyration = vmi_inertia_of_revolution(e, axial, transverse + rod);
@@ -142,7 +142,7 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
     status = vmi_supply_check(supply, mass);
     if (status) return status;
     e = vmi_over(supply->axis, vmi_norm_max(supply->axis));
-    e = vmi_over(e, VM_SQRT(vmi_dot(e, e)));
+    e = vmi_over(e, VM_SQRT(vm_dot(e, e)));
     result.mass = mass;
     if (supply->kind == VM_TANK_OF_LIQUID) vmi_supply_liquid(supply, e, &result);
     else vmi_supply_hollow(supply, e, &result);

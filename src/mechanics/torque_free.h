@@ -273,7 +273,7 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     if (size.hi == 0) return;
     for (k = 0; k < 3; k++) {
         const vm_real cosine = vmi_two_over(b->omega.x[k], size).hi;
-        motion->axes.z = vmi_add(motion->axes.z, vmi_scale(cosine, vmi_vec3_two_high_words(&b->axis[k])));
+        motion->axes.z = vm_add(motion->axes.z, vm_scale(cosine, vmi_vec3_two_high_words(&b->axis[k])));
     }
     motion->spin[2] = size.hi;
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
@@ -374,8 +374,8 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     vmi_torque_free_prepare(motion, b);
     if (vmi_quat_is_none(q)) q.w = 1;
     vmi_torque_free_at(motion, vmi_two(0, 0), &omega, &turn);
-    turn = vmi_quat(turn.w, vmi_scale(-1, vmi_quat_vector(turn)));
-    motion->start = vmi_quat_times(q, turn);
+    turn = vmi_quat(turn.w, vm_scale(-1, vmi_quat_vector(turn)));
+    motion->start = vm_quat_times(q, turn);
     for (k = 0; k < 3; k++) motion->spin[k] *= power;
     motion->phase_rate = vmi_two_shifted(motion->phase_rate, power);
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
@@ -459,7 +459,7 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     reach = VM_FABS(motion->phase_rate.hi) + VM_FABS(motion->turn_rate.hi);
     if (!((1 + reach) * (1 + VM_FABS(elapsed.hi)) < largest_factor)) return VM_NOT_FINITE;
     vmi_torque_free_at(motion, elapsed, &w, &turn);
-    turn = vmi_quat_times(motion->start, turn);
+    turn = vm_quat_times(motion->start, turn);
     if (!vmi_vec3_is_finite(w) || !vmi_quat_is_finite(turn)) return VM_NOT_FINITE;
     *q = turn;
     *omega = w;
@@ -481,7 +481,7 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     if (status) return status;
     turn = vmi_rotation(b.q);
     b.omega = vmi_times(&turn, b.omega);
-    b.r = vmi_add(b.r, vmi_scale(t - motion->t0, b.v));
+    b.r = vm_add(b.r, vm_scale(t - motion->t0, b.v));
     if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *body = b;
     return VM_OK;

@@ -277,7 +277,7 @@ VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
     axes.d13 = vmi_two_shifted(vmi_two_minus(axes.I1, axes.I3), axes.sigma);
     axes.matrix.x = vmi_vec3_two_high_words(&b->axis[first]);
     axes.matrix.y = vmi_vec3_two_high_words(&b->axis[middle]);
-    axes.matrix.z = vmi_scale(hand, vmi_vec3_two_high_words(&b->axis[last]));
+    axes.matrix.z = vm_scale(hand, vmi_vec3_two_high_words(&b->axis[last]));
     return axes;
 }
 

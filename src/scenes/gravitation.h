@@ -26,8 +26,8 @@ enum { VMI_GRAVITATION_G = 0, VMI_CENTRAL_CENTRE = 0, VMI_CENTRAL_MU = 3 };
    scene gets the status VM_NOT_FINITE, and the integrator refuses the step. */
 VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
 {
-    const vm_real r = VM_SQRT(vmi_dot(d, d));
-    const vm_vec3 force = vmi_scale(a / r * (b / r), vmi_scale(1 / r, d));
+    const vm_real r = VM_SQRT(vm_dot(d, d));
+    const vm_vec3 force = vm_scale(a / r * (b / r), vm_scale(1 / r, d));
     if (!vmi_vec3_is_finite(force)) s->status = VM_NOT_FINITE;
     return force;
 }
@@ -45,12 +45,12 @@ VM_API vm_effect vmi_effect_gravitation(int body, int other,
 VM_API void vmi_apply_gravitation(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_scene_body *b = s->bodies + e->body, *other = s->bodies + e->other;
-    const vm_vec3 d = vmi_sub(vmi_scene_moving(other, y + other->at), vmi_scene_moving(b, y + b->at));
+    const vm_vec3 d = vm_sub(vmi_scene_moving(other, y + other->at), vmi_scene_moving(b, y + b->at));
     const vm_vec3 force = vmi_gravitation(e->p[VMI_GRAVITATION_G] * e->load->mass, e->other_load->mass, d, s);
     const vm_vec3 none = {0, 0, 0};
     (void)t;
     vmi_scene_add(b, e->load->force, force, none);
-    vmi_scene_add(other, e->other_load->force, vmi_scale(-1, force), none);
+    vmi_scene_add(other, e->other_load->force, vm_scale(-1, force), none);
 }
 
 VM_API int vmi_gravitation_check(const vm_effect *e)
@@ -74,7 +74,7 @@ VM_API vm_effect vm_effect_gravitation(int body, int other, vm_real G)
 VM_API void vmi_apply_central_gravity(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_scene_body *b = s->bodies + e->body;
-    const vm_vec3 d = vmi_sub(vmi_scene_moving(b, e->p + VMI_CENTRAL_CENTRE), vmi_scene_moving(b, y + b->at));
+    const vm_vec3 d = vm_sub(vmi_scene_moving(b, e->p + VMI_CENTRAL_CENTRE), vmi_scene_moving(b, y + b->at));
     const vm_vec3 none = {0, 0, 0};
     (void)t;
     vmi_scene_add(b, e->load->force, vmi_gravitation(e->load->mass, e->p[VMI_CENTRAL_MU], d, s), none);

@@ -70,7 +70,7 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     if (e->vary) e->vary(t, y, &stream, e->ctx);
     c->seen.turn = &b->axes;
     c->seen.slip = vmi_vec3(0, 0, 0);
-    if (stream.from) c->seen.slip = vmi_scale(stream.rate / e->load->mass, vmi_sub(stream.at, stream.from->at));
+    if (stream.from) c->seen.slip = vm_scale(stream.rate / e->load->mass, vm_sub(stream.at, stream.from->at));
     c->seen.energy = s->budget != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v);
     c->seen.omega = vmi_scene_turning(b, y + e->v);
@@ -90,7 +90,7 @@ VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossin
     if (!s->budget) return;
     vmi_scene_add(b, load->reactive, force, torque);
     vmi_scene_add(b, load->brought, force, torque);
-    load->mixing -= vmi_dot(force, c->seen.v) + vmi_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
+    load->mixing -= vm_dot(force, c->seen.v) + vm_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
 }
 
 VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -100,17 +100,17 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     vmi_crossing c;
     vm_vec3 shift, spin, turning;
     vmi_crossing_now(e, t, y, s, &c);
-    shift = vmi_scale(1 / load->mass, c.sum.crossing);
+    shift = vm_scale(1 / load->mass, c.sum.crossing);
     load->mass_rate += c.sum.rate;
-    load->drift = vmi_add(load->drift, vmi_times(c.seen.turn, shift));
-    load->centre_rate = vmi_add(load->centre_rate, vmi_scale(1 / load->mass, c.sum.stored));
+    load->drift = vm_add(load->drift, vmi_times(c.seen.turn, shift));
+    load->centre_rate = vm_add(load->centre_rate, vm_scale(1 / load->mass, c.sum.stored));
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
     if (!s->budget) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
-    turning = vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
-    vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v), turning);
+    turning = vm_add(vmi_times(c.seen.turn, spin), vm_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
+    vmi_scene_add(b, load->brought, vm_scale(c.sum.rate, c.seen.v), turning);
     load->brought_energy += c.sum.brought / 2;
-    load->mixing += (c.sum.brought - c.sum.rate * vmi_dot(c.seen.v, c.seen.v) - vmi_dot(spin, c.seen.omega)) / 2;
+    load->mixing += (c.sum.brought - c.sum.rate * vm_dot(c.seen.v, c.seen.v) - vm_dot(spin, c.seen.omega)) / 2;
 }
 
 VM_API void vmi_apply_stream_force(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -118,8 +118,8 @@ VM_API void vmi_apply_stream_force(const vm_effect *e, vm_real t, const vm_real 
     vmi_crossing c;
     vm_vec3 force;
     vmi_crossing_now(e, t, y, s, &c);
-    force = vmi_sub(c.sum.absolute, vmi_scale(c.sum.rate - c.sum.carried, c.seen.v));
-    vmi_crossing_push(e, s, &c, vmi_add(vmi_times(c.seen.turn, c.sum.pushed), force), vmi_vec3(0, 0, 0));
+    force = vm_sub(c.sum.absolute, vm_scale(c.sum.rate - c.sum.carried, c.seen.v));
+    vmi_crossing_push(e, s, &c, vm_add(vmi_times(c.seen.turn, c.sum.pushed), force), vmi_vec3(0, 0, 0));
 }
 
 VM_API void vmi_apply_stream_moment(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -134,7 +134,7 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing c;
     vm_vec3 torque;
     vmi_crossing_now(e, t, y, s, &c);
-    torque = vmi_sub(c.sum.own, vmi_inertia_times(&c.sum.inertia, c.seen.omega));
+    torque = vm_sub(c.sum.own, vmi_inertia_times(&c.sum.inertia, c.seen.omega));
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
@@ -149,7 +149,7 @@ VM_API int vmi_crossing_check(const vm_effect *e)
     if (!stream) return VM_BAD_ARGUMENT;
     status = vmi_check_stream(stream);
     if (status || !stream->from) return status;
-    moment = vmi_norm_max(vmi_cross(stream->at, stream->from->at));
+    moment = vmi_norm_max(vm_cross(stream->at, stream->from->at));
     if (moment <= 32 * VM_EPSILON * vmi_norm1(stream->at) * vmi_norm1(stream->from->at)) return VM_OK;
     return VM_STORED_STREAM;
 }

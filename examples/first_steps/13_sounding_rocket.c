@@ -1,7 +1,7 @@
 /* A sounding rocket in two stages. Straight up: two motors, staging, weight, drag in an atmosphere that thins by e
    every 8 km, and from the apogee on a parachute. Drag is an effect of one's own; the parachute is a larger one.
 
-   cc -O2 12_sounding_rocket.c -lm && ./a.out [file.csv] */
+   cc -O2 13_sounding_rocket.c -lm && ./a.out [file.csv] */
 #include <math.h>
 #include <stdio.h>
 #include "../../varmass.h"
